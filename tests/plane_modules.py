@@ -8,6 +8,7 @@ from pathlib import Path
 from stored_book import kernels
 
 from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.programs import program_sources
 from axiderive.code.python import NODE_COUNTS
 from axiderive.code.tables import nodes_source, symbols_sources
 from axiderive.entry import Entry
@@ -34,6 +35,10 @@ def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     tables |= symbols_sources({"theta", "R", "A", "b", "h", "n", "a", "E_star"})
     files = {"__init__.py": "", **runtime_sources(), **{f"{PLACE}/{name}": text for name, text in tables.items()}}
     files |= {str(Path(path).relative_to("axicontact")): text for path, text in sources.items()}
+    files |= {
+        path.removeprefix("axicontact/"): text
+        for path, text in program_sources({f"axicontact/{path}": text for path, text in files.items()}).items()
+    }
     for path, text in files.items():
         (base / path).parent.mkdir(parents=True, exist_ok=True)
         (base / path).write_text(text)

@@ -24,7 +24,7 @@ ROOT = Path(axicontact.__file__).parent
 PUBLIC = [
     ".".join(path.relative_to(ROOT.parent).with_suffix("").parts)
     for path in sorted(ROOT.rglob("*.py"))
-    if not path.name.startswith("_") and path.name != "expressions.py" and "_runtime" not in path.parts
+    if path.name != "expressions.py" and not any(part.startswith("_") for part in path.relative_to(ROOT).parts)
 ]
 
 

@@ -20,6 +20,7 @@ from axicontact._runtime.shapes.powers import power_displacement, power_pressure
 from axicontact._runtime.special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axiderive.code import tables as certified
 from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.programs import FOLDER
 from axiderive.code.tables import bounds, kernels_source
 
 EPS = np.finfo(float).eps
@@ -33,7 +34,7 @@ def test_the_package_holds_the_files_of_the_engine() -> None:
     found = {path.relative_to(root).as_posix() for path in (root / PLACE).rglob("*.py")}
     generated = {f"{PLACE}/{name}.py" for name in ("intervals", "kernels", "nodes", "symbols")}
     assert found == {path for path in wanted if path.startswith(PLACE)} | generated
-    assert {path.name for path in root.glob("_*")} - {"__pycache__"} == {PLACE, "__init__.py"}
+    assert {path.name for path in root.glob("_*")} - {"__pycache__"} == {PLACE, FOLDER, "__init__.py"}
 
 
 def test_the_run_time_works_where_it_stands() -> None:

@@ -21,6 +21,7 @@ import axicontact
 from axiderive import notation as nt
 from axiderive.build.work import read_entries
 from axiderive.code.private import parameter_name
+from axiderive.code.programs import program_sources
 from axiderive.commands.check import _drift as check_again
 from axiderive.entry import Entry
 from axiderive.physics.normal import derive
@@ -180,6 +181,7 @@ def test_the_record_of_a_problem() -> None:
     assert record("rounded_punch", closure(sources, path), entries, few, count=12) == {key: found[key] for key in few}
     root = "np.sqrt((a - b) * (a + b)) / b"
     worse = sources | {path: sources[path].replace("root_gap(a, b)", f"({root} - np.arctan({root}))")}
+    worse |= program_sources(closure(worse, path))
     assert record("rounded_punch", worse, entries, ["d"], count=12)["d"]["bench"]["worst_ulp"] > 1e4
 
 

@@ -83,7 +83,7 @@ class _Expression:
         self.fields = function.__code__.co_varnames[: function.__code__.co_argcount]
         code = written.__code__
         self.arguments = frozenset(code.co_varnames[1 : code.co_argcount])
-        self.formula = partial(written, _Library(xp, code.co_names))
+        self.formula = partial(written, _Library(xp, [name for name in code.co_names if name != "range"]))
         update_wrapper(self, function)
 
     def __call__(self, *fields: Any, **keywords: Any) -> Any:
@@ -104,7 +104,7 @@ def _over(function: Callable[..., Any], name: str) -> Callable[..., Any]:
 class _Library:
     """The functions of a library under NumPy's names."""
 
-    def __init__(self, xp: Any, names: tuple[str, ...]) -> None:
+    def __init__(self, xp: Any, names: list[str]) -> None:
         for name in names:
             found = getattr(xp, name, None)
             found = getattr(xp, STANDARD.get(name, name), None) if found is None else found

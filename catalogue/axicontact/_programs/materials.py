@@ -23,17 +23,17 @@ def prepare_effective_modulus_all_signed():
     return ()
 
 
-def block_effective_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, w0, w1):
+def block_effective_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, t0, t1):
     np.subtract(C0, nu_1, out)
-    np.add(C0, nu_1, w0)
-    np.multiply(out, w0, w0)
-    np.divide(w0, E_1, w0)
+    np.add(C0, nu_1, t0)
+    np.multiply(out, t0, t0)
+    np.divide(t0, E_1, t0)
     np.subtract(C0, nu_2, out)
-    np.add(C0, nu_2, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, E_2, w1)
-    np.add(w0, w1, w1)
-    np.divide(C0, w1, out)
+    np.add(C0, nu_2, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, E_2, t1)
+    np.add(t0, t1, t1)
+    np.divide(C0, t1, out)
 
 
 def effective_shear_modulus(E_1, nu_1, E_2, nu_2):
@@ -49,17 +49,17 @@ def prepare_effective_shear_modulus_all_signed():
     return ()
 
 
-def block_effective_shear_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, w0, w1):
+def block_effective_shear_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, t0, t1):
     np.subtract(C1, nu_1, out)
-    np.add(C0, nu_1, w0)
-    np.multiply(out, w0, w0)
-    np.divide(w0, E_1, w0)
+    np.add(C0, nu_1, t0)
+    np.multiply(out, t0, t0)
+    np.divide(t0, E_1, t0)
     np.subtract(C1, nu_2, out)
-    np.add(C0, nu_2, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, E_2, w1)
-    np.add(w0, w1, w1)
-    np.divide(C1, w1, out)
+    np.add(C0, nu_2, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, E_2, t1)
+    np.add(t0, t1, t1)
+    np.divide(C1, t1, out)
 
 
 BLOCKS = {

@@ -21,7 +21,8 @@ physics
     Adhesion, slip, viscoelasticity, prescribed pressures and strips.
 graded
     The half-space whose modulus grows as a power of depth.
-programs
-    Formulas as graphs, and what is compiled of them at the first call, for plain numbers and for blocks of arrays;
-    numbers without a range where doubles end.
+plain
+    What the formulas for plain numbers are written with, beside `math`.
+arrays
+    Broadcasting and blocks; numbers without a range where doubles end.
 """

@@ -1,7 +1,7 @@
 """Roots of increasing functions without a closed inverse, by a safeguarded iteration of high order.
 
 They begin where curves are joined from what is known of their ends.  Whether a point is left is asked by
-np.count_nonzero: `programs.trace` takes np.any for a question about a rare branch.
+np.count_nonzero: the graph of a formula takes np.any for a question about a rare branch.
 """
 
 from __future__ import annotations
@@ -40,6 +40,8 @@ def inverse(
     share of that of t.  What is left then is removed by a step that is linear in t.  Where the curve may have kinks
     and is not `smooth`, it is looked at again after that step.
     """
+    if hasattr(start, "root"):
+        return start.root(curve, value, largest, exponents)
     t = np.minimum(start, largest)
     position = np.log(t)
     y, slope = curve(t)

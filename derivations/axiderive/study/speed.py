@@ -117,7 +117,7 @@ def in_math(entry: Entry, point: dict[sp.Symbol, float]) -> Callable[..., float]
 
 
 def in_steps(entry: Entry, module: ModuleType) -> Callable[..., float]:
-    """The evaluation form of an emitted function in `math`, as its compiled call takes it, with nothing around it.
+    """The evaluation form of an emitted function in `math`, as its program takes it, with nothing around it.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def in_steps(entry: Entry, module: ModuleType) -> Callable[..., float]:
     result, rules = trace(private, names, ()), dict[Lengths, str]()
     if result is not None:
         text = Lines(result, dict.fromkeys(names, (SMALL, LARGE)), rules).text()
-        return _bare(entry, ["if True:" if line.strip() == TRUSTED[0] else line for line in text], _space(rules))
+        return _bare(entry, [line.replace(TRUSTED[0], "if True:") for line in text], _space(rules))
     programs = import_module("axicontact._runtime.interface").programs
     twin = getattr(programs(module.__name__, "bodies."), private.__name__, None)
     if twin is None:

@@ -34,7 +34,7 @@ def prepare_depth_a(R1, R2, b, E_star, dgamma):
     return (R1, b, v14, v25)
 
 
-def block_depth_a(out, a, R1, b, v14, v25, w0, w1, m0):
+def block_depth_a(out, a, R1, b, v14, v25, t0, t1, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -45,27 +45,27 @@ def block_depth_a(out, a, R1, b, v14, v25, w0, w1, m0):
         np.square(a, out)
         np.divide(out, R1, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.subtract(a, b, other20)
-        np.add(a, b, w1)
-        np.multiply(other20, w1, w1)
-        np.sqrt(w1, w1)
-        np.multiply(v14, w1, w1)
-        np.add(a, w1, w1)
-        np.multiply(a, w1, w1)
-        np.divide(w1, R1, other20)
+        np.add(a, b, t1)
+        np.multiply(other20, t1, t1)
+        np.sqrt(t1, t1)
+        np.multiply(v14, t1, t1)
+        np.add(a, t1, t1)
+        np.multiply(a, t1, t1)
+        np.divide(t1, R1, other20)
         if some20:
             np.copyto(out, other20, where=~m0)
-    np.sqrt(a, w0)
-    np.multiply(w0, v25, w0)
-    np.subtract(out, w0, out)
+    np.sqrt(a, t0)
+    np.multiply(t0, v25, t0)
+    np.subtract(out, t0, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R1, R2, b, E_star, dgamma, w0, w1, m0):
+def block_depth_all(out, a, R1, R2, b, E_star, dgamma, t0, t1, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -76,25 +76,25 @@ def block_depth_all(out, a, R1, R2, b, E_star, dgamma, w0, w1, m0):
         np.square(a, out)
         np.divide(out, R1, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.subtract(a, b, other20)
-        np.add(a, b, w1)
-        np.multiply(other20, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, b, t1)
+        np.multiply(other20, t1, t1)
+        np.sqrt(t1, t1)
         np.subtract(R1, R2, other20)
         np.divide(other20, R2, other20)
-        np.multiply(other20, w1, w1)
-        np.add(a, w1, w1)
-        np.multiply(a, w1, w1)
-        np.divide(w1, R1, other20)
+        np.multiply(other20, t1, t1)
+        np.add(a, t1, t1)
+        np.multiply(a, t1, t1)
+        np.divide(t1, R1, other20)
         if some20:
             np.copyto(out, other20, where=~m0)
-    np.sqrt(a, w0)
-    np.multiply(C1, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.sqrt(a, t0)
+    np.multiply(C1, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def displacement(r, a, R1, R2, b, E_star, dgamma):
@@ -180,85 +180,85 @@ def prepare_force_a(R1, R2, b, E_star, dgamma):
     return (b, v10, v19, v20, v23, v25, v38)
 
 
-def block_force_a(out, a, b, v10, v19, v20, v23, v25, v38, w0, w1, w2, w3, w4, m0):
+def block_force_a(out, a, b, v10, v19, v20, v23, v25, v38, t0, t1, t2, t3, t4, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(a, out, w0)
+    np.multiply(a, out, t0)
     np.less(a, b, m0)
     some32 = np.count_nonzero(m0)
     if some32:
-        np.multiply(v10, w0, w1)
+        np.multiply(v10, t0, t1)
     if some32 != size:
-        other32 = w2 if some32 else w1
+        other32 = t2 if some32 else t1
         np.subtract(a, b, other32)
-        np.add(a, b, w3)
-        np.multiply(other32, w3, w3)
-        np.sqrt(w3, w3)
-        np.multiply(C0, w0, other32)
-        np.multiply(C0, out, w4)
-        np.add(w4, v25, w4)
-        np.multiply(v23, w4, w4)
-        np.multiply(w4, w3, w3)
-        np.add(other32, w3, w3)
-        np.multiply(v20, w3, other32)
+        np.add(a, b, t3)
+        np.multiply(other32, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(C0, t0, other32)
+        np.multiply(C0, out, t4)
+        np.add(t4, v25, t4)
+        np.multiply(v23, t4, t4)
+        np.multiply(t4, t3, t3)
+        np.add(other32, t3, t3)
+        np.multiply(v20, t3, other32)
         if some32:
-            np.copyto(w1, other32, where=~m0)
-    np.multiply(v19, a, w0)
+            np.copyto(t1, other32, where=~m0)
+    np.multiply(v19, a, t0)
     np.sqrt(a, out)
     np.multiply(out, v38, out)
-    np.multiply(w0, out, out)
-    np.subtract(w1, out, out)
+    np.multiply(t0, out, out)
+    np.subtract(t1, out, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R1, R2, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, m0):
+def block_force_all(out, a, R1, R2, b, E_star, dgamma, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, m0):
     size = out.size
     np.multiply(C2, R1, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.square(a, w0)
-    np.multiply(a, w0, w1)
-    np.multiply(C0, E_star, w2)
+    np.square(a, t0)
+    np.multiply(a, t0, t1)
+    np.multiply(C0, E_star, t2)
     np.less(a, b, m0)
     some32 = np.count_nonzero(m0)
     if some32:
-        np.multiply(C3, E_star, w3)
-        np.divide(w3, out, w3)
-        np.multiply(w3, w1, w3)
+        np.multiply(C3, E_star, t3)
+        np.divide(t3, out, t3)
+        np.multiply(t3, t1, t3)
     if some32 != size:
-        other32 = w4 if some32 else w3
+        other32 = t4 if some32 else t3
         np.subtract(a, b, other32)
-        np.add(a, b, w5)
-        np.multiply(other32, w5, w5)
-        np.sqrt(w5, w5)
-        np.divide(w2, out, other32)
-        np.multiply(C0, w1, w6)
-        np.subtract(R1, R2, w7)
-        np.divide(w7, R2, w7)
-        np.multiply(C0, w0, w8)
-        np.square(b, w9)
-        np.add(w8, w9, w9)
-        np.multiply(w7, w9, w9)
-        np.multiply(w9, w5, w5)
-        np.add(w6, w5, w5)
-        np.multiply(other32, w5, other32)
+        np.add(a, b, t5)
+        np.multiply(other32, t5, t5)
+        np.sqrt(t5, t5)
+        np.divide(t2, out, other32)
+        np.multiply(C0, t1, t6)
+        np.subtract(R1, R2, t7)
+        np.divide(t7, R2, t7)
+        np.multiply(C0, t0, t8)
+        np.square(b, t9)
+        np.add(t8, t9, t9)
+        np.multiply(t7, t9, t9)
+        np.multiply(t9, t5, t5)
+        np.add(t6, t5, t5)
+        np.multiply(other32, t5, other32)
         if some32:
-            np.copyto(w3, other32, where=~m0)
-    np.multiply(w2, a, w2)
-    np.sqrt(a, w1)
-    np.multiply(C1, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(w1, w0, w0)
-    np.multiply(w2, w0, w0)
-    np.subtract(w3, w0, out)
+            np.copyto(t3, other32, where=~m0)
+    np.multiply(t2, a, t2)
+    np.sqrt(a, t1)
+    np.multiply(C1, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(t1, t0, t0)
+    np.multiply(t2, t0, t0)
+    np.subtract(t3, t0, out)
 
 
 def pressure(r, a, R1, R2, b, E_star, dgamma):

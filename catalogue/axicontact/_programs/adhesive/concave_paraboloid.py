@@ -27,14 +27,14 @@ def prepare_pull_off_depth_all_signed():
     return ()
 
 
-def block_pull_off_depth_all_signed(out, a, h, E_star, dgamma, w0, w1):
+def block_pull_off_depth_all_signed(out, a, h, E_star, dgamma, t0, t1):
     np.multiply(C0, h, out)
-    np.sqrt(a, w0)
-    np.multiply(C1, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.sqrt(a, t0)
+    np.multiply(C1, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def pull_off_force(a, h, E_star, dgamma):
@@ -50,18 +50,18 @@ def prepare_pull_off_force_all_signed():
     return ()
 
 
-def block_pull_off_force_all_signed(out, a, h, E_star, dgamma, w0):
+def block_pull_off_force_all_signed(out, a, h, E_star, dgamma, t0):
     np.multiply(C0, a, out)
-    np.multiply(C1, E_star, w0)
-    np.multiply(w0, dgamma, w0)
-    np.multiply(w0, a, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, w0)
+    np.multiply(C1, E_star, t0)
+    np.multiply(t0, dgamma, t0)
+    np.multiply(t0, a, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, t0)
     np.multiply(C2, E_star, out)
     np.multiply(out, h, out)
     np.divide(out, C3, out)
     np.multiply(out, a, out)
-    np.subtract(w0, out, out)
+    np.subtract(t0, out, out)
 
 
 BLOCKS = {

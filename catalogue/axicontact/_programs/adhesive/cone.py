@@ -36,21 +36,21 @@ def prepare_depth_a(theta, E_star, dgamma):
     return (v10, v16)
 
 
-def block_depth_a(out, a, v10, v16, w0):
+def block_depth_a(out, a, v10, v16, t0):
     np.multiply(v10, a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.sqrt(a, w0)
-    np.multiply(w0, v16, w0)
-    np.subtract(out, w0, out)
+    np.sqrt(a, t0)
+    np.multiply(t0, v16, t0)
+    np.subtract(out, t0, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, theta, E_star, dgamma, w0, w1):
+def block_depth_all(out, a, theta, E_star, dgamma, t0, t1):
     np.tan(theta, out)
     largest_a = largest(a)
     if largest_a == np.inf:
@@ -58,12 +58,12 @@ def block_depth_all(out, a, theta, E_star, dgamma, w0, w1):
     np.multiply(C0, out, out)
     np.multiply(out, a, out)
     np.multiply(out, C1, out)
-    np.sqrt(a, w0)
-    np.multiply(C2, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.sqrt(a, t0)
+    np.multiply(C2, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def displacement(r, a, theta, E_star, dgamma):
@@ -98,41 +98,41 @@ def prepare_displacement_r(a, theta, E_star, dgamma):
     return (a, v5, v6, v21, v40)
 
 
-def block_displacement_r(out, r, a, v5, v6, v21, v40, w0, w1, w2, m0, f0):
+def block_displacement_r(out, r, a, v5, v6, v21, v40, t0, t1, t2, m0, f0):
     size = out.size
     np.subtract(r, a, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(r, a, w0)
+    np.add(r, a, t0)
     np.greater(r, a, m0)
     some25 = np.count_nonzero(m0)
     if some25:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.add(r, w1, w1)
-        np.divide(a, w1, w1)
-        np.arctan(w1, w2)
-        np.multiply(C3, w2, w2)
-        np.subtract(w2, w1, w1)
-        np.multiply(v6, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.add(r, t1, t1)
+        np.divide(a, t1, t1)
+        np.arctan(t1, t2)
+        np.multiply(C3, t2, t2)
+        np.subtract(t2, t1, t1)
+        np.multiply(v6, t1, t1)
     if some25 != size:
-        other25 = w2 if some25 else w1
+        other25 = t2 if some25 else t1
         np.multiply(v5, r, other25)
         np.subtract(v21, other25, other25)
         if some25:
-            np.copyto(w1, other25, where=~m0)
+            np.copyto(t1, other25, where=~m0)
     some34 = np.count_nonzero(m0)
     if some34:
-        np.maximum(out, f0, out=w2)
-        np.multiply(w2, w0, w2)
-        np.sqrt(w2, w2)
-        np.arctan2(a, w2, w2)
-        np.multiply(C4, w2, w2)
+        np.maximum(out, f0, out=t2)
+        np.multiply(t2, t0, t2)
+        np.sqrt(t2, t2)
+        np.arctan2(a, t2, t2)
+        np.multiply(C4, t2, t2)
     if some34 != size:
-        np.copyto(w2, C5, where=~m0)
-    np.multiply(v40, w2, w2)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C5, where=~m0)
+    np.multiply(v40, t2, t2)
+    np.subtract(t1, t2, out)
 
 
 def prepare_displacement_r_a(theta, E_star, dgamma):
@@ -145,7 +145,7 @@ def prepare_displacement_r_a(theta, E_star, dgamma):
     return (v5, v22, v41)
 
 
-def block_displacement_r_a(out, r, a, v5, v22, v41, w0, w1, w2, w3, m0, f0):
+def block_displacement_r_a(out, r, a, v5, v22, v41, t0, t1, t2, t3, m0, f0):
     size = out.size
     np.subtract(r, a, out)
     largest_r = largest(r)
@@ -154,46 +154,46 @@ def block_displacement_r_a(out, r, a, v5, v22, v41, w0, w1, w2, w3, m0, f0):
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(r, a, w0)
+    np.add(r, a, t0)
     np.greater(r, a, m0)
     some27 = np.count_nonzero(m0)
     if some27:
-        np.multiply(v5, a, w1)
-        np.multiply(out, w0, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.arctan(w2, w3)
-        np.multiply(C3, w3, w3)
-        np.subtract(w3, w2, w2)
-        np.multiply(w1, w2, w1)
+        np.multiply(v5, a, t1)
+        np.multiply(out, t0, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.arctan(t2, t3)
+        np.multiply(C3, t3, t3)
+        np.subtract(t3, t2, t2)
+        np.multiply(t1, t2, t1)
     if some27 != size:
-        other27 = w2 if some27 else w1
+        other27 = t2 if some27 else t1
         np.multiply(v22, a, other27)
-        np.multiply(v5, r, w3)
-        np.subtract(other27, w3, other27)
+        np.multiply(v5, r, t3)
+        np.subtract(other27, t3, other27)
         if some27:
-            np.copyto(w1, other27, where=~m0)
+            np.copyto(t1, other27, where=~m0)
     some36 = np.count_nonzero(m0)
     if some36:
-        np.maximum(out, f0, out=w2)
-        np.multiply(w2, w0, w2)
-        np.sqrt(w2, w2)
-        np.arctan2(a, w2, w2)
-        np.multiply(C4, w2, w2)
+        np.maximum(out, f0, out=t2)
+        np.multiply(t2, t0, t2)
+        np.sqrt(t2, t2)
+        np.arctan2(a, t2, t2)
+        np.multiply(C4, t2, t2)
     if some36 != size:
-        np.copyto(w2, C5, where=~m0)
-    np.sqrt(a, w0)
-    np.multiply(w0, v41, w0)
-    np.multiply(w0, w2, w2)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C5, where=~m0)
+    np.sqrt(a, t0)
+    np.multiply(t0, v41, t0)
+    np.multiply(t0, t2, t2)
+    np.subtract(t1, t2, out)
 
 
 def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4, m0, f0):
+def block_displacement_all(out, r, a, theta, E_star, dgamma, t0, t1, t2, t3, t4, m0, f0):
     size = out.size
     np.tan(theta, out)
     largest_r = largest(r)
@@ -202,45 +202,45 @@ def block_displacement_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4,
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.subtract(r, a, w0)
-    np.add(r, a, w1)
+    np.subtract(r, a, t0)
+    np.add(r, a, t1)
     np.greater(r, a, m0)
     some26 = np.count_nonzero(m0)
     if some26:
-        np.multiply(out, a, w2)
-        np.multiply(w0, w1, w3)
-        np.sqrt(w3, w3)
-        np.add(r, w3, w3)
-        np.divide(a, w3, w3)
-        np.arctan(w3, w4)
-        np.multiply(C3, w4, w4)
-        np.subtract(w4, w3, w3)
-        np.multiply(w2, w3, w2)
+        np.multiply(out, a, t2)
+        np.multiply(t0, t1, t3)
+        np.sqrt(t3, t3)
+        np.add(r, t3, t3)
+        np.divide(a, t3, t3)
+        np.arctan(t3, t4)
+        np.multiply(C3, t4, t4)
+        np.subtract(t4, t3, t3)
+        np.multiply(t2, t3, t2)
     if some26 != size:
-        other26 = w3 if some26 else w2
+        other26 = t3 if some26 else t2
         np.multiply(C0, out, other26)
         np.multiply(other26, a, other26)
         np.multiply(other26, C1, other26)
-        np.multiply(out, r, w4)
-        np.subtract(other26, w4, other26)
+        np.multiply(out, r, t4)
+        np.subtract(other26, t4, other26)
         if some26:
-            np.copyto(w2, other26, where=~m0)
+            np.copyto(t2, other26, where=~m0)
     some35 = np.count_nonzero(m0)
     if some35:
-        np.maximum(w0, f0, out=out)
-        np.multiply(out, w1, out)
+        np.maximum(t0, f0, out=out)
+        np.multiply(out, t1, out)
         np.sqrt(out, out)
         np.arctan2(a, out, out)
         np.multiply(C4, out, out)
     if some35 != size:
         np.copyto(out, C5, where=~m0)
-    np.sqrt(a, w1)
-    np.multiply(C2, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(w1, w0, w0)
-    np.multiply(w0, out, out)
-    np.subtract(w2, out, out)
+    np.sqrt(a, t1)
+    np.multiply(C2, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(t1, t0, t0)
+    np.multiply(t0, out, out)
+    np.subtract(t2, out, out)
 
 
 def force(a, theta, E_star, dgamma):
@@ -264,42 +264,42 @@ def prepare_force_a(theta, E_star, dgamma):
     return (v12, v14, v20)
 
 
-def block_force_a(out, a, v12, v14, v20, w0, w1):
+def block_force_a(out, a, v12, v14, v20, t0, t1):
     np.square(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(v12, out, out)
-    np.multiply(v14, a, w0)
-    np.sqrt(a, w1)
-    np.multiply(w1, v20, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.multiply(v14, a, t0)
+    np.sqrt(a, t1)
+    np.multiply(t1, v20, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, E_star, dgamma, w0, w1, w2):
+def block_force_all(out, a, theta, E_star, dgamma, t0, t1, t2):
     np.multiply(C0, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
-    np.multiply(out, w0, w0)
+    np.tan(theta, t0)
+    np.multiply(out, t0, t0)
     np.square(a, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.multiply(out, C1, out)
-    np.multiply(C3, E_star, w0)
-    np.multiply(w0, a, w0)
-    np.sqrt(a, w1)
-    np.multiply(C2, dgamma, w2)
-    np.divide(w2, E_star, w2)
-    np.sqrt(w2, w2)
-    np.multiply(w1, w2, w2)
-    np.multiply(w0, w2, w2)
-    np.subtract(out, w2, out)
+    np.multiply(C3, E_star, t0)
+    np.multiply(t0, a, t0)
+    np.sqrt(a, t1)
+    np.multiply(C2, dgamma, t2)
+    np.divide(t2, E_star, t2)
+    np.sqrt(t2, t2)
+    np.multiply(t1, t2, t2)
+    np.multiply(t0, t2, t2)
+    np.subtract(out, t2, out)
 
 
 def pressure(r, a, theta, E_star, dgamma):
@@ -332,38 +332,38 @@ def prepare_pressure_r(a, theta, E_star, dgamma):
     return (a, v18, v28, v29)
 
 
-def block_pressure_r(out, r, a, v18, v28, v29, w0, w1, w2, m0, f0):
+def block_pressure_r(out, r, a, v18, v28, v29, t0, t1, t2, m0, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.add(out, w1, w1)
-        np.divide(w1, r, w1)
-        np.log1p(w1, w1)
-        np.multiply(v18, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.add(out, t1, t1)
+        np.divide(t1, r, t1)
+        np.log1p(t1, t1)
+        np.multiply(v18, t1, t1)
     if some21 != size:
-        np.copyto(w1, C6, where=~m0)
+        np.copyto(t1, C6, where=~m0)
     np.less_equal(r, a, m0)
     some38 = np.count_nonzero(m0)
     if some38:
         if v28:
-            np.maximum(out, f0, out=w2)
-            np.multiply(w2, w0, w2)
-            np.sqrt(w2, w2)
-            np.multiply(C0, w2, w2)
-            np.divide(v29, w2, w2)
+            np.maximum(out, f0, out=t2)
+            np.multiply(t2, t0, t2)
+            np.sqrt(t2, t2)
+            np.multiply(C0, t2, t2)
+            np.divide(v29, t2, t2)
         else:
-            np.copyto(w2, C6)
+            np.copyto(t2, C6)
     if some38 != size:
-        np.copyto(w2, C6, where=~m0)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C6, where=~m0)
+    np.subtract(t1, t2, out)
 
 
 def prepare_pressure_r_a(theta, E_star, dgamma):
@@ -376,7 +376,7 @@ def prepare_pressure_r_a(theta, E_star, dgamma):
     return (E_star, v18, v26)
 
 
-def block_pressure_r_a(out, r, a, E_star, v18, v26, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_pressure_r_a(out, r, a, E_star, v18, v26, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -385,44 +385,44 @@ def block_pressure_r_a(out, r, a, E_star, v18, v26, w0, w1, w2, w3, w4, m0, m1, 
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.add(out, w1, w1)
-        np.divide(w1, r, w1)
-        np.log1p(w1, w1)
-        np.multiply(v18, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.add(out, t1, t1)
+        np.divide(t1, r, t1)
+        np.log1p(t1, t1)
+        np.multiply(v18, t1, t1)
     if some21 != size:
-        np.copyto(w1, C6, where=~m0)
+        np.copyto(t1, C6, where=~m0)
     np.less_equal(r, a, m0)
     some38 = np.count_nonzero(m0)
     if some38:
-        np.sqrt(a, w3)
-        np.multiply(w3, v26, w3)
-        np.greater(w3, C6, m1)
+        np.sqrt(a, t3)
+        np.multiply(t3, v26, t3)
+        np.greater(t3, C6, m1)
         some36 = np.count_nonzero(m1)
         if some36:
-            np.multiply(E_star, w3, w2)
-            np.maximum(out, f0, out=w4)
-            np.multiply(w4, w0, w4)
-            np.sqrt(w4, w4)
-            np.multiply(C0, w4, w4)
-            np.divide(w2, w4, w2)
+            np.multiply(E_star, t3, t2)
+            np.maximum(out, f0, out=t4)
+            np.multiply(t4, t0, t4)
+            np.sqrt(t4, t4)
+            np.multiply(C0, t4, t4)
+            np.divide(t2, t4, t2)
         if some36 != size:
-            np.copyto(w2, C6, where=~m1)
+            np.copyto(t2, C6, where=~m1)
     if some38 != size:
-        np.copyto(w2, C6, where=~m0)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C6, where=~m0)
+    np.subtract(t1, t2, out)
 
 
 def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_pressure_all(out, r, a, theta, E_star, dgamma, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -431,43 +431,43 @@ def block_pressure_all(out, r, a, theta, E_star, dgamma, w0, w1, w2, w3, w4, m0,
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.tan(theta, w2)
-        np.multiply(E_star, w2, w2)
-        np.add(out, w1, w1)
-        np.divide(w1, r, w1)
-        np.log1p(w1, w1)
-        np.multiply(w2, w1, w1)
-        np.multiply(w1, C1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.tan(theta, t2)
+        np.multiply(E_star, t2, t2)
+        np.add(out, t1, t1)
+        np.divide(t1, r, t1)
+        np.log1p(t1, t1)
+        np.multiply(t2, t1, t1)
+        np.multiply(t1, C1, t1)
     if some20 != size:
-        np.copyto(w1, C6, where=~m0)
+        np.copyto(t1, C6, where=~m0)
     np.less_equal(r, a, m0)
     some37 = np.count_nonzero(m0)
     if some37:
-        np.sqrt(a, w3)
-        np.multiply(C2, dgamma, w4)
-        np.divide(w4, E_star, w4)
-        np.sqrt(w4, w4)
-        np.multiply(w3, w4, w4)
-        np.greater(w4, C6, m1)
+        np.sqrt(a, t3)
+        np.multiply(C2, dgamma, t4)
+        np.divide(t4, E_star, t4)
+        np.sqrt(t4, t4)
+        np.multiply(t3, t4, t4)
+        np.greater(t4, C6, m1)
         some35 = np.count_nonzero(m1)
         if some35:
-            np.multiply(E_star, w4, w2)
-            np.maximum(out, f0, out=w3)
-            np.multiply(w3, w0, w3)
-            np.sqrt(w3, w3)
-            np.multiply(C0, w3, w3)
-            np.divide(w2, w3, w2)
+            np.multiply(E_star, t4, t2)
+            np.maximum(out, f0, out=t3)
+            np.multiply(t3, t0, t3)
+            np.sqrt(t3, t3)
+            np.multiply(C0, t3, t3)
+            np.divide(t2, t3, t2)
         if some35 != size:
-            np.copyto(w2, C6, where=~m1)
+            np.copyto(t2, C6, where=~m1)
     if some37 != size:
-        np.copyto(w2, C6, where=~m0)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C6, where=~m0)
+    np.subtract(t1, t2, out)
 
 
 BLOCKS = {

@@ -25,13 +25,13 @@ def prepare_pull_off_depth_all_signed():
     return ()
 
 
-def block_pull_off_depth_all_signed(out, a, E_star, dgamma, w0):
+def block_pull_off_depth_all_signed(out, a, E_star, dgamma, t0):
     np.sqrt(a, out)
-    np.multiply(C0, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, w0)
-    np.negative(w0, out)
+    np.multiply(C0, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, t0)
+    np.negative(t0, out)
 
 
 def pull_off_force(a, E_star, dgamma):
@@ -47,13 +47,13 @@ def prepare_pull_off_force_all_signed():
     return ()
 
 
-def block_pull_off_force_all_signed(out, a, E_star, dgamma, w0):
+def block_pull_off_force_all_signed(out, a, E_star, dgamma, t0):
     np.multiply(C1, a, out)
-    np.multiply(C0, E_star, w0)
-    np.multiply(w0, dgamma, w0)
-    np.multiply(w0, a, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C0, E_star, t0)
+    np.multiply(t0, dgamma, t0)
+    np.multiply(t0, a, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {

@@ -52,33 +52,33 @@ def prepare_depth_a(R, E_star, dgamma):
     return (R, v11)
 
 
-def block_depth_a(out, a, R, v11, w0):
+def block_depth_a(out, a, R, v11, t0):
     np.square(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.divide(out, R, out)
-    np.sqrt(a, w0)
-    np.multiply(w0, v11, w0)
-    np.subtract(out, w0, out)
+    np.sqrt(a, t0)
+    np.multiply(t0, v11, t0)
+    np.subtract(out, t0, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, E_star, dgamma, w0, w1):
+def block_depth_all(out, a, R, E_star, dgamma, t0, t1):
     np.square(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.divide(out, R, out)
-    np.sqrt(a, w0)
-    np.multiply(C1, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.sqrt(a, t0)
+    np.multiply(C1, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def displacement(r, a, R, E_star, dgamma):
@@ -118,77 +118,77 @@ def prepare_displacement_r(a, R, E_star, dgamma):
     return (a, v10, v75, v77, v95)
 
 
-def block_displacement_r(out, r, a, v10, v75, v77, v95, w0, w1, w2, w3, w4, m0, f0):
+def block_displacement_r(out, r, a, v10, v75, v77, v95, t0, t1, t2, t3, t4, m0, f0):
     size = out.size
     np.subtract(r, a, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(r, a, w0)
+    np.add(r, a, t0)
     np.greater(r, a, m0)
     some81 = np.count_nonzero(m0)
     if some81:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.add(r, w1, w1)
-        np.divide(a, w1, w1)
-        np.divide(a, r, w2)
-        np.multiply(w1, w1, w1)
-        np.multiply(C2, w1, w3)
-        np.add(w3, C3, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C4, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C5, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C6, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C7, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C8, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C9, w3)
-        np.multiply(w3, w1, w3)
-        np.add(w3, C10, w3)
-        np.multiply(C11, w1, w4)
-        np.add(w4, C12, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C13, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C14, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C15, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C16, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C17, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C18, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w4, C19, w4)
-        np.divide(w3, w4, w4)
-        np.multiply(w1, w4, w4)
-        np.add(C20, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.multiply(v10, w4, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.add(r, t1, t1)
+        np.divide(a, t1, t1)
+        np.divide(a, r, t2)
+        np.multiply(t1, t1, t1)
+        np.multiply(C2, t1, t3)
+        np.add(t3, C3, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C4, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C5, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C6, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C7, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C8, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C9, t3)
+        np.multiply(t3, t1, t3)
+        np.add(t3, C10, t3)
+        np.multiply(C11, t1, t4)
+        np.add(t4, C12, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C13, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C14, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C15, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C16, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C17, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C18, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t4, C19, t4)
+        np.divide(t3, t4, t4)
+        np.multiply(t1, t4, t4)
+        np.add(C20, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.multiply(v10, t4, t1)
     if some81 != size:
-        other81 = w4 if some81 else w1
+        other81 = t4 if some81 else t1
         np.square(r, other81)
         np.divide(other81, v77, other81)
         np.subtract(v75, other81, other81)
         if some81:
-            np.copyto(w1, other81, where=~m0)
+            np.copyto(t1, other81, where=~m0)
     some89 = np.count_nonzero(m0)
     if some89:
-        np.maximum(out, f0, out=w4)
-        np.multiply(w4, w0, w4)
-        np.sqrt(w4, w4)
-        np.arctan2(a, w4, w4)
-        np.multiply(C21, w4, w4)
+        np.maximum(out, f0, out=t4)
+        np.multiply(t4, t0, t4)
+        np.sqrt(t4, t4)
+        np.arctan2(a, t4, t4)
+        np.multiply(C21, t4, t4)
     if some89 != size:
-        np.copyto(w4, C19, where=~m0)
-    np.multiply(v95, w4, w4)
-    np.subtract(w1, w4, out)
+        np.copyto(t4, C19, where=~m0)
+    np.multiply(v95, t4, t4)
+    np.subtract(t1, t4, out)
 
 
 def prepare_displacement_r_a(R, E_star, dgamma):
@@ -200,7 +200,7 @@ def prepare_displacement_r_a(R, E_star, dgamma):
     return (R, v9, v77, v94)
 
 
-def block_displacement_r_a(out, r, a, R, v9, v77, v94, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+def block_displacement_r_a(out, r, a, R, v9, v77, v94, t0, t1, t2, t3, t4, t5, t6, m0, f0):
     size = out.size
     np.square(a, out)
     largest_r = largest(r)
@@ -209,84 +209,84 @@ def block_displacement_r_a(out, r, a, R, v9, v77, v94, w0, w1, w2, w3, w4, w5, w
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.subtract(r, a, w0)
-    np.add(r, a, w1)
+    np.subtract(r, a, t0)
+    np.add(r, a, t1)
     np.greater(r, a, m0)
     some81 = np.count_nonzero(m0)
     if some81:
-        np.multiply(C0, out, w2)
-        np.divide(w2, v9, w2)
-        np.multiply(w0, w1, w3)
-        np.sqrt(w3, w3)
-        np.add(r, w3, w3)
-        np.divide(a, w3, w3)
-        np.divide(a, r, w4)
-        np.multiply(w3, w3, w3)
-        np.multiply(C2, w3, w5)
-        np.add(w5, C3, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C4, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C5, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C6, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C7, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C8, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C9, w5)
-        np.multiply(w5, w3, w5)
-        np.add(w5, C10, w5)
-        np.multiply(C11, w3, w6)
-        np.add(w6, C12, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C13, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C14, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C15, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C16, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C17, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C18, w6)
-        np.multiply(w6, w3, w6)
-        np.add(w6, C19, w6)
-        np.divide(w5, w6, w6)
-        np.multiply(w3, w6, w6)
-        np.add(C20, w6, w6)
-        np.multiply(w4, w6, w6)
-        np.multiply(w2, w6, w2)
+        np.multiply(C0, out, t2)
+        np.divide(t2, v9, t2)
+        np.multiply(t0, t1, t3)
+        np.sqrt(t3, t3)
+        np.add(r, t3, t3)
+        np.divide(a, t3, t3)
+        np.divide(a, r, t4)
+        np.multiply(t3, t3, t3)
+        np.multiply(C2, t3, t5)
+        np.add(t5, C3, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C4, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C5, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C6, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C7, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C10, t5)
+        np.multiply(C11, t3, t6)
+        np.add(t6, C12, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C13, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C14, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C15, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C16, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C17, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C18, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C19, t6)
+        np.divide(t5, t6, t6)
+        np.multiply(t3, t6, t6)
+        np.add(C20, t6, t6)
+        np.multiply(t4, t6, t6)
+        np.multiply(t2, t6, t2)
     if some81 != size:
-        other81 = w6 if some81 else w2
+        other81 = t6 if some81 else t2
         np.divide(out, R, other81)
-        np.square(r, w4)
-        np.divide(w4, v77, w4)
-        np.subtract(other81, w4, other81)
+        np.square(r, t4)
+        np.divide(t4, v77, t4)
+        np.subtract(other81, t4, other81)
         if some81:
-            np.copyto(w2, other81, where=~m0)
+            np.copyto(t2, other81, where=~m0)
     some89 = np.count_nonzero(m0)
     if some89:
-        np.maximum(w0, f0, out=out)
-        np.multiply(out, w1, out)
+        np.maximum(t0, f0, out=out)
+        np.multiply(out, t1, out)
         np.sqrt(out, out)
         np.arctan2(a, out, out)
         np.multiply(C21, out, out)
     if some89 != size:
         np.copyto(out, C19, where=~m0)
-    np.sqrt(a, w1)
-    np.multiply(w1, v94, w1)
-    np.multiply(w1, out, out)
-    np.subtract(w2, out, out)
+    np.sqrt(a, t1)
+    np.multiply(t1, v94, t1)
+    np.multiply(t1, out, out)
+    np.subtract(t2, out, out)
 
 
 def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0, f0):
+def block_displacement_all(out, r, a, R, E_star, dgamma, t0, t1, t2, t3, t4, t5, t6, m0, f0):
     size = out.size
     np.square(a, out)
     largest_r = largest(r)
@@ -295,82 +295,82 @@ def block_displacement_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, w5,
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.subtract(r, a, w0)
-    np.add(r, a, w1)
+    np.subtract(r, a, t0)
+    np.add(r, a, t1)
     np.greater(r, a, m0)
     some81 = np.count_nonzero(m0)
     if some81:
-        np.multiply(C0, out, w2)
-        np.multiply(C22, R, w3)
-        np.divide(w2, w3, w3)
-        np.multiply(w0, w1, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.divide(a, r, w4)
-        np.multiply(w2, w2, w2)
-        np.multiply(C2, w2, w5)
-        np.add(w5, C3, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C4, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C5, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C6, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C7, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C8, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C9, w5)
-        np.multiply(w5, w2, w5)
-        np.add(w5, C10, w5)
-        np.multiply(C11, w2, w6)
-        np.add(w6, C12, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C13, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C14, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C15, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C16, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C17, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C18, w6)
-        np.multiply(w6, w2, w6)
-        np.add(w6, C19, w6)
-        np.divide(w5, w6, w6)
-        np.multiply(w2, w6, w6)
-        np.add(C20, w6, w6)
-        np.multiply(w4, w6, w6)
-        np.multiply(w3, w6, w2)
+        np.multiply(C0, out, t2)
+        np.multiply(C22, R, t3)
+        np.divide(t2, t3, t3)
+        np.multiply(t0, t1, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.divide(a, r, t4)
+        np.multiply(t2, t2, t2)
+        np.multiply(C2, t2, t5)
+        np.add(t5, C3, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C4, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C5, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C6, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C7, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C10, t5)
+        np.multiply(C11, t2, t6)
+        np.add(t6, C12, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C13, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C14, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C15, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C16, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C17, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C18, t6)
+        np.multiply(t6, t2, t6)
+        np.add(t6, C19, t6)
+        np.divide(t5, t6, t6)
+        np.multiply(t2, t6, t6)
+        np.add(C20, t6, t6)
+        np.multiply(t4, t6, t6)
+        np.multiply(t3, t6, t2)
     if some81 != size:
-        other81 = w6 if some81 else w2
+        other81 = t6 if some81 else t2
         np.divide(out, R, other81)
-        np.square(r, w3)
-        np.multiply(C0, R, w4)
-        np.divide(w3, w4, w4)
-        np.subtract(other81, w4, other81)
+        np.square(r, t3)
+        np.multiply(C0, R, t4)
+        np.divide(t3, t4, t4)
+        np.subtract(other81, t4, other81)
         if some81:
-            np.copyto(w2, other81, where=~m0)
+            np.copyto(t2, other81, where=~m0)
     some89 = np.count_nonzero(m0)
     if some89:
-        np.maximum(w0, f0, out=out)
-        np.multiply(out, w1, out)
+        np.maximum(t0, f0, out=out)
+        np.multiply(out, t1, out)
         np.sqrt(out, out)
         np.arctan2(a, out, out)
         np.multiply(C21, out, out)
     if some89 != size:
         np.copyto(out, C19, where=~m0)
-    np.sqrt(a, w1)
-    np.multiply(C1, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(w1, w0, w0)
-    np.multiply(w0, out, out)
-    np.subtract(w2, out, out)
+    np.sqrt(a, t1)
+    np.multiply(C1, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(t1, t0, t0)
+    np.multiply(t0, out, out)
+    np.subtract(t2, out, out)
 
 
 def force(a, R, E_star, dgamma):
@@ -393,43 +393,43 @@ def prepare_force_a(R, E_star, dgamma):
     return (v8, v13, v19)
 
 
-def block_force_a(out, a, v8, v13, v19, w0, w1):
+def block_force_a(out, a, v8, v13, v19, t0, t1):
     np.square(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(a, out, out)
     np.multiply(v8, out, out)
-    np.multiply(v13, a, w0)
-    np.sqrt(a, w1)
-    np.multiply(w1, v19, w1)
-    np.multiply(w0, w1, w1)
-    np.subtract(out, w1, out)
+    np.multiply(v13, a, t0)
+    np.sqrt(a, t1)
+    np.multiply(t1, v19, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(out, t1, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R, E_star, dgamma, w0, w1, w2):
+def block_force_all(out, a, R, E_star, dgamma, t0, t1, t2):
     np.multiply(C23, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C24, R, w0)
-    np.divide(out, w0, w0)
+    np.multiply(C24, R, t0)
+    np.divide(out, t0, t0)
     np.square(a, out)
     np.multiply(a, out, out)
-    np.multiply(w0, out, out)
-    np.multiply(C0, E_star, w0)
-    np.multiply(w0, a, w0)
-    np.sqrt(a, w1)
-    np.multiply(C1, dgamma, w2)
-    np.divide(w2, E_star, w2)
-    np.sqrt(w2, w2)
-    np.multiply(w1, w2, w2)
-    np.multiply(w0, w2, w2)
-    np.subtract(out, w2, out)
+    np.multiply(t0, out, out)
+    np.multiply(C0, E_star, t0)
+    np.multiply(t0, a, t0)
+    np.sqrt(a, t1)
+    np.multiply(C1, dgamma, t2)
+    np.divide(t2, E_star, t2)
+    np.sqrt(t2, t2)
+    np.multiply(t1, t2, t2)
+    np.multiply(t0, t2, t2)
+    np.subtract(out, t2, out)
 
 
 def pressure(r, a, R, E_star, dgamma):
@@ -462,35 +462,35 @@ def prepare_pressure_r(a, R, E_star, dgamma):
     return (a, v14, v24, v25)
 
 
-def block_pressure_r(out, r, a, v14, v24, v25, w0, w1, w2, m0, f0):
+def block_pressure_r(out, r, a, v14, v24, v25, t0, t1, t2, m0, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some17 = np.count_nonzero(m0)
     if some17:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.multiply(v14, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.multiply(v14, t1, t1)
     if some17 != size:
-        np.copyto(w1, C25, where=~m0)
+        np.copyto(t1, C25, where=~m0)
     np.less_equal(r, a, m0)
     some33 = np.count_nonzero(m0)
     if some33:
         if v24:
-            np.maximum(out, f0, out=w2)
-            np.multiply(w2, w0, w2)
-            np.sqrt(w2, w2)
-            np.multiply(C22, w2, w2)
-            np.divide(v25, w2, w2)
+            np.maximum(out, f0, out=t2)
+            np.multiply(t2, t0, t2)
+            np.sqrt(t2, t2)
+            np.multiply(C22, t2, t2)
+            np.divide(v25, t2, t2)
         else:
-            np.copyto(w2, C25)
+            np.copyto(t2, C25)
     if some33 != size:
-        np.copyto(w2, C25, where=~m0)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C25, where=~m0)
+    np.subtract(t1, t2, out)
 
 
 def prepare_pressure_r_a(R, E_star, dgamma):
@@ -503,7 +503,7 @@ def prepare_pressure_r_a(R, E_star, dgamma):
     return (E_star, v14, v22)
 
 
-def block_pressure_r_a(out, r, a, E_star, v14, v22, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_pressure_r_a(out, r, a, E_star, v14, v22, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -512,41 +512,41 @@ def block_pressure_r_a(out, r, a, E_star, v14, v22, w0, w1, w2, w3, w4, m0, m1, 
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some17 = np.count_nonzero(m0)
     if some17:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.multiply(v14, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.multiply(v14, t1, t1)
     if some17 != size:
-        np.copyto(w1, C25, where=~m0)
+        np.copyto(t1, C25, where=~m0)
     np.less_equal(r, a, m0)
     some33 = np.count_nonzero(m0)
     if some33:
-        np.sqrt(a, w3)
-        np.multiply(w3, v22, w3)
-        np.greater(w3, C25, m1)
+        np.sqrt(a, t3)
+        np.multiply(t3, v22, t3)
+        np.greater(t3, C25, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(E_star, w3, w2)
-            np.maximum(out, f0, out=w4)
-            np.multiply(w4, w0, w4)
-            np.sqrt(w4, w4)
-            np.multiply(C22, w4, w4)
-            np.divide(w2, w4, w2)
+            np.multiply(E_star, t3, t2)
+            np.maximum(out, f0, out=t4)
+            np.multiply(t4, t0, t4)
+            np.sqrt(t4, t4)
+            np.multiply(C22, t4, t4)
+            np.divide(t2, t4, t2)
         if some31 != size:
-            np.copyto(w2, C25, where=~m1)
+            np.copyto(t2, C25, where=~m1)
     if some33 != size:
-        np.copyto(w2, C25, where=~m0)
-    np.subtract(w1, w2, out)
+        np.copyto(t2, C25, where=~m0)
+    np.subtract(t1, t2, out)
 
 
 def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_pressure_all(out, r, a, R, E_star, dgamma, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -555,40 +555,40 @@ def block_pressure_all(out, r, a, R, E_star, dgamma, w0, w1, w2, w3, w4, m0, m1,
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, a, m0)
     some17 = np.count_nonzero(m0)
     if some17:
-        np.multiply(out, w0, w1)
-        np.sqrt(w1, w1)
-        np.multiply(C0, E_star, w2)
-        np.multiply(C22, R, w3)
-        np.divide(w2, w3, w3)
-        np.multiply(w3, w1, w1)
+        np.multiply(out, t0, t1)
+        np.sqrt(t1, t1)
+        np.multiply(C0, E_star, t2)
+        np.multiply(C22, R, t3)
+        np.divide(t2, t3, t3)
+        np.multiply(t3, t1, t1)
     if some17 != size:
-        np.copyto(w1, C25, where=~m0)
+        np.copyto(t1, C25, where=~m0)
     np.less_equal(r, a, m0)
     some33 = np.count_nonzero(m0)
     if some33:
-        np.sqrt(a, w2)
-        np.multiply(C1, dgamma, w4)
-        np.divide(w4, E_star, w4)
-        np.sqrt(w4, w4)
-        np.multiply(w2, w4, w4)
-        np.greater(w4, C25, m1)
+        np.sqrt(a, t2)
+        np.multiply(C1, dgamma, t4)
+        np.divide(t4, E_star, t4)
+        np.sqrt(t4, t4)
+        np.multiply(t2, t4, t4)
+        np.greater(t4, C25, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(E_star, w4, w3)
-            np.maximum(out, f0, out=w2)
-            np.multiply(w2, w0, w2)
-            np.sqrt(w2, w2)
-            np.multiply(C22, w2, w2)
-            np.divide(w3, w2, w3)
+            np.multiply(E_star, t4, t3)
+            np.maximum(out, f0, out=t2)
+            np.multiply(t2, t0, t2)
+            np.sqrt(t2, t2)
+            np.multiply(C22, t2, t2)
+            np.divide(t3, t2, t3)
         if some31 != size:
-            np.copyto(w3, C25, where=~m1)
+            np.copyto(t3, C25, where=~m1)
     if some33 != size:
-        np.copyto(w3, C25, where=~m0)
-    np.subtract(w1, w3, out)
+        np.copyto(t3, C25, where=~m0)
+    np.subtract(t1, t3, out)
 
 
 BLOCKS = {

@@ -40,7 +40,7 @@ def prepare_depth_a(theta, b, E_star, dgamma):
     return (b, v5, v6, v27)
 
 
-def block_depth_a(out, a, b, v5, v6, v27, w0, w1, w2, m0):
+def block_depth_a(out, a, b, v5, v6, v27, t0, t1, t2, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -51,30 +51,30 @@ def block_depth_a(out, a, b, v5, v6, v27, w0, w1, w2, m0):
         np.square(a, out)
         np.multiply(v6, out, out)
     if some22 != size:
-        other22 = w0 if some22 else out
+        other22 = t0 if some22 else out
         np.subtract(a, b, other22)
-        np.add(a, b, w1)
-        np.multiply(other22, w1, w1)
-        np.sqrt(w1, w1)
-        np.divide(w1, b, other22)
+        np.add(a, b, t1)
+        np.multiply(other22, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other22)
         np.arctan(other22, other22)
-        np.multiply(v5, a, w2)
-        np.add(w1, a, w1)
-        np.divide(b, w1, w1)
-        np.add(other22, w1, w1)
-        np.multiply(w2, w1, other22)
+        np.multiply(v5, a, t2)
+        np.add(t1, a, t1)
+        np.divide(b, t1, t1)
+        np.add(other22, t1, t1)
+        np.multiply(t2, t1, other22)
         if some22:
             np.copyto(out, other22, where=~m0)
-    np.sqrt(a, w0)
-    np.multiply(w0, v27, w0)
-    np.subtract(out, w0, out)
+    np.sqrt(a, t0)
+    np.multiply(t0, v27, t0)
+    np.subtract(out, t0, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, theta, b, E_star, dgamma, w0, w1, w2, w3, m0):
+def block_depth_all(out, a, theta, b, E_star, dgamma, t0, t1, t2, t3, m0):
     size = out.size
     np.tan(theta, out)
     largest_a = largest(a)
@@ -83,30 +83,30 @@ def block_depth_all(out, a, theta, b, E_star, dgamma, w0, w1, w2, w3, m0):
     np.less(a, b, m0)
     some22 = np.count_nonzero(m0)
     if some22:
-        np.divide(out, b, w0)
-        np.square(a, w1)
-        np.multiply(w0, w1, w0)
+        np.divide(out, b, t0)
+        np.square(a, t1)
+        np.multiply(t0, t1, t0)
     if some22 != size:
-        other22 = w1 if some22 else w0
+        other22 = t1 if some22 else t0
         np.subtract(a, b, other22)
-        np.add(a, b, w2)
-        np.multiply(other22, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(w2, b, other22)
+        np.add(a, b, t2)
+        np.multiply(other22, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other22)
         np.arctan(other22, other22)
-        np.multiply(out, a, w3)
-        np.add(w2, a, w2)
-        np.divide(b, w2, w2)
-        np.add(other22, w2, w2)
-        np.multiply(w3, w2, other22)
+        np.multiply(out, a, t3)
+        np.add(t2, a, t2)
+        np.divide(b, t2, t2)
+        np.add(other22, t2, t2)
+        np.multiply(t3, t2, other22)
         if some22:
-            np.copyto(w0, other22, where=~m0)
+            np.copyto(t0, other22, where=~m0)
     np.sqrt(a, out)
-    np.multiply(C1, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.multiply(C1, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def displacement(r, a, theta, b, E_star, dgamma):
@@ -196,7 +196,7 @@ def prepare_force_a(theta, b, E_star, dgamma):
     return (b, v11, v22, v24, v30, v36, v42)
 
 
-def block_force_a(out, a, b, v11, v22, v24, v30, v36, v42, w0, w1, w2, w3, w4, m0):
+def block_force_a(out, a, b, v11, v22, v24, v30, v36, v42, t0, t1, t2, t3, t4, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -205,85 +205,85 @@ def block_force_a(out, a, b, v11, v22, v24, v30, v36, v42, w0, w1, w2, w3, w4, m
     np.less(a, b, m0)
     some35 = np.count_nonzero(m0)
     if some35:
-        np.multiply(a, out, w0)
-        np.multiply(v11, w0, w0)
+        np.multiply(a, out, t0)
+        np.multiply(v11, t0, t0)
     if some35 != size:
-        other35 = w1 if some35 else w0
+        other35 = t1 if some35 else t0
         np.subtract(a, b, other35)
-        np.add(a, b, w2)
-        np.multiply(other35, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(w2, b, other35)
+        np.add(a, b, t2)
+        np.multiply(other35, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other35)
         np.arctan(other35, other35)
         np.multiply(out, other35, other35)
-        np.multiply(v24, out, w3)
-        np.add(w2, a, w4)
-        np.multiply(C2, w4, w4)
-        np.divide(w3, w4, w4)
-        np.add(other35, w4, w4)
-        np.multiply(v30, w2, w2)
-        np.add(w4, w2, w2)
-        np.multiply(v22, w2, other35)
+        np.multiply(v24, out, t3)
+        np.add(t2, a, t4)
+        np.multiply(C2, t4, t4)
+        np.divide(t3, t4, t4)
+        np.add(other35, t4, t4)
+        np.multiply(v30, t2, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v22, t2, other35)
         if some35:
-            np.copyto(w0, other35, where=~m0)
+            np.copyto(t0, other35, where=~m0)
     np.multiply(v36, a, out)
-    np.sqrt(a, w1)
-    np.multiply(w1, v42, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.sqrt(a, t1)
+    np.multiply(t1, v42, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, b, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, m0):
+def block_force_all(out, a, theta, b, E_star, dgamma, t0, t1, t2, t3, t4, t5, t6, m0):
     size = out.size
     np.tan(theta, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.square(a, w0)
+    np.square(a, t0)
     np.less(a, b, m0)
     some35 = np.count_nonzero(m0)
     if some35:
-        np.multiply(C3, E_star, w1)
-        np.multiply(w1, out, w1)
-        np.multiply(C2, b, w2)
-        np.divide(w1, w2, w2)
-        np.multiply(a, w0, w1)
-        np.multiply(w2, w1, w1)
+        np.multiply(C3, E_star, t1)
+        np.multiply(t1, out, t1)
+        np.multiply(C2, b, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(a, t0, t1)
+        np.multiply(t2, t1, t1)
     if some35 != size:
-        other35 = w2 if some35 else w1
+        other35 = t2 if some35 else t1
         np.subtract(a, b, other35)
-        np.add(a, b, w3)
-        np.multiply(other35, w3, w3)
-        np.sqrt(w3, w3)
-        np.divide(w3, b, other35)
+        np.add(a, b, t3)
+        np.multiply(other35, t3, t3)
+        np.sqrt(t3, t3)
+        np.divide(t3, b, other35)
         np.arctan(other35, other35)
-        np.multiply(E_star, out, w4)
-        np.multiply(w0, other35, other35)
-        np.multiply(C3, b, w5)
-        np.multiply(w5, w0, w5)
-        np.add(w3, a, w6)
-        np.multiply(C2, w6, w6)
-        np.divide(w5, w6, w6)
-        np.add(other35, w6, w6)
+        np.multiply(E_star, out, t4)
+        np.multiply(t0, other35, other35)
+        np.multiply(C3, b, t5)
+        np.multiply(t5, t0, t5)
+        np.add(t3, a, t6)
+        np.multiply(C2, t6, t6)
+        np.divide(t5, t6, t6)
+        np.add(other35, t6, t6)
         np.divide(b, C2, other35)
-        np.multiply(other35, w3, w3)
-        np.add(w6, w3, w3)
-        np.multiply(w4, w3, other35)
+        np.multiply(other35, t3, t3)
+        np.add(t6, t3, t3)
+        np.multiply(t4, t3, other35)
         if some35:
-            np.copyto(w1, other35, where=~m0)
-    np.multiply(C0, E_star, w0)
-    np.multiply(w0, a, w0)
+            np.copyto(t1, other35, where=~m0)
+    np.multiply(C0, E_star, t0)
+    np.multiply(t0, a, t0)
     np.sqrt(a, out)
-    np.multiply(C1, dgamma, w2)
-    np.divide(w2, E_star, w2)
-    np.sqrt(w2, w2)
-    np.multiply(out, w2, w2)
-    np.multiply(w0, w2, w2)
-    np.subtract(w1, w2, out)
+    np.multiply(C1, dgamma, t2)
+    np.divide(t2, E_star, t2)
+    np.sqrt(t2, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(t0, t2, t2)
+    np.subtract(t1, t2, out)
 
 
 def pressure(r, a, theta, b, E_star, dgamma):

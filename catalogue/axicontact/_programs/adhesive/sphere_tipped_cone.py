@@ -53,7 +53,7 @@ def prepare_depth_a(R, theta, E_star, dgamma):
     return (R, v6, v8, v9, v10, v24, v28, v49)
 
 
-def block_depth_a(out, a, R, v6, v8, v9, v10, v24, v28, v49, w0, w1, w2, w3, m0, f0):
+def block_depth_a(out, a, R, v6, v8, v9, v10, v24, v28, v49, t0, t1, t2, t3, m0, f0):
     size = out.size
     np.subtract(R, a, out)
     largest_a = largest(a)
@@ -62,103 +62,103 @@ def block_depth_a(out, a, R, v6, v8, v9, v10, v24, v28, v49, w0, w1, w2, w3, m0,
     np.less(a, v6, m0)
     some44 = np.count_nonzero(m0)
     if some44:
-        np.multiply(C0, a, w0)
-        np.divide(w0, out, w0)
-        np.log1p(w0, w0)
-        np.multiply(w0, C1, w0)
-        np.multiply(a, w0, w0)
+        np.multiply(C0, a, t0)
+        np.divide(t0, out, t0)
+        np.log1p(t0, t0)
+        np.multiply(t0, C1, t0)
+        np.multiply(a, t0, t0)
     if some44 != size:
-        other44 = w1 if some44 else w0
+        other44 = t1 if some44 else t0
         if v9:
             np.add(R, a, other44)
             np.multiply(out, other44, other44)
             np.subtract(v10, other44, other44)
         else:
             np.subtract(a, v6, other44)
-            np.add(a, v6, w2)
-            np.multiply(other44, w2, other44)
+            np.add(a, v6, t2)
+            np.multiply(other44, t2, other44)
         np.maximum(other44, f0, out=other44)
         np.sqrt(other44, other44)
-        np.arctan2(other44, v6, w2)
-        np.add(other44, a, w3)
-        np.divide(v24, w3, w3)
-        np.add(w3, v28, w3)
+        np.arctan2(other44, v6, t2)
+        np.add(other44, a, t3)
+        np.divide(v24, t3, t3)
+        np.add(t3, v28, t3)
         np.add(other44, v8, other44)
-        np.divide(w3, other44, other44)
+        np.divide(t3, other44, other44)
         np.log1p(other44, other44)
-        np.multiply(v6, w2, w2)
-        np.divide(w2, v8, w2)
-        np.add(other44, w2, w2)
-        np.multiply(a, w2, other44)
+        np.multiply(v6, t2, t2)
+        np.divide(t2, v8, t2)
+        np.add(other44, t2, t2)
+        np.multiply(a, t2, other44)
         if some44:
-            np.copyto(w0, other44, where=~m0)
+            np.copyto(t0, other44, where=~m0)
     np.sqrt(a, out)
     np.multiply(out, v49, out)
-    np.subtract(w0, out, out)
+    np.subtract(t0, out, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, theta, E_star, dgamma, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+def block_depth_all(out, a, R, theta, E_star, dgamma, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
     size = out.size
     np.sin(theta, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(R, out, out)
-    np.subtract(R, a, w0)
+    np.subtract(R, a, t0)
     np.less(a, out, m0)
     some44 = np.count_nonzero(m0)
     if some44:
-        np.multiply(C0, a, w1)
-        np.divide(w1, w0, w1)
-        np.log1p(w1, w1)
-        np.multiply(w1, C1, w1)
-        np.multiply(a, w1, w1)
+        np.multiply(C0, a, t1)
+        np.divide(t1, t0, t1)
+        np.log1p(t1, t1)
+        np.multiply(t1, C1, t1)
+        np.multiply(a, t1, t1)
     if some44 != size:
-        other44 = w2 if some44 else w1
+        other44 = t2 if some44 else t1
         np.cos(theta, other44)
         np.multiply(R, other44, other44)
         np.less(other44, out, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.multiply(other44, other44, w3)
-            np.add(R, a, w4)
-            np.multiply(w0, w4, w4)
-            np.subtract(w3, w4, w3)
+            np.multiply(other44, other44, t3)
+            np.add(R, a, t4)
+            np.multiply(t0, t4, t4)
+            np.subtract(t3, t4, t3)
         if some18 != size:
-            other18 = w4 if some18 else w3
+            other18 = t4 if some18 else t3
             np.subtract(a, out, other18)
-            np.add(a, out, w5)
-            np.multiply(other18, w5, other18)
+            np.add(a, out, t5)
+            np.multiply(other18, t5, other18)
             if some18:
-                np.copyto(w3, other18, where=~m1)
-        np.maximum(w3, f0, out=w3)
-        np.sqrt(w3, w3)
-        np.arctan2(w3, out, w4)
-        np.square(out, w5)
-        np.add(w3, a, w6)
-        np.divide(w5, w6, w6)
-        np.add(other44, R, w7)
-        np.divide(w5, w7, w7)
-        np.add(w6, w7, w7)
-        np.add(w3, other44, w3)
-        np.divide(w7, w3, w3)
-        np.log1p(w3, w3)
-        np.multiply(out, w4, w4)
-        np.divide(w4, other44, other44)
-        np.add(w3, other44, other44)
+                np.copyto(t3, other18, where=~m1)
+        np.maximum(t3, f0, out=t3)
+        np.sqrt(t3, t3)
+        np.arctan2(t3, out, t4)
+        np.square(out, t5)
+        np.add(t3, a, t6)
+        np.divide(t5, t6, t6)
+        np.add(other44, R, t7)
+        np.divide(t5, t7, t7)
+        np.add(t6, t7, t7)
+        np.add(t3, other44, t3)
+        np.divide(t7, t3, t3)
+        np.log1p(t3, t3)
+        np.multiply(out, t4, t4)
+        np.divide(t4, other44, other44)
+        np.add(t3, other44, other44)
         np.multiply(a, other44, other44)
         if some44:
-            np.copyto(w1, other44, where=~m0)
-    np.sqrt(a, w0)
+            np.copyto(t1, other44, where=~m0)
+    np.sqrt(a, t0)
     np.multiply(C2, dgamma, out)
     np.divide(out, E_star, out)
     np.sqrt(out, out)
-    np.multiply(w0, out, out)
-    np.subtract(w1, out, out)
+    np.multiply(t0, out, out)
+    np.subtract(t1, out, out)
 
 
 def displacement(r, a, R, theta, E_star, dgamma):

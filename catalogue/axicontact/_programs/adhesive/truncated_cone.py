@@ -31,46 +31,46 @@ def prepare_depth_a(theta, b, E_star, dgamma):
     return (b, v11, v18)
 
 
-def block_depth_a(out, a, b, v11, v18, w0):
+def block_depth_a(out, a, b, v11, v18, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, w0)
-    np.arctan(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, t0)
+    np.arctan(t0, t0)
     np.multiply(v11, a, out)
-    np.multiply(out, w0, w0)
+    np.multiply(out, t0, t0)
     np.sqrt(a, out)
     np.multiply(out, v18, out)
-    np.subtract(w0, out, out)
+    np.subtract(t0, out, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, theta, b, E_star, dgamma, w0, w1):
+def block_depth_all(out, a, theta, b, E_star, dgamma, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, w0)
-    np.arctan(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, t0)
+    np.arctan(t0, t0)
     np.tan(theta, out)
     np.multiply(out, a, out)
-    np.multiply(out, w0, w0)
+    np.multiply(out, t0, t0)
     np.sqrt(a, out)
-    np.multiply(C0, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.multiply(C0, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def displacement(r, a, theta, b, E_star, dgamma):
@@ -144,58 +144,58 @@ def prepare_force_a(theta, b, E_star, dgamma):
     return (b, v12, v19, v25)
 
 
-def block_force_a(out, a, b, v12, v19, v25, w0, w1):
+def block_force_a(out, a, b, v12, v19, v25, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.square(a, w1)
-    np.multiply(w1, out, out)
-    np.multiply(b, w0, w0)
-    np.add(out, w0, w0)
-    np.multiply(v12, w0, w0)
+    np.square(a, t1)
+    np.multiply(t1, out, out)
+    np.multiply(b, t0, t0)
+    np.add(out, t0, t0)
+    np.multiply(v12, t0, t0)
     np.multiply(v19, a, out)
-    np.sqrt(a, w1)
-    np.multiply(w1, v25, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.sqrt(a, t1)
+    np.multiply(t1, v25, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, b, E_star, dgamma, w0, w1, w2):
+def block_force_all(out, a, theta, b, E_star, dgamma, t0, t1, t2):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.tan(theta, w1)
-    np.multiply(E_star, w1, w1)
-    np.square(a, w2)
-    np.multiply(w2, out, out)
-    np.multiply(b, w0, w0)
-    np.add(out, w0, w0)
-    np.multiply(w1, w0, w0)
-    np.multiply(C1, E_star, w1)
-    np.multiply(w1, a, w1)
+    np.tan(theta, t1)
+    np.multiply(E_star, t1, t1)
+    np.square(a, t2)
+    np.multiply(t2, out, out)
+    np.multiply(b, t0, t0)
+    np.add(out, t0, t0)
+    np.multiply(t1, t0, t0)
+    np.multiply(C1, E_star, t1)
+    np.multiply(t1, a, t1)
     np.sqrt(a, out)
-    np.multiply(C0, dgamma, w2)
-    np.divide(w2, E_star, w2)
-    np.sqrt(w2, w2)
-    np.multiply(out, w2, w2)
-    np.multiply(w1, w2, w2)
-    np.subtract(w0, w2, out)
+    np.multiply(C0, dgamma, t2)
+    np.divide(t2, E_star, t2)
+    np.sqrt(t2, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(t1, t2, t2)
+    np.subtract(t0, t2, out)
 
 
 def pressure(r, a, theta, b, E_star, dgamma):

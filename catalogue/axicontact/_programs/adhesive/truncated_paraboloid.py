@@ -31,41 +31,41 @@ def prepare_depth_a(R, b, E_star, dgamma):
     return (R, b, v15)
 
 
-def block_depth_a(out, a, R, b, v15, w0):
+def block_depth_a(out, a, R, b, v15, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(a, w0, w0)
-    np.divide(w0, R, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(a, t0, t0)
+    np.divide(t0, R, t0)
     np.sqrt(a, out)
     np.multiply(out, v15, out)
-    np.subtract(w0, out, out)
+    np.subtract(t0, out, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, b, E_star, dgamma, w0, w1):
+def block_depth_all(out, a, R, b, E_star, dgamma, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(a, w0, w0)
-    np.divide(w0, R, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(a, t0, t0)
+    np.divide(t0, R, t0)
     np.sqrt(a, out)
-    np.multiply(C0, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.multiply(C0, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def displacement(r, a, R, b, E_star, dgamma):
@@ -140,55 +140,55 @@ def prepare_force_a(R, b, E_star, dgamma):
     return (b, v10, v13, v16, v25)
 
 
-def block_force_a(out, a, b, v10, v13, v16, v25, w0, w1):
+def block_force_a(out, a, b, v10, v13, v16, v25, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.square(a, out)
     np.multiply(C1, out, out)
     np.add(out, v16, out)
     np.multiply(v13, out, out)
-    np.multiply(out, w0, w0)
+    np.multiply(out, t0, t0)
     np.multiply(v10, a, out)
-    np.sqrt(a, w1)
-    np.multiply(w1, v25, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.sqrt(a, t1)
+    np.multiply(t1, v25, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R, b, E_star, dgamma, w0, w1, w2, w3):
+def block_force_all(out, a, R, b, E_star, dgamma, t0, t1, t2, t3):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.multiply(C1, E_star, out)
-    np.multiply(C2, R, w1)
-    np.divide(out, w1, w1)
-    np.square(a, w2)
-    np.multiply(C1, w2, w2)
-    np.square(b, w3)
-    np.add(w2, w3, w3)
-    np.multiply(w1, w3, w3)
-    np.multiply(w3, w0, w0)
+    np.multiply(C2, R, t1)
+    np.divide(out, t1, t1)
+    np.square(a, t2)
+    np.multiply(C1, t2, t2)
+    np.square(b, t3)
+    np.add(t2, t3, t3)
+    np.multiply(t1, t3, t3)
+    np.multiply(t3, t0, t0)
     np.multiply(out, a, out)
-    np.sqrt(a, w3)
-    np.multiply(C0, dgamma, w1)
-    np.divide(w1, E_star, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w3, w1, w1)
-    np.multiply(out, w1, w1)
-    np.subtract(w0, w1, out)
+    np.sqrt(a, t3)
+    np.multiply(C0, dgamma, t1)
+    np.divide(t1, E_star, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t3, t1, t1)
+    np.multiply(out, t1, t1)
+    np.subtract(t0, t1, out)
 
 
 def pressure(r, a, R, b, E_star, dgamma):

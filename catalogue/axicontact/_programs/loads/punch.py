@@ -33,7 +33,7 @@ def prepare_displacement_r(a, p_0, E_star):
     return (a, v13, v18)
 
 
-def block_displacement_r(out, r, a, v13, v18, w0, m0):
+def block_displacement_r(out, r, a, v13, v18, t0, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -42,12 +42,12 @@ def block_displacement_r(out, r, a, v13, v18, w0, m0):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(r, a, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, w0)
-        np.multiply(v13, w0, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, t0)
+        np.multiply(v13, t0, out)
     if some20 != size:
         np.copyto(out, v18, where=~m0)
 
@@ -56,7 +56,7 @@ def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, p_0, E_star, w0, m0):
+def block_displacement_all(out, r, a, p_0, E_star, t0, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -65,17 +65,17 @@ def block_displacement_all(out, r, a, p_0, E_star, w0, m0):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(r, a, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, t0)
         np.multiply(C0, p_0, out)
         np.divide(out, E_star, out)
         np.multiply(out, a, out)
-        np.multiply(out, w0, out)
+        np.multiply(out, t0, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.multiply(C1, p_0, other20)
         np.divide(other20, E_star, other20)
         np.multiply(other20, a, other20)

@@ -34,7 +34,7 @@ def prepare_depth_a(R1, R2, b):
     return (R1, b, v12)
 
 
-def block_depth_a(out, a, R1, b, v12, w0, w1, m0):
+def block_depth_a(out, a, R1, b, v12, t0, t1, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -45,15 +45,15 @@ def block_depth_a(out, a, R1, b, v12, w0, w1, m0):
         np.square(a, out)
         np.divide(out, R1, out)
     if some18 != size:
-        other18 = w0 if some18 else out
+        other18 = t0 if some18 else out
         np.subtract(a, b, other18)
-        np.add(a, b, w1)
-        np.multiply(other18, w1, w1)
-        np.sqrt(w1, w1)
-        np.multiply(v12, w1, w1)
-        np.add(a, w1, w1)
-        np.multiply(a, w1, w1)
-        np.divide(w1, R1, other18)
+        np.add(a, b, t1)
+        np.multiply(other18, t1, t1)
+        np.sqrt(t1, t1)
+        np.multiply(v12, t1, t1)
+        np.add(a, t1, t1)
+        np.multiply(a, t1, t1)
+        np.divide(t1, R1, other18)
         if some18:
             np.copyto(out, other18, where=~m0)
 
@@ -62,7 +62,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R1, R2, b, w0, w1, m0):
+def block_depth_all(out, a, R1, R2, b, t0, t1, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -73,17 +73,17 @@ def block_depth_all(out, a, R1, R2, b, w0, w1, m0):
         np.square(a, out)
         np.divide(out, R1, out)
     if some18 != size:
-        other18 = w0 if some18 else out
+        other18 = t0 if some18 else out
         np.subtract(a, b, other18)
-        np.add(a, b, w1)
-        np.multiply(other18, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, b, t1)
+        np.multiply(other18, t1, t1)
+        np.sqrt(t1, t1)
         np.subtract(R1, R2, other18)
         np.divide(other18, R2, other18)
-        np.multiply(other18, w1, w1)
-        np.add(a, w1, w1)
-        np.multiply(a, w1, w1)
-        np.divide(w1, R1, other18)
+        np.multiply(other18, t1, t1)
+        np.add(a, t1, t1)
+        np.multiply(a, t1, t1)
+        np.divide(t1, R1, other18)
         if some18:
             np.copyto(out, other18, where=~m0)
 
@@ -176,30 +176,30 @@ def prepare_force_a(R1, R2, b, E_star):
     return (b, v9, v19, v22, v24)
 
 
-def block_force_a(out, a, b, v9, v19, v22, v24, w0, w1, w2, w3, w4, m0):
+def block_force_a(out, a, b, v9, v19, v22, v24, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(a, w0)
+    np.square(a, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(a, w0, w1)
+    np.multiply(a, t0, t1)
     np.less(a, b, m0)
     some31 = np.count_nonzero(m0)
     if some31:
-        np.multiply(v9, w1, out)
+        np.multiply(v9, t1, out)
     if some31 != size:
-        other31 = w2 if some31 else out
+        other31 = t2 if some31 else out
         np.subtract(a, b, other31)
-        np.add(a, b, w3)
-        np.multiply(other31, w3, w3)
-        np.sqrt(w3, w3)
-        np.multiply(C0, w1, other31)
-        np.multiply(C0, w0, w4)
-        np.add(w4, v24, w4)
-        np.multiply(v22, w4, w4)
-        np.multiply(w4, w3, w3)
-        np.add(other31, w3, w3)
-        np.multiply(v19, w3, other31)
+        np.add(a, b, t3)
+        np.multiply(other31, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(C0, t1, other31)
+        np.multiply(C0, t0, t4)
+        np.add(t4, v24, t4)
+        np.multiply(v22, t4, t4)
+        np.multiply(t4, t3, t3)
+        np.add(other31, t3, t3)
+        np.multiply(v19, t3, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
 
@@ -208,38 +208,38 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0):
+def block_force_all(out, a, R1, R2, b, E_star, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0):
     size = out.size
-    np.multiply(C1, R1, w0)
+    np.multiply(C1, R1, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.square(a, w1)
-    np.multiply(a, w1, w2)
+    np.square(a, t1)
+    np.multiply(a, t1, t2)
     np.less(a, b, m0)
     some31 = np.count_nonzero(m0)
     if some31:
         np.multiply(C2, E_star, out)
-        np.divide(out, w0, out)
-        np.multiply(out, w2, out)
+        np.divide(out, t0, out)
+        np.multiply(out, t2, out)
     if some31 != size:
-        other31 = w3 if some31 else out
+        other31 = t3 if some31 else out
         np.subtract(a, b, other31)
-        np.add(a, b, w4)
-        np.multiply(other31, w4, w4)
-        np.sqrt(w4, w4)
+        np.add(a, b, t4)
+        np.multiply(other31, t4, t4)
+        np.sqrt(t4, t4)
         np.multiply(C0, E_star, other31)
-        np.divide(other31, w0, other31)
-        np.multiply(C0, w2, w5)
-        np.subtract(R1, R2, w6)
-        np.divide(w6, R2, w6)
-        np.multiply(C0, w1, w7)
-        np.square(b, w8)
-        np.add(w7, w8, w8)
-        np.multiply(w6, w8, w8)
-        np.multiply(w8, w4, w4)
-        np.add(w5, w4, w4)
-        np.multiply(other31, w4, other31)
+        np.divide(other31, t0, other31)
+        np.multiply(C0, t2, t5)
+        np.subtract(R1, R2, t6)
+        np.divide(t6, R2, t6)
+        np.multiply(C0, t1, t7)
+        np.square(b, t8)
+        np.add(t7, t8, t8)
+        np.multiply(t6, t8, t8)
+        np.multiply(t8, t4, t4)
+        np.add(t5, t4, t4)
+        np.multiply(other31, t4, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
 
@@ -282,7 +282,7 @@ def prepare_mean_pressure_a(R1, R2, b, E_star):
     return (R2, b, v9, v17, v19, v22)
 
 
-def block_mean_pressure_a(out, a, R2, b, v9, v17, v19, v22, w0, w1, w2, w3, m0):
+def block_mean_pressure_a(out, a, R2, b, v9, v17, v19, v22, t0, t1, t2, t3, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -292,21 +292,21 @@ def block_mean_pressure_a(out, a, R2, b, v9, v17, v19, v22, w0, w1, w2, w3, m0):
     if some31:
         np.multiply(v9, a, out)
     if some31 != size:
-        other31 = w0 if some31 else out
+        other31 = t0 if some31 else out
         np.subtract(a, b, other31)
-        np.add(a, b, w1)
-        np.multiply(other31, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, b, t1)
+        np.multiply(other31, t1, t1)
+        np.sqrt(t1, t1)
         np.multiply(C0, a, other31)
-        np.square(a, w2)
-        np.multiply(C0, w2, w3)
-        np.add(w3, v22, w3)
-        np.multiply(v19, w3, w3)
-        np.multiply(w3, w1, w1)
-        np.multiply(w2, R2, w2)
-        np.divide(w1, w2, w2)
-        np.add(other31, w2, w2)
-        np.multiply(v17, w2, other31)
+        np.square(a, t2)
+        np.multiply(C0, t2, t3)
+        np.add(t3, v22, t3)
+        np.multiply(v19, t3, t3)
+        np.multiply(t3, t1, t1)
+        np.multiply(t2, R2, t2)
+        np.divide(t1, t2, t2)
+        np.add(other31, t2, t2)
+        np.multiply(v17, t2, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
 
@@ -315,9 +315,9 @@ def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w6, w7, m0):
+def block_mean_pressure_all(out, a, R1, R2, b, E_star, t0, t1, t2, t3, t4, t5, t6, t7, m0):
     size = out.size
-    np.multiply(C3, R1, w0)
+    np.multiply(C3, R1, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -325,28 +325,28 @@ def block_mean_pressure_all(out, a, R1, R2, b, E_star, w0, w1, w2, w3, w4, w5, w
     some31 = np.count_nonzero(m0)
     if some31:
         np.multiply(C2, E_star, out)
-        np.divide(out, w0, out)
+        np.divide(out, t0, out)
         np.multiply(out, a, out)
     if some31 != size:
-        other31 = w1 if some31 else out
+        other31 = t1 if some31 else out
         np.subtract(a, b, other31)
-        np.add(a, b, w2)
-        np.multiply(other31, w2, w2)
-        np.sqrt(w2, w2)
+        np.add(a, b, t2)
+        np.multiply(other31, t2, t2)
+        np.sqrt(t2, t2)
         np.multiply(C0, E_star, other31)
-        np.divide(other31, w0, other31)
-        np.multiply(C0, a, w3)
-        np.subtract(R1, R2, w4)
-        np.square(a, w5)
-        np.multiply(C0, w5, w6)
-        np.square(b, w7)
-        np.add(w6, w7, w7)
-        np.multiply(w4, w7, w7)
-        np.multiply(w7, w2, w2)
-        np.multiply(w5, R2, w5)
-        np.divide(w2, w5, w5)
-        np.add(w3, w5, w5)
-        np.multiply(other31, w5, other31)
+        np.divide(other31, t0, other31)
+        np.multiply(C0, a, t3)
+        np.subtract(R1, R2, t4)
+        np.square(a, t5)
+        np.multiply(C0, t5, t6)
+        np.square(b, t7)
+        np.add(t6, t7, t7)
+        np.multiply(t4, t7, t7)
+        np.multiply(t7, t2, t2)
+        np.multiply(t5, R2, t5)
+        np.divide(t2, t5, t5)
+        np.add(t3, t5, t5)
+        np.multiply(other31, t5, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
 
@@ -420,7 +420,7 @@ def prepare_profile_r(R1, R2, b):
     return (b, v7, v10, v14)
 
 
-def block_profile_r(out, r, b, v7, v10, v14, w0, w1, m0):
+def block_profile_r(out, r, b, v7, v10, v14, t0, t1, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -431,12 +431,12 @@ def block_profile_r(out, r, b, v7, v10, v14, w0, w1, m0):
         np.square(r, out)
         np.divide(out, v7, out)
     if some17 != size:
-        other17 = w0 if some17 else out
+        other17 = t0 if some17 else out
         np.subtract(r, b, other17)
-        np.add(r, b, w1)
-        np.multiply(other17, w1, w1)
-        np.divide(w1, v14, w1)
-        np.add(v10, w1, other17)
+        np.add(r, b, t1)
+        np.multiply(other17, t1, t1)
+        np.divide(t1, v14, t1)
+        np.add(v10, t1, other17)
         if some17:
             np.copyto(out, other17, where=~m0)
 
@@ -445,27 +445,27 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, R1, R2, b, w0, w1, w2, w3, m0):
+def block_profile_all(out, r, R1, R2, b, t0, t1, t2, t3, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.multiply(C0, R1, w0)
+    np.multiply(C0, R1, t0)
     some17 = np.count_nonzero(m0)
     if some17:
         np.square(r, out)
-        np.divide(out, w0, out)
+        np.divide(out, t0, out)
     if some17 != size:
-        other17 = w1 if some17 else out
+        other17 = t1 if some17 else out
         np.square(b, other17)
-        np.divide(other17, w0, other17)
-        np.subtract(r, b, w2)
-        np.add(r, b, w3)
-        np.multiply(w2, w3, w3)
-        np.multiply(C0, R2, w2)
-        np.divide(w3, w2, w2)
-        np.add(other17, w2, other17)
+        np.divide(other17, t0, other17)
+        np.subtract(r, b, t2)
+        np.add(r, b, t3)
+        np.multiply(t2, t3, t3)
+        np.multiply(C0, R2, t2)
+        np.divide(t3, t2, t2)
+        np.add(other17, t2, other17)
         if some17:
             np.copyto(out, other17, where=~m0)
 

@@ -62,25 +62,25 @@ def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, a, h, E_star, w0, m0):
+def block_depth_from_force_all(out, F, a, h, E_star, t0, m0):
     size = out.size
-    np.multiply(C1, E_star, w0)
+    np.multiply(C1, E_star, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.divide(w0, C2, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(w0, C3, w0)
-    np.less_equal(w0, F, m0)
+    np.multiply(t0, h, t0)
+    np.divide(t0, C2, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(t0, C3, t0)
+    np.less_equal(t0, F, m0)
     some21 = np.count_nonzero(m0)
     if some21:
         np.multiply(C4, E_star, out)
         np.multiply(out, a, out)
         np.divide(F, out, out)
-        np.multiply(C4, h, w0)
-        np.divide(w0, C2, w0)
-        np.subtract(out, w0, out)
+        np.multiply(C4, h, t0)
+        np.divide(t0, C2, t0)
+        np.subtract(out, t0, out)
     if some21 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -156,21 +156,21 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, d, a, h, E_star, w0, w1, m0):
+def block_force_all(out, d, a, h, E_star, t0, t1, m0):
     size = out.size
-    np.multiply(C4, h, w0)
+    np.multiply(C4, h, t0)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(w0, C3, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(t0, C3, t1)
+    np.less_equal(t1, d, m0)
     some16 = np.count_nonzero(m0)
     if some16:
         np.multiply(C4, E_star, out)
         np.multiply(out, a, out)
-        np.divide(w0, C2, w1)
-        np.add(d, w1, w1)
-        np.multiply(out, w1, out)
+        np.divide(t0, C2, t1)
+        np.add(d, t1, t1)
+        np.multiply(out, t1, out)
     if some16 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -238,7 +238,7 @@ def prepare_pressure_r(d, a, h, E_star):
     return (a, v10, v14, v19, v22, v25, v26)
 
 
-def block_pressure_r(out, r, a, v10, v14, v19, v22, v25, v26, w0, m0):
+def block_pressure_r(out, r, a, v10, v14, v19, v22, v25, v26, t0, m0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
@@ -249,15 +249,15 @@ def block_pressure_r(out, r, a, v10, v14, v19, v22, v25, v26, w0, m0):
         some30 = np.count_nonzero(m0)
         if some30:
             np.subtract(a, r, out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(r, out)
             np.multiply(v10, out, out)
             np.divide(out, v14, out)
             np.add(v26, out, out)
             np.multiply(v25, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some30 != size:
             np.copyto(out, C5, where=~m0)
     else:
@@ -273,7 +273,7 @@ def prepare_pressure_r_d(a, h, E_star):
     return (a, v10, v14, v16, v18, v25)
 
 
-def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, w0, w1, m0, m1, m2):
+def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, t0, t1, m0, m1, m2):
     size = out.size
     np.less_equal(v18, d, m0)
     largest_r = largest(r)
@@ -290,16 +290,16 @@ def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, w0, w1, m0, m1, m2
         some30 = np.count_nonzero(m2)
         if some30:
             np.subtract(a, r, out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(r, out)
             np.multiply(v10, out, out)
             np.divide(out, v14, out)
-            np.subtract(d, v16, w1)
-            np.add(w1, out, out)
+            np.subtract(d, v16, t1)
+            np.add(t1, out, out)
             np.multiply(v25, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some30 != size:
             np.copyto(out, C5, where=~m2)
     if some32 != size:
@@ -310,17 +310,17 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
+def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
-    np.multiply(C4, h, w0)
+    np.multiply(C4, h, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(w0, C3, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(t0, C3, t1)
+    np.less_equal(t1, d, m0)
     some32 = np.count_nonzero(m0)
     if some32:
         np.less_equal(r, a, m1)
@@ -329,19 +329,19 @@ def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
         some30 = np.count_nonzero(m2)
         if some30:
             np.subtract(a, r, out)
-            np.add(a, r, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
+            np.add(a, r, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
             np.multiply(C6, h, out)
-            np.square(r, w2)
-            np.multiply(out, w2, w2)
+            np.square(r, t2)
+            np.multiply(out, t2, t2)
             np.square(a, out)
-            np.divide(w2, out, out)
-            np.divide(E_star, C7, w2)
-            np.subtract(d, w0, w3)
-            np.add(w3, out, out)
-            np.multiply(w2, out, out)
-            np.divide(out, w1, out)
+            np.divide(t2, out, out)
+            np.divide(E_star, C7, t2)
+            np.subtract(d, t0, t3)
+            np.add(t3, out, out)
+            np.multiply(t2, out, out)
+            np.divide(out, t1, out)
         if some30 != size:
             np.copyto(out, C5, where=~m2)
     if some32 != size:
@@ -384,7 +384,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, a, h, w0, m0):
+def block_profile_all(out, r, a, h, t0, m0):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -393,10 +393,10 @@ def block_profile_all(out, r, a, h, w0, m0):
     some11 = np.count_nonzero(m0)
     if some11:
         np.negative(h, out)
-        np.square(r, w0)
-        np.multiply(out, w0, w0)
+        np.square(r, t0)
+        np.multiply(out, t0, t0)
         np.square(a, out)
-        np.divide(w0, out, out)
+        np.divide(t0, out, out)
     if some11 != size:
         np.copyto(out, C0, where=~m0)
 

@@ -928,7 +928,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, a, h, n, w0, m0):
+def block_profile_all(out, r, a, h, n, t0, m0):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -937,9 +937,9 @@ def block_profile_all(out, r, a, h, n, w0, m0):
     some10 = np.count_nonzero(m0)
     if some10:
         np.negative(h, out)
-        np.divide(r, a, w0)
-        np.power(w0, n, w0)
-        np.multiply(out, w0, out)
+        np.divide(r, a, t0)
+        np.power(t0, n, t0)
+        np.multiply(out, t0, out)
     if some10 != size:
         np.copyto(out, C0, where=~m0)
 

@@ -66,25 +66,25 @@ def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, a, h, E_star, w0, m0):
+def block_depth_from_force_all(out, F, a, h, E_star, t0, m0):
     size = out.size
-    np.multiply(C1, E_star, w0)
+    np.multiply(C1, E_star, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.divide(w0, C2, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(w0, C3, w0)
-    np.less_equal(w0, F, m0)
+    np.multiply(t0, h, t0)
+    np.divide(t0, C2, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(t0, C3, t0)
+    np.less_equal(t0, F, m0)
     some22 = np.count_nonzero(m0)
     if some22:
         np.multiply(C4, E_star, out)
         np.multiply(out, a, out)
         np.divide(F, out, out)
-        np.multiply(C5, h, w0)
-        np.divide(w0, C2, w0)
-        np.subtract(out, w0, out)
+        np.multiply(C5, h, t0)
+        np.divide(t0, C2, t0)
+        np.subtract(out, t0, out)
     if some22 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -166,23 +166,23 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, d, a, h, E_star, w0, m0):
+def block_force_all(out, d, a, h, E_star, t0, m0):
     size = out.size
-    np.multiply(C6, h, w0)
+    np.multiply(C6, h, t0)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.divide(w0, C7, w0)
-    np.multiply(w0, C3, w0)
-    np.less_equal(w0, d, m0)
+    np.divide(t0, C7, t0)
+    np.multiply(t0, C3, t0)
+    np.less_equal(t0, d, m0)
     some21 = np.count_nonzero(m0)
     if some21:
         np.multiply(C4, E_star, out)
         np.multiply(out, a, out)
-        np.multiply(C5, h, w0)
-        np.divide(w0, C2, w0)
-        np.add(d, w0, w0)
-        np.multiply(out, w0, out)
+        np.multiply(C5, h, t0)
+        np.divide(t0, C2, t0)
+        np.add(d, t0, t0)
+        np.multiply(out, t0, out)
     if some21 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -261,7 +261,7 @@ def prepare_pressure_r(d, a, h, E_star):
     return (a, v10, v22, v28, v31, v34, v35)
 
 
-def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, w0, w1, m0):
+def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, t0, t1, m0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
@@ -272,20 +272,20 @@ def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, w0, w1, m0):
         some39 = np.count_nonzero(m0)
         if some39:
             np.subtract(a, r, out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C4, r, out)
-            np.subtract(out, a, w1)
-            np.square(w1, w1)
-            np.multiply(v10, w1, w1)
+            np.subtract(out, a, t1)
+            np.square(t1, t1)
+            np.multiply(v10, t1, t1)
             np.add(a, out, out)
             np.square(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v22, out)
             np.add(v35, out, out)
             np.multiply(v34, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some39 != size:
             np.copyto(out, C8, where=~m0)
     else:
@@ -303,7 +303,7 @@ def prepare_pressure_r_d(a, h, E_star):
     return (a, v10, v22, v25, v27, v34)
 
 
-def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, w0, w1, m0, m1, m2):
+def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, t0, t1, m0, m1, m2):
     size = out.size
     np.less_equal(v27, d, m0)
     largest_r = largest(r)
@@ -320,21 +320,21 @@ def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, w0, w1, m0, m1, m2
         some39 = np.count_nonzero(m2)
         if some39:
             np.subtract(a, r, out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C4, r, out)
-            np.subtract(out, a, w1)
-            np.square(w1, w1)
-            np.multiply(v10, w1, w1)
+            np.subtract(out, a, t1)
+            np.square(t1, t1)
+            np.multiply(v10, t1, t1)
             np.add(a, out, out)
             np.square(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v22, out)
-            np.subtract(d, v25, w1)
-            np.add(w1, out, out)
+            np.subtract(d, v25, t1)
+            np.add(t1, out, out)
             np.multiply(v34, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some39 != size:
             np.copyto(out, C8, where=~m2)
     if some41 != size:
@@ -345,18 +345,18 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, w4, m0, m1, m2):
+def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.multiply(C6, h, w0)
+    np.multiply(C6, h, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.divide(w0, C7, w1)
-    np.multiply(w1, C3, w2)
-    np.less_equal(w2, d, m0)
+    np.divide(t0, C7, t1)
+    np.multiply(t1, C3, t2)
+    np.less_equal(t2, d, m0)
     some41 = np.count_nonzero(m0)
     if some41:
         np.less_equal(r, a, m1)
@@ -365,25 +365,25 @@ def block_pressure_all(out, r, d, a, h, E_star, w0, w1, w2, w3, w4, m0, m1, m2):
         some39 = np.count_nonzero(m2)
         if some39:
             np.subtract(a, r, out)
-            np.add(a, r, w2)
-            np.multiply(out, w2, w2)
-            np.sqrt(w2, w2)
+            np.add(a, r, t2)
+            np.multiply(out, t2, t2)
+            np.sqrt(t2, t2)
             np.multiply(C4, r, out)
-            np.subtract(out, a, w3)
-            np.square(w3, w3)
-            np.multiply(w0, w3, w3)
+            np.subtract(out, a, t3)
+            np.square(t3, t3)
+            np.multiply(t0, t3, t3)
             np.add(a, out, out)
             np.square(out, out)
-            np.multiply(w3, out, out)
-            np.square(a, w3)
-            np.square(w3, w3)
-            np.multiply(C9, w3, w3)
-            np.divide(out, w3, w3)
+            np.multiply(t3, out, out)
+            np.square(a, t3)
+            np.square(t3, t3)
+            np.multiply(C9, t3, t3)
+            np.divide(out, t3, t3)
             np.divide(E_star, C10, out)
-            np.subtract(d, w1, w4)
-            np.add(w4, w3, w3)
-            np.multiply(out, w3, w3)
-            np.divide(w3, w2, out)
+            np.subtract(d, t1, t4)
+            np.add(t4, t3, t3)
+            np.multiply(out, t3, t3)
+            np.divide(t3, t2, out)
         if some39 != size:
             np.copyto(out, C8, where=~m2)
     if some41 != size:
@@ -430,7 +430,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, a, h, w0, m0):
+def block_profile_all(out, r, a, h, t0, m0):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -439,12 +439,12 @@ def block_profile_all(out, r, a, h, w0, m0):
     some13 = np.count_nonzero(m0)
     if some13:
         np.negative(h, out)
-        np.square(r, w0)
-        np.square(w0, w0)
-        np.multiply(out, w0, w0)
+        np.square(r, t0)
+        np.square(t0, t0)
+        np.multiply(out, t0, t0)
         np.square(a, out)
         np.square(out, out)
-        np.divide(w0, out, out)
+        np.divide(t0, out, out)
     if some13 != size:
         np.copyto(out, C0, where=~m0)
 

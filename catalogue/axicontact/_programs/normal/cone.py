@@ -80,16 +80,16 @@ def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, theta, E_star, w0):
+def block_depth_from_force_all(out, F, theta, E_star, t0):
     np.tan(theta, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
     np.multiply(C0, out, out)
-    np.multiply(C2, E_star, w0)
-    np.divide(out, w0, w0)
-    np.multiply(w0, F, w0)
-    np.sqrt(w0, out)
+    np.multiply(C2, E_star, t0)
+    np.divide(out, t0, t0)
+    np.multiply(t0, F, t0)
+    np.sqrt(t0, out)
 
 
 def displacement(r, a, theta):
@@ -114,7 +114,7 @@ def prepare_displacement_r(a, theta):
     return (a, v3, v4, v19)
 
 
-def block_displacement_r(out, r, a, v3, v4, v19, w0, m0):
+def block_displacement_r(out, r, a, v3, v4, v19, t0, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -123,17 +123,17 @@ def block_displacement_r(out, r, a, v3, v4, v19, w0, m0):
     some23 = np.count_nonzero(m0)
     if some23:
         np.subtract(r, a, out)
-        np.add(r, a, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(r, w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, out)
+        np.add(r, a, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(r, t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, out)
         np.multiply(C2, out, out)
-        np.subtract(out, w0, w0)
-        np.multiply(v4, w0, out)
+        np.subtract(out, t0, t0)
+        np.multiply(v4, t0, out)
     if some23 != size:
-        other23 = w0 if some23 else out
+        other23 = t0 if some23 else out
         np.multiply(v3, r, other23)
         np.subtract(v19, other23, other23)
         if some23:
@@ -147,7 +147,7 @@ def prepare_displacement_r_a(theta):
     return (v3, v20)
 
 
-def block_displacement_r_a(out, r, a, v3, v20, w0, w1, m0):
+def block_displacement_r_a(out, r, a, v3, v20, t0, t1, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -159,21 +159,21 @@ def block_displacement_r_a(out, r, a, v3, v20, w0, w1, m0):
     some25 = np.count_nonzero(m0)
     if some25:
         np.multiply(v3, a, out)
-        np.subtract(r, a, w0)
-        np.add(r, a, w1)
-        np.multiply(w0, w1, w1)
-        np.sqrt(w1, w1)
-        np.add(r, w1, w1)
-        np.divide(a, w1, w1)
-        np.arctan(w1, w0)
-        np.multiply(C2, w0, w0)
-        np.subtract(w0, w1, w1)
-        np.multiply(out, w1, out)
+        np.subtract(r, a, t0)
+        np.add(r, a, t1)
+        np.multiply(t0, t1, t1)
+        np.sqrt(t1, t1)
+        np.add(r, t1, t1)
+        np.divide(a, t1, t1)
+        np.arctan(t1, t0)
+        np.multiply(C2, t0, t0)
+        np.subtract(t0, t1, t1)
+        np.multiply(out, t1, out)
     if some25 != size:
-        other25 = w1 if some25 else out
+        other25 = t1 if some25 else out
         np.multiply(v20, a, other25)
-        np.multiply(v3, r, w0)
-        np.subtract(other25, w0, other25)
+        np.multiply(v3, r, t0)
+        np.subtract(other25, t0, other25)
         if some25:
             np.copyto(out, other25, where=~m0)
 
@@ -182,9 +182,9 @@ def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, theta, w0, w1, w2, m0):
+def block_displacement_all(out, r, a, theta, t0, t1, t2, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
@@ -194,24 +194,24 @@ def block_displacement_all(out, r, a, theta, w0, w1, w2, m0):
     np.greater(r, a, m0)
     some24 = np.count_nonzero(m0)
     if some24:
-        np.multiply(w0, a, out)
-        np.subtract(r, a, w1)
-        np.add(r, a, w2)
-        np.multiply(w1, w2, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.arctan(w2, w1)
-        np.multiply(C2, w1, w1)
-        np.subtract(w1, w2, w2)
-        np.multiply(out, w2, out)
+        np.multiply(t0, a, out)
+        np.subtract(r, a, t1)
+        np.add(r, a, t2)
+        np.multiply(t1, t2, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.arctan(t2, t1)
+        np.multiply(C2, t1, t1)
+        np.subtract(t1, t2, t2)
+        np.multiply(out, t2, out)
     if some24 != size:
-        other24 = w2 if some24 else out
-        np.multiply(C0, w0, other24)
+        other24 = t2 if some24 else out
+        np.multiply(C0, t0, other24)
         np.multiply(other24, a, other24)
         np.multiply(other24, C1, other24)
-        np.multiply(w0, r, w1)
-        np.subtract(other24, w1, other24)
+        np.multiply(t0, r, t1)
+        np.subtract(other24, t1, other24)
         if some24:
             np.copyto(out, other24, where=~m0)
 
@@ -245,15 +245,15 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, E_star, w0):
+def block_force_all(out, a, theta, E_star, t0):
     np.multiply(C0, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
-    np.multiply(out, w0, w0)
+    np.tan(theta, t0)
+    np.multiply(out, t0, t0)
     np.square(a, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.multiply(out, C1, out)
 
 
@@ -286,16 +286,16 @@ def prepare_force_from_depth_all():
     return ()
 
 
-def block_force_from_depth_all(out, d, theta, E_star, w0):
+def block_force_from_depth_all(out, d, theta, E_star, t0):
     np.multiply(C2, E_star, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
-    np.multiply(C0, w0, w0)
-    np.divide(out, w0, w0)
+    np.tan(theta, t0)
+    np.multiply(C0, t0, t0)
+    np.divide(out, t0, t0)
     np.square(d, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def mean_pressure(a, theta, E_star):
@@ -353,20 +353,20 @@ def prepare_pressure_r(a, theta, E_star):
     return (a, v16)
 
 
-def block_pressure_r(out, r, a, v16, w0, f0):
+def block_pressure_r(out, r, a, v16, t0, f0):
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     if largest_r > a:
         np.maximum(out, f0, out=out)
-    np.add(a, r, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.add(out, w0, w0)
-    np.divide(w0, r, w0)
-    np.log1p(w0, w0)
-    np.multiply(v16, w0, out)
+    np.add(a, r, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.add(out, t0, t0)
+    np.divide(t0, r, t0)
+    np.log1p(t0, t0)
+    np.multiply(v16, t0, out)
 
 
 def prepare_pressure_r_a(theta, E_star):
@@ -376,7 +376,7 @@ def prepare_pressure_r_a(theta, E_star):
     return (v17,)
 
 
-def block_pressure_r_a(out, r, a, v17, w0, m0):
+def block_pressure_r_a(out, r, a, v17, t0, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -388,13 +388,13 @@ def block_pressure_r_a(out, r, a, v17, w0, m0):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(out, w0, w0)
-        np.divide(w0, r, w0)
-        np.log1p(w0, w0)
-        np.multiply(v17, w0, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(out, t0, t0)
+        np.divide(t0, r, t0)
+        np.log1p(t0, t0)
+        np.multiply(v17, t0, out)
     if some20 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -403,7 +403,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, a, theta, E_star, w0, w1, m0):
+def block_pressure_all(out, r, a, theta, E_star, t0, t1, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -415,16 +415,16 @@ def block_pressure_all(out, r, a, theta, E_star, w0, w1, m0):
     some19 = np.count_nonzero(m0)
     if some19:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.tan(theta, w1)
-        np.multiply(E_star, w1, w1)
-        np.add(out, w0, w0)
-        np.divide(w0, r, w0)
-        np.log1p(w0, w0)
-        np.multiply(w1, w0, w0)
-        np.multiply(w0, C1, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.tan(theta, t1)
+        np.multiply(E_star, t1, t1)
+        np.add(out, t0, t0)
+        np.divide(t0, r, t0)
+        np.log1p(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.multiply(t0, C1, out)
     if some19 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -489,14 +489,14 @@ def prepare_radius_from_depth_all():
     return ()
 
 
-def block_radius_from_depth_all(out, d, theta, w0):
+def block_radius_from_depth_all(out, d, theta, t0):
     np.multiply(C2, d, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
-    np.multiply(C0, w0, w0)
-    np.divide(out, w0, out)
+    np.tan(theta, t0)
+    np.multiply(C0, t0, t0)
+    np.divide(out, t0, out)
 
 
 def radius_from_force(F, theta, E_star):
@@ -528,16 +528,16 @@ def prepare_radius_from_force_all():
     return ()
 
 
-def block_radius_from_force_all(out, F, theta, E_star, w0, w1):
+def block_radius_from_force_all(out, F, theta, E_star, t0, t1):
     np.multiply(C2, F, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C0, E_star, w0)
-    np.tan(theta, w1)
-    np.multiply(w0, w1, w1)
-    np.divide(out, w1, w1)
-    np.sqrt(w1, out)
+    np.multiply(C0, E_star, t0)
+    np.tan(theta, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(out, t1, t1)
+    np.sqrt(t1, out)
 
 
 def stiffness(a, E_star, theta=0.7853981633974483):

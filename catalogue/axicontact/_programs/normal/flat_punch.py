@@ -68,7 +68,7 @@ def prepare_displacement_r(d, a):
     return (d, a, v10)
 
 
-def block_displacement_r(out, r, d, a, v10, w0, m0, m1):
+def block_displacement_r(out, r, d, a, v10, t0, m0, m1):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -77,15 +77,15 @@ def block_displacement_r(out, r, d, a, v10, w0, m0, m1):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(r, a, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, w0)
-        np.multiply(v10, w0, w0)
-        np.divide(w0, C1, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, t0)
+        np.multiply(v10, t0, t0)
+        np.divide(t0, C1, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.less_equal(r, a, m1)
         some17 = np.count_nonzero(m1)
         if some17:
@@ -101,7 +101,7 @@ def prepare_displacement_r_d(a):
     return (a,)
 
 
-def block_displacement_r_d(out, r, d, a, w0, m0, m1):
+def block_displacement_r_d(out, r, d, a, t0, m0, m1):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -113,16 +113,16 @@ def block_displacement_r_d(out, r, d, a, w0, m0, m1):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(r, a, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, t0)
         np.multiply(C0, d, out)
-        np.multiply(out, w0, w0)
-        np.divide(w0, C1, out)
+        np.multiply(out, t0, t0)
+        np.divide(t0, C1, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.less_equal(r, a, m1)
         some17 = np.count_nonzero(m1)
         if some17:
@@ -138,7 +138,7 @@ def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, d, a, w0, m0, m1):
+def block_displacement_all(out, r, d, a, t0, m0, m1):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -150,16 +150,16 @@ def block_displacement_all(out, r, d, a, w0, m0, m1):
     some20 = np.count_nonzero(m0)
     if some20:
         np.subtract(r, a, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(a, w0, w0)
-        np.arctan(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(a, t0, t0)
+        np.arctan(t0, t0)
         np.multiply(C0, d, out)
-        np.multiply(out, w0, w0)
-        np.divide(w0, C1, out)
+        np.multiply(out, t0, t0)
+        np.divide(t0, C1, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.less_equal(r, a, m1)
         some17 = np.count_nonzero(m1)
         if some17:
@@ -223,7 +223,7 @@ def prepare_pressure_r(d, a, E_star):
     return (a, v10, v12)
 
 
-def block_pressure_r(out, r, a, v10, v12, w0, m0):
+def block_pressure_r(out, r, a, v10, v12, t0, m0):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -233,11 +233,11 @@ def block_pressure_r(out, r, a, v10, v12, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C1, w0, w0)
-        np.divide(v12, w0, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C1, t0, t0)
+        np.divide(v12, t0, out)
     if some16 != size:
         np.copyto(out, C2, where=~m0)
 
@@ -246,7 +246,7 @@ def prepare_pressure_r_d(a, E_star):
     return (a, E_star)
 
 
-def block_pressure_r_d(out, r, d, a, E_star, w0, m0, m1):
+def block_pressure_r_d(out, r, d, a, E_star, t0, m0, m1):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -260,12 +260,12 @@ def block_pressure_r_d(out, r, d, a, E_star, w0, m0, m1):
     some16 = np.count_nonzero(m1)
     if some16:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(E_star, d, out)
-        np.multiply(C1, w0, w0)
-        np.divide(out, w0, out)
+        np.multiply(C1, t0, t0)
+        np.divide(out, t0, out)
     if some16 != size:
         np.copyto(out, C2, where=~m1)
 
@@ -274,7 +274,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, E_star, w0, m0, m1):
+def block_pressure_all(out, r, d, a, E_star, t0, m0, m1):
     size = out.size
     np.less_equal(r, a, m0)
     largest_r = largest(r)
@@ -288,12 +288,12 @@ def block_pressure_all(out, r, d, a, E_star, w0, m0, m1):
     some16 = np.count_nonzero(m1)
     if some16:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(E_star, d, out)
-        np.multiply(C1, w0, w0)
-        np.divide(out, w0, out)
+        np.multiply(C1, t0, t0)
+        np.divide(out, t0, out)
     if some16 != size:
         np.copyto(out, C2, where=~m1)
 

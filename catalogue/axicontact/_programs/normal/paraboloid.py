@@ -100,17 +100,17 @@ def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, R, E_star, w0):
+def block_depth_from_force_all(out, F, R, E_star, t0):
     np.square(F, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
     np.multiply(C1, out, out)
-    np.square(E_star, w0)
-    np.multiply(C2, w0, w0)
-    np.multiply(w0, R, w0)
-    np.divide(out, w0, w0)
-    np.cbrt(w0, out)
+    np.square(E_star, t0)
+    np.multiply(C2, t0, t0)
+    np.multiply(t0, R, t0)
+    np.divide(out, t0, t0)
+    np.cbrt(t0, out)
 
 
 def displacement(r, a, R):
@@ -140,7 +140,7 @@ def prepare_displacement_r(a, R):
     return (a, v8, v73, v75)
 
 
-def block_displacement_r(out, r, a, v8, v73, v75, w0, w1, w2, m0):
+def block_displacement_r(out, r, a, v8, v73, v75, t0, t1, t2, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -149,52 +149,52 @@ def block_displacement_r(out, r, a, v8, v73, v75, w0, w1, w2, m0):
     some79 = np.count_nonzero(m0)
     if some79:
         np.subtract(r, a, out)
-        np.add(r, a, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(r, w0, w0)
-        np.divide(a, w0, w0)
+        np.add(r, a, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(r, t0, t0)
+        np.divide(a, t0, t0)
         np.divide(a, r, out)
-        np.multiply(w0, w0, w0)
-        np.multiply(C3, w0, w1)
-        np.add(w1, C4, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C5, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C6, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C7, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C8, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C9, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C10, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C11, w1)
-        np.multiply(C12, w0, w2)
-        np.add(w2, C13, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C14, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C15, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C16, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C17, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C18, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C19, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C20, w2)
-        np.divide(w1, w2, w2)
-        np.multiply(w0, w2, w2)
-        np.add(C21, w2, w2)
-        np.multiply(out, w2, w2)
-        np.multiply(v8, w2, out)
+        np.multiply(t0, t0, t0)
+        np.multiply(C3, t0, t1)
+        np.add(t1, C4, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C5, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C6, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C7, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C8, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C9, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C10, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C11, t1)
+        np.multiply(C12, t0, t2)
+        np.add(t2, C13, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C14, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C15, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C16, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C17, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C18, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C19, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C20, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(t0, t2, t2)
+        np.add(C21, t2, t2)
+        np.multiply(out, t2, t2)
+        np.multiply(v8, t2, out)
     if some79 != size:
-        other79 = w2 if some79 else out
+        other79 = t2 if some79 else out
         np.square(r, other79)
         np.divide(other79, v75, other79)
         np.subtract(v73, other79, other79)
@@ -208,9 +208,9 @@ def prepare_displacement_r_a(R):
     return (R, v7, v75)
 
 
-def block_displacement_r_a(out, r, a, R, v7, v75, w0, w1, w2, w3, w4, m0):
+def block_displacement_r_a(out, r, a, R, v7, v75, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(a, w0)
+    np.square(a, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
@@ -220,59 +220,59 @@ def block_displacement_r_a(out, r, a, R, v7, v75, w0, w1, w2, w3, w4, m0):
     np.greater(r, a, m0)
     some79 = np.count_nonzero(m0)
     if some79:
-        np.multiply(C0, w0, out)
+        np.multiply(C0, t0, out)
         np.divide(out, v7, out)
-        np.subtract(r, a, w1)
-        np.add(r, a, w2)
-        np.multiply(w1, w2, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.divide(a, r, w1)
-        np.multiply(w2, w2, w2)
-        np.multiply(C3, w2, w3)
-        np.add(w3, C4, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C5, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C6, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C7, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C8, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C9, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C10, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C11, w3)
-        np.multiply(C12, w2, w4)
-        np.add(w4, C13, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C14, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C15, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C16, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C17, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C18, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C19, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C20, w4)
-        np.divide(w3, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.add(C21, w4, w4)
-        np.multiply(w1, w4, w4)
-        np.multiply(out, w4, out)
+        np.subtract(r, a, t1)
+        np.add(r, a, t2)
+        np.multiply(t1, t2, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.divide(a, r, t1)
+        np.multiply(t2, t2, t2)
+        np.multiply(C3, t2, t3)
+        np.add(t3, C4, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C5, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C6, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C7, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C8, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C9, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C10, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C11, t3)
+        np.multiply(C12, t2, t4)
+        np.add(t4, C13, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C14, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C15, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C16, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C17, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C18, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C19, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C20, t4)
+        np.divide(t3, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.add(C21, t4, t4)
+        np.multiply(t1, t4, t4)
+        np.multiply(out, t4, out)
     if some79 != size:
-        other79 = w4 if some79 else out
-        np.divide(w0, R, other79)
-        np.square(r, w1)
-        np.divide(w1, v75, w1)
-        np.subtract(other79, w1, other79)
+        other79 = t4 if some79 else out
+        np.divide(t0, R, other79)
+        np.square(r, t1)
+        np.divide(t1, v75, t1)
+        np.subtract(other79, t1, other79)
         if some79:
             np.copyto(out, other79, where=~m0)
 
@@ -281,9 +281,9 @@ def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, R, w0, w1, w2, w3, w4, m0):
+def block_displacement_all(out, r, a, R, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(a, w0)
+    np.square(a, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
@@ -293,61 +293,61 @@ def block_displacement_all(out, r, a, R, w0, w1, w2, w3, w4, m0):
     np.greater(r, a, m0)
     some79 = np.count_nonzero(m0)
     if some79:
-        np.multiply(C0, w0, out)
-        np.multiply(C22, R, w1)
-        np.divide(out, w1, w1)
+        np.multiply(C0, t0, out)
+        np.multiply(C22, R, t1)
+        np.divide(out, t1, t1)
         np.subtract(r, a, out)
-        np.add(r, a, w2)
-        np.multiply(out, w2, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
+        np.add(r, a, t2)
+        np.multiply(out, t2, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
         np.divide(a, r, out)
-        np.multiply(w2, w2, w2)
-        np.multiply(C3, w2, w3)
-        np.add(w3, C4, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C5, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C6, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C7, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C8, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C9, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C10, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C11, w3)
-        np.multiply(C12, w2, w4)
-        np.add(w4, C13, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C14, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C15, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C16, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C17, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C18, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C19, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C20, w4)
-        np.divide(w3, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.add(C21, w4, w4)
-        np.multiply(out, w4, w4)
-        np.multiply(w1, w4, out)
+        np.multiply(t2, t2, t2)
+        np.multiply(C3, t2, t3)
+        np.add(t3, C4, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C5, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C6, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C7, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C8, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C9, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C10, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C11, t3)
+        np.multiply(C12, t2, t4)
+        np.add(t4, C13, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C14, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C15, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C16, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C17, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C18, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C19, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C20, t4)
+        np.divide(t3, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.add(C21, t4, t4)
+        np.multiply(out, t4, t4)
+        np.multiply(t1, t4, out)
     if some79 != size:
-        other79 = w4 if some79 else out
-        np.divide(w0, R, other79)
-        np.square(r, w1)
-        np.multiply(C0, R, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(other79, w2, other79)
+        other79 = t4 if some79 else out
+        np.divide(t0, R, other79)
+        np.square(r, t1)
+        np.multiply(C0, R, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(other79, t2, other79)
         if some79:
             np.copyto(out, other79, where=~m0)
 
@@ -381,16 +381,16 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R, E_star, w0):
+def block_force_all(out, a, R, E_star, t0):
     np.multiply(C23, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C24, R, w0)
-    np.divide(out, w0, w0)
+    np.multiply(C24, R, t0)
+    np.divide(out, t0, t0)
     np.square(a, out)
     np.multiply(a, out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def force_from_depth(d, R, E_star):
@@ -408,30 +408,30 @@ def prepare_force_from_depth_d(R, E_star):
     return (R, v6)
 
 
-def block_force_from_depth_d(out, d, R, v6, w0):
+def block_force_from_depth_d(out, d, R, v6, t0):
     np.multiply(v6, d, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(R, d, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, out)
+    np.multiply(R, d, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_force_from_depth_all():
     return ()
 
 
-def block_force_from_depth_all(out, d, R, E_star, w0):
+def block_force_from_depth_all(out, d, R, E_star, t0):
     np.multiply(C23, E_star, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
     np.divide(out, C24, out)
     np.multiply(out, d, out)
-    np.multiply(R, d, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, out)
+    np.multiply(R, d, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def mean_pressure(a, R, E_star):
@@ -461,14 +461,14 @@ def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, R, E_star, w0):
+def block_mean_pressure_all(out, a, R, E_star, t0):
     np.multiply(C23, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C25, R, w0)
-    np.divide(out, w0, w0)
-    np.multiply(w0, a, out)
+    np.multiply(C25, R, t0)
+    np.divide(out, t0, t0)
+    np.multiply(t0, a, out)
 
 
 def pressure(r, a, R, E_star):
@@ -489,17 +489,17 @@ def prepare_pressure_r(a, R, E_star):
     return (a, v14)
 
 
-def block_pressure_r(out, r, a, v14, w0, f0):
+def block_pressure_r(out, r, a, v14, t0, f0):
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     if largest_r > a:
         np.maximum(out, f0, out=out)
-    np.add(a, r, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(v14, w0, out)
+    np.add(a, r, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(v14, t0, out)
 
 
 def prepare_pressure_r_a(R, E_star):
@@ -509,7 +509,7 @@ def prepare_pressure_r_a(R, E_star):
     return (v13,)
 
 
-def block_pressure_r_a(out, r, a, v13, w0, m0):
+def block_pressure_r_a(out, r, a, v13, t0, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -521,10 +521,10 @@ def block_pressure_r_a(out, r, a, v13, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(v13, w0, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(v13, t0, out)
     if some16 != size:
         np.copyto(out, C26, where=~m0)
 
@@ -533,7 +533,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, a, R, E_star, w0, w1, m0):
+def block_pressure_all(out, r, a, R, E_star, t0, t1, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -545,13 +545,13 @@ def block_pressure_all(out, r, a, R, E_star, w0, w1, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(C0, E_star, out)
-        np.multiply(C22, R, w1)
-        np.divide(out, w1, w1)
-        np.multiply(w1, w0, out)
+        np.multiply(C22, R, t1)
+        np.divide(out, t1, t1)
+        np.multiply(t1, t0, out)
     if some16 != size:
         np.copyto(out, C26, where=~m0)
 
@@ -582,13 +582,13 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, R, w0):
+def block_profile_all(out, r, R, t0):
     np.square(r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.multiply(C0, R, w0)
-    np.divide(out, w0, out)
+    np.multiply(C0, R, t0)
+    np.divide(out, t0, out)
 
 
 def radius_from_depth(d, R):
@@ -652,15 +652,15 @@ def prepare_radius_from_force_all():
     return ()
 
 
-def block_radius_from_force_all(out, F, R, E_star, w0):
+def block_radius_from_force_all(out, F, R, E_star, t0):
     np.multiply(C24, R, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C23, E_star, w0)
-    np.divide(out, w0, w0)
-    np.multiply(w0, F, w0)
-    np.cbrt(w0, out)
+    np.multiply(C23, E_star, t0)
+    np.divide(out, t0, t0)
+    np.multiply(t0, F, t0)
+    np.cbrt(t0, out)
 
 
 def stiffness(a, E_star, R=1.0):

@@ -38,7 +38,7 @@ def prepare_depth_a(theta, b):
     return (b, v3, v4)
 
 
-def block_depth_a(out, a, b, v3, v4, w0, w1, w2, m0):
+def block_depth_a(out, a, b, v3, v4, t0, t1, t2, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -49,18 +49,18 @@ def block_depth_a(out, a, b, v3, v4, w0, w1, w2, m0):
         np.square(a, out)
         np.multiply(v4, out, out)
     if some20 != size:
-        other20 = w0 if some20 else out
+        other20 = t0 if some20 else out
         np.subtract(a, b, other20)
-        np.add(a, b, w1)
-        np.multiply(other20, w1, w1)
-        np.sqrt(w1, w1)
-        np.divide(w1, b, other20)
+        np.add(a, b, t1)
+        np.multiply(other20, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other20)
         np.arctan(other20, other20)
-        np.multiply(v3, a, w2)
-        np.add(w1, a, w1)
-        np.divide(b, w1, w1)
-        np.add(other20, w1, w1)
-        np.multiply(w2, w1, other20)
+        np.multiply(v3, a, t2)
+        np.add(t1, a, t1)
+        np.divide(b, t1, t1)
+        np.add(other20, t1, t1)
+        np.multiply(t2, t1, other20)
         if some20:
             np.copyto(out, other20, where=~m0)
 
@@ -69,31 +69,31 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, theta, b, w0, w1, w2, w3, m0):
+def block_depth_all(out, a, theta, b, t0, t1, t2, t3, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.less(a, b, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.divide(w0, b, out)
-        np.square(a, w1)
-        np.multiply(out, w1, out)
+        np.divide(t0, b, out)
+        np.square(a, t1)
+        np.multiply(out, t1, out)
     if some20 != size:
-        other20 = w1 if some20 else out
+        other20 = t1 if some20 else out
         np.subtract(a, b, other20)
-        np.add(a, b, w2)
-        np.multiply(other20, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(w2, b, other20)
+        np.add(a, b, t2)
+        np.multiply(other20, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other20)
         np.arctan(other20, other20)
-        np.multiply(w0, a, w3)
-        np.add(w2, a, w2)
-        np.divide(b, w2, w2)
-        np.add(other20, w2, w2)
-        np.multiply(w3, w2, other20)
+        np.multiply(t0, a, t3)
+        np.add(t2, a, t2)
+        np.divide(b, t2, t2)
+        np.add(other20, t2, t2)
+        np.multiply(t3, t2, other20)
         if some20:
             np.copyto(out, other20, where=~m0)
 
@@ -186,34 +186,34 @@ def prepare_force_a(theta, b, E_star):
     return (b, v10, v21, v23, v29)
 
 
-def block_force_a(out, a, b, v10, v21, v23, v29, w0, w1, w2, w3, w4, m0):
+def block_force_a(out, a, b, v10, v21, v23, v29, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(a, w0)
+    np.square(a, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.less(a, b, m0)
     some34 = np.count_nonzero(m0)
     if some34:
-        np.multiply(a, w0, out)
+        np.multiply(a, t0, out)
         np.multiply(v10, out, out)
     if some34 != size:
-        other34 = w1 if some34 else out
+        other34 = t1 if some34 else out
         np.subtract(a, b, other34)
-        np.add(a, b, w2)
-        np.multiply(other34, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(w2, b, other34)
+        np.add(a, b, t2)
+        np.multiply(other34, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other34)
         np.arctan(other34, other34)
-        np.multiply(w0, other34, other34)
-        np.multiply(v23, w0, w3)
-        np.add(w2, a, w4)
-        np.multiply(C1, w4, w4)
-        np.divide(w3, w4, w4)
-        np.add(other34, w4, w4)
-        np.multiply(v29, w2, w2)
-        np.add(w4, w2, w2)
-        np.multiply(v21, w2, other34)
+        np.multiply(t0, other34, other34)
+        np.multiply(v23, t0, t3)
+        np.add(t2, a, t4)
+        np.multiply(C1, t4, t4)
+        np.divide(t3, t4, t4)
+        np.add(other34, t4, t4)
+        np.multiply(v29, t2, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v21, t2, other34)
         if some34:
             np.copyto(out, other34, where=~m0)
 
@@ -222,42 +222,42 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, w5, w6, m0):
+def block_force_all(out, a, theta, b, E_star, t0, t1, t2, t3, t4, t5, t6, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.square(a, w1)
+    np.square(a, t1)
     np.less(a, b, m0)
     some34 = np.count_nonzero(m0)
     if some34:
         np.multiply(C2, E_star, out)
-        np.multiply(out, w0, out)
-        np.multiply(C1, b, w2)
-        np.divide(out, w2, w2)
-        np.multiply(a, w1, out)
-        np.multiply(w2, out, out)
+        np.multiply(out, t0, out)
+        np.multiply(C1, b, t2)
+        np.divide(out, t2, t2)
+        np.multiply(a, t1, out)
+        np.multiply(t2, out, out)
     if some34 != size:
-        other34 = w2 if some34 else out
+        other34 = t2 if some34 else out
         np.subtract(a, b, other34)
-        np.add(a, b, w3)
-        np.multiply(other34, w3, w3)
-        np.sqrt(w3, w3)
-        np.divide(w3, b, other34)
+        np.add(a, b, t3)
+        np.multiply(other34, t3, t3)
+        np.sqrt(t3, t3)
+        np.divide(t3, b, other34)
         np.arctan(other34, other34)
-        np.multiply(E_star, w0, w4)
-        np.multiply(w1, other34, other34)
-        np.multiply(C2, b, w5)
-        np.multiply(w5, w1, w5)
-        np.add(w3, a, w6)
-        np.multiply(C1, w6, w6)
-        np.divide(w5, w6, w6)
-        np.add(other34, w6, w6)
+        np.multiply(E_star, t0, t4)
+        np.multiply(t1, other34, other34)
+        np.multiply(C2, b, t5)
+        np.multiply(t5, t1, t5)
+        np.add(t3, a, t6)
+        np.multiply(C1, t6, t6)
+        np.divide(t5, t6, t6)
+        np.add(other34, t6, t6)
         np.divide(b, C1, other34)
-        np.multiply(other34, w3, w3)
-        np.add(w6, w3, w3)
-        np.multiply(w4, w3, other34)
+        np.multiply(other34, t3, t3)
+        np.add(t6, t3, t3)
+        np.multiply(t4, t3, other34)
         if some34:
             np.copyto(out, other34, where=~m0)
 
@@ -298,7 +298,7 @@ def prepare_mean_pressure_a(theta, b, E_star):
     return (b, v10, v20, v21)
 
 
-def block_mean_pressure_a(out, a, b, v10, v20, v21, w0, w1, w2, m0):
+def block_mean_pressure_a(out, a, b, v10, v20, v21, t0, t1, t2, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -308,22 +308,22 @@ def block_mean_pressure_a(out, a, b, v10, v20, v21, w0, w1, w2, m0):
     if some35:
         np.multiply(v10, a, out)
     if some35 != size:
-        other35 = w0 if some35 else out
+        other35 = t0 if some35 else out
         np.subtract(a, b, other35)
-        np.add(a, b, w1)
-        np.multiply(other35, w1, w1)
-        np.sqrt(w1, w1)
-        np.divide(w1, b, other35)
+        np.add(a, b, t1)
+        np.multiply(other35, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other35)
         np.arctan(other35, other35)
-        np.add(w1, a, w2)
-        np.multiply(C1, w2, w2)
-        np.divide(v21, w2, w2)
-        np.add(other35, w2, w2)
-        np.multiply(b, w1, w1)
+        np.add(t1, a, t2)
+        np.multiply(C1, t2, t2)
+        np.divide(v21, t2, t2)
+        np.add(other35, t2, t2)
+        np.multiply(b, t1, t1)
         np.square(a, other35)
         np.multiply(C1, other35, other35)
-        np.divide(w1, other35, other35)
-        np.add(w2, other35, other35)
+        np.divide(t1, other35, other35)
+        np.add(t2, other35, other35)
         np.multiply(v20, other35, other35)
         if some35:
             np.copyto(out, other35, where=~m0)
@@ -333,9 +333,9 @@ def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, w5, m0):
+def block_mean_pressure_all(out, a, theta, b, E_star, t0, t1, t2, t3, t4, t5, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -343,31 +343,31 @@ def block_mean_pressure_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, w5, m0
     some35 = np.count_nonzero(m0)
     if some35:
         np.multiply(C2, E_star, out)
-        np.multiply(out, w0, out)
-        np.multiply(C3, b, w1)
-        np.divide(out, w1, w1)
-        np.multiply(w1, a, out)
+        np.multiply(out, t0, out)
+        np.multiply(C3, b, t1)
+        np.divide(out, t1, t1)
+        np.multiply(t1, a, out)
     if some35 != size:
-        other35 = w1 if some35 else out
+        other35 = t1 if some35 else out
         np.subtract(a, b, other35)
-        np.add(a, b, w2)
-        np.multiply(other35, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(w2, b, other35)
+        np.add(a, b, t2)
+        np.multiply(other35, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other35)
         np.arctan(other35, other35)
-        np.multiply(E_star, w0, w3)
-        np.divide(w3, C4, w3)
-        np.multiply(C2, b, w4)
-        np.add(w2, a, w5)
-        np.multiply(C1, w5, w5)
-        np.divide(w4, w5, w5)
-        np.add(other35, w5, w5)
-        np.multiply(b, w2, w2)
+        np.multiply(E_star, t0, t3)
+        np.divide(t3, C4, t3)
+        np.multiply(C2, b, t4)
+        np.add(t2, a, t5)
+        np.multiply(C1, t5, t5)
+        np.divide(t4, t5, t5)
+        np.add(other35, t5, t5)
+        np.multiply(b, t2, t2)
         np.square(a, other35)
         np.multiply(C1, other35, other35)
-        np.divide(w2, other35, other35)
-        np.add(w5, other35, other35)
-        np.multiply(w3, other35, other35)
+        np.divide(t2, other35, other35)
+        np.add(t5, other35, other35)
+        np.multiply(t3, other35, other35)
         if some35:
             np.copyto(out, other35, where=~m0)
 
@@ -436,7 +436,7 @@ def prepare_profile_r(theta, b):
     return (b, v4, v7, v10)
 
 
-def block_profile_r(out, r, b, v4, v7, v10, w0, m0):
+def block_profile_r(out, r, b, v4, v7, v10, t0, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -447,7 +447,7 @@ def block_profile_r(out, r, b, v4, v7, v10, w0, m0):
         np.square(r, out)
         np.multiply(v7, out, out)
     if some13 != size:
-        other13 = w0 if some13 else out
+        other13 = t0 if some13 else out
         np.subtract(r, v10, other13)
         np.multiply(v4, other13, other13)
         if some13:
@@ -458,24 +458,24 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, theta, b, w0, w1, m0):
+def block_profile_all(out, r, theta, b, t0, t1, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     some14 = np.count_nonzero(m0)
     if some14:
         np.multiply(C0, b, out)
-        np.divide(w0, out, out)
-        np.square(r, w1)
-        np.multiply(out, w1, out)
+        np.divide(t0, out, out)
+        np.square(r, t1)
+        np.multiply(out, t1, out)
     if some14 != size:
-        other14 = w1 if some14 else out
+        other14 = t1 if some14 else out
         np.multiply(b, C5, other14)
         np.subtract(r, other14, other14)
-        np.multiply(w0, other14, other14)
+        np.multiply(t0, other14, other14)
         if some14:
             np.copyto(out, other14, where=~m0)
 

@@ -80,14 +80,14 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, A, w0):
+def block_depth_all(out, a, A, t0):
     np.multiply(C1, A, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.divide(out, C2, out)
-    np.power(a, C0, w0)
-    np.multiply(out, w0, out)
+    np.power(a, C0, t0)
+    np.multiply(out, t0, out)
 
 
 def depth_from_force(F, A, E_star):
@@ -130,7 +130,7 @@ def prepare_depth_from_force_F(A, E_star):
     return (E_star, v40)
 
 
-def block_depth_from_force_F(out, F, E_star, v40, w0, w1, w2, m0, m1):
+def block_depth_from_force_F(out, F, E_star, v40, t0, t1, t2, m0, m1):
     size = out.size
     np.divide(F, E_star, out)
     largest_F = largest(F)
@@ -141,30 +141,30 @@ def block_depth_from_force_F(out, F, E_star, v40, w0, w1, w2, m0, m1):
     np.bitwise_and(m0, m1, m1)
     some23 = np.count_nonzero(m1)
     if some23:
-        np.power(out, C5, w0)
+        np.power(out, C5, t0)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.power(w0, C6, w1)
-            np.power(w0, C3, w2)
-            np.multiply(w1, w2, w2)
-            np.divide(out, w2, w2)
-            np.subtract(w2, C7, w2)
-            np.divide(w2, C6, w2)
-            np.multiply(w0, w2, w2)
-            np.add(w0, w2, w1)
+            np.power(t0, C6, t1)
+            np.power(t0, C3, t2)
+            np.multiply(t1, t2, t2)
+            np.divide(out, t2, t2)
+            np.subtract(t2, C7, t2)
+            np.divide(t2, C6, t2)
+            np.multiply(t0, t2, t2)
+            np.add(t0, t2, t1)
         if some21 != size:
-            np.copyto(w1, w0, where=~m1)
-        np.divide(out, w1, w0)
+            np.copyto(t1, t0, where=~m1)
+        np.divide(out, t1, t0)
     if some23 != size:
-        np.copyto(w0, out, where=~m1)
-    np.multiply(w0, v40, out)
+        np.copyto(t0, out, where=~m1)
+    np.multiply(t0, v40, out)
 
 
 def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, A, E_star, w0, w1, w2, w3, m0, m1):
+def block_depth_from_force_all(out, F, A, E_star, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.divide(F, E_star, out)
     largest_F = largest(F)
@@ -175,41 +175,41 @@ def block_depth_from_force_all(out, F, A, E_star, w0, w1, w2, w3, m0, m1):
     np.bitwise_and(m0, m1, m1)
     some23 = np.count_nonzero(m1)
     if some23:
-        np.power(out, C5, w0)
+        np.power(out, C5, t0)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.power(w0, C6, w1)
-            np.power(w0, C3, w2)
-            np.multiply(w1, w2, w2)
-            np.divide(out, w2, w2)
-            np.subtract(w2, C7, w2)
-            np.divide(w2, C6, w2)
-            np.multiply(w0, w2, w2)
-            np.add(w0, w2, w1)
+            np.power(t0, C6, t1)
+            np.power(t0, C3, t2)
+            np.multiply(t1, t2, t2)
+            np.divide(out, t2, t2)
+            np.subtract(t2, C7, t2)
+            np.divide(t2, C6, t2)
+            np.multiply(t0, t2, t2)
+            np.add(t0, t2, t1)
         if some21 != size:
-            np.copyto(w1, w0, where=~m1)
-        np.divide(out, w1, w0)
+            np.copyto(t1, t0, where=~m1)
+        np.divide(out, t1, t0)
     if some23 != size:
-        np.copyto(w0, out, where=~m1)
+        np.copyto(t0, out, where=~m1)
     np.multiply(C8, A, out)
     np.divide(out, C9, out)
-    np.power(out, C5, w1)
+    np.power(out, C5, t1)
     np.greater(out, C3, m1)
     np.less(out, C4, m0)
     np.bitwise_and(m1, m0, m0)
     some40 = np.count_nonzero(m0)
     if some40:
-        np.power(w1, C6, w2)
-        np.power(w1, C3, w3)
-        np.multiply(w2, w3, w3)
-        np.divide(out, w3, w3)
-        np.subtract(w3, C7, w3)
-        np.divide(w3, C6, w3)
-        np.multiply(w1, w3, w3)
-        np.add(w1, w3, w2)
+        np.power(t1, C6, t2)
+        np.power(t1, C3, t3)
+        np.multiply(t2, t3, t3)
+        np.divide(out, t3, t3)
+        np.subtract(t3, C7, t3)
+        np.divide(t3, C6, t3)
+        np.multiply(t1, t3, t3)
+        np.add(t1, t3, t2)
     if some40 != size:
-        np.copyto(w2, w1, where=~m0)
-    np.multiply(w0, w2, out)
+        np.copyto(t2, t1, where=~m0)
+    np.multiply(t0, t2, out)
 
 
 def displacement(r, a, A):
@@ -240,7 +240,7 @@ def prepare_displacement_r(a, A):
     return (a, A, v9, v78)
 
 
-def block_displacement_r(out, r, a, A, v9, v78, w0, w1, w2, m0):
+def block_displacement_r(out, r, a, A, v9, v78, t0, t1, t2, m0):
     size = out.size
     np.greater(r, a, m0)
     largest_r = largest(r)
@@ -249,52 +249,52 @@ def block_displacement_r(out, r, a, A, v9, v78, w0, w1, w2, m0):
     some83 = np.count_nonzero(m0)
     if some83:
         np.subtract(r, a, out)
-        np.add(r, a, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(r, w0, w0)
-        np.divide(a, w0, w0)
+        np.add(r, a, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(r, t0, t0)
+        np.divide(a, t0, t0)
         np.divide(a, r, out)
-        np.multiply(w0, w0, w0)
-        np.multiply(C10, w0, w1)
-        np.add(w1, C11, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C12, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C13, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C14, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C15, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C16, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C17, w1)
-        np.multiply(w1, w0, w1)
-        np.add(w1, C18, w1)
-        np.multiply(C19, w0, w2)
-        np.add(w2, C20, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C21, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C22, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C23, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C24, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C25, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C26, w2)
-        np.multiply(w2, w0, w2)
-        np.add(w2, C7, w2)
-        np.divide(w1, w2, w2)
-        np.multiply(w0, w2, w2)
-        np.add(C27, w2, w2)
-        np.multiply(out, w2, w2)
-        np.multiply(v9, w2, out)
+        np.multiply(t0, t0, t0)
+        np.multiply(C10, t0, t1)
+        np.add(t1, C11, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C12, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C13, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C14, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C15, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C16, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C17, t1)
+        np.multiply(t1, t0, t1)
+        np.add(t1, C18, t1)
+        np.multiply(C19, t0, t2)
+        np.add(t2, C20, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C21, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C22, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C23, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C24, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C25, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C26, t2)
+        np.multiply(t2, t0, t2)
+        np.add(t2, C7, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(t0, t2, t2)
+        np.add(C27, t2, t2)
+        np.multiply(out, t2, t2)
+        np.multiply(v9, t2, out)
     if some83 != size:
-        other83 = w2 if some83 else out
+        other83 = t2 if some83 else out
         np.power(r, C0, other83)
         np.multiply(A, other83, other83)
         np.subtract(v78, other83, other83)
@@ -310,9 +310,9 @@ def prepare_displacement_r_a(A):
     return (A, v6, v77)
 
 
-def block_displacement_r_a(out, r, a, A, v6, v77, w0, w1, w2, w3, w4, m0):
+def block_displacement_r_a(out, r, a, A, v6, v77, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.power(a, C0, w0)
+    np.power(a, C0, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
@@ -322,58 +322,58 @@ def block_displacement_r_a(out, r, a, A, v6, v77, w0, w1, w2, w3, w4, m0):
     np.greater(r, a, m0)
     some83 = np.count_nonzero(m0)
     if some83:
-        np.multiply(v6, w0, out)
-        np.subtract(r, a, w1)
-        np.add(r, a, w2)
-        np.multiply(w1, w2, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.divide(a, r, w1)
-        np.multiply(w2, w2, w2)
-        np.multiply(C10, w2, w3)
-        np.add(w3, C11, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C12, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C13, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C14, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C15, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C16, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C17, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C18, w3)
-        np.multiply(C19, w2, w4)
-        np.add(w4, C20, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C21, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C22, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C23, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C24, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C25, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C26, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C7, w4)
-        np.divide(w3, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.add(C27, w4, w4)
-        np.multiply(w1, w4, w4)
-        np.multiply(out, w4, out)
+        np.multiply(v6, t0, out)
+        np.subtract(r, a, t1)
+        np.add(r, a, t2)
+        np.multiply(t1, t2, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.divide(a, r, t1)
+        np.multiply(t2, t2, t2)
+        np.multiply(C10, t2, t3)
+        np.add(t3, C11, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C12, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C13, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C14, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C18, t3)
+        np.multiply(C19, t2, t4)
+        np.add(t4, C20, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C21, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C22, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C23, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C24, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C25, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C26, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C7, t4)
+        np.divide(t3, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.add(C27, t4, t4)
+        np.multiply(t1, t4, t4)
+        np.multiply(out, t4, out)
     if some83 != size:
-        other83 = w4 if some83 else out
-        np.multiply(v77, w0, other83)
-        np.power(r, C0, w1)
-        np.multiply(A, w1, w1)
-        np.subtract(other83, w1, other83)
+        other83 = t4 if some83 else out
+        np.multiply(v77, t0, other83)
+        np.power(r, C0, t1)
+        np.multiply(A, t1, t1)
+        np.subtract(other83, t1, other83)
         if some83:
             np.copyto(out, other83, where=~m0)
 
@@ -382,9 +382,9 @@ def prepare_displacement_all():
     return ()
 
 
-def block_displacement_all(out, r, a, A, w0, w1, w2, w3, w4, m0):
+def block_displacement_all(out, r, a, A, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.power(a, C0, w0)
+    np.power(a, C0, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
@@ -396,60 +396,60 @@ def block_displacement_all(out, r, a, A, w0, w1, w2, w3, w4, m0):
     if some83:
         np.multiply(C28, A, out)
         np.divide(out, C29, out)
-        np.multiply(out, w0, out)
-        np.subtract(r, a, w1)
-        np.add(r, a, w2)
-        np.multiply(w1, w2, w2)
-        np.sqrt(w2, w2)
-        np.add(r, w2, w2)
-        np.divide(a, w2, w2)
-        np.divide(a, r, w1)
-        np.multiply(w2, w2, w2)
-        np.multiply(C10, w2, w3)
-        np.add(w3, C11, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C12, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C13, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C14, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C15, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C16, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C17, w3)
-        np.multiply(w3, w2, w3)
-        np.add(w3, C18, w3)
-        np.multiply(C19, w2, w4)
-        np.add(w4, C20, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C21, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C22, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C23, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C24, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C25, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C26, w4)
-        np.multiply(w4, w2, w4)
-        np.add(w4, C7, w4)
-        np.divide(w3, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.add(C27, w4, w4)
-        np.multiply(w1, w4, w4)
-        np.multiply(out, w4, out)
+        np.multiply(out, t0, out)
+        np.subtract(r, a, t1)
+        np.add(r, a, t2)
+        np.multiply(t1, t2, t2)
+        np.sqrt(t2, t2)
+        np.add(r, t2, t2)
+        np.divide(a, t2, t2)
+        np.divide(a, r, t1)
+        np.multiply(t2, t2, t2)
+        np.multiply(C10, t2, t3)
+        np.add(t3, C11, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C12, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C13, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C14, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t2, t3)
+        np.add(t3, C18, t3)
+        np.multiply(C19, t2, t4)
+        np.add(t4, C20, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C21, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C22, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C23, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C24, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C25, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C26, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C7, t4)
+        np.divide(t3, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.add(C27, t4, t4)
+        np.multiply(t1, t4, t4)
+        np.multiply(out, t4, out)
     if some83 != size:
-        other83 = w4 if some83 else out
+        other83 = t4 if some83 else out
         np.multiply(C1, A, other83)
         np.divide(other83, C2, other83)
-        np.multiply(other83, w0, other83)
-        np.power(r, C0, w1)
-        np.multiply(A, w1, w1)
-        np.subtract(other83, w1, other83)
+        np.multiply(other83, t0, other83)
+        np.power(r, C0, t1)
+        np.multiply(A, t1, t1)
+        np.subtract(other83, t1, other83)
         if some83:
             np.copyto(out, other83, where=~m0)
 
@@ -482,15 +482,15 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, A, E_star, w0):
+def block_force_all(out, a, A, E_star, t0):
     np.multiply(C30, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
     np.divide(out, C31, out)
-    np.power(a, C6, w0)
-    np.multiply(out, w0, out)
+    np.power(a, C6, t0)
+    np.multiply(out, t0, out)
 
 
 def force_from_depth(d, A, E_star):
@@ -513,38 +513,38 @@ def prepare_force_from_depth_d(A, E_star):
     return (A, v6)
 
 
-def block_force_from_depth_d(out, d, A, v6, w0, w1, w2, w3, m0, m1):
+def block_force_from_depth_d(out, d, A, v6, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.multiply(v6, d, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(C32, d, w0)
-    np.divide(w0, A, w0)
-    np.power(w0, C33, w1)
-    np.greater(w0, C3, m0)
-    np.less(w0, C4, m1)
+    np.multiply(C32, d, t0)
+    np.divide(t0, A, t0)
+    np.power(t0, C33, t1)
+    np.greater(t0, C3, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some27 = np.count_nonzero(m1)
     if some27:
-        np.power(w1, C0, w2)
-        np.power(w1, C3, w3)
-        np.multiply(w2, w3, w3)
-        np.divide(w0, w3, w3)
-        np.subtract(w3, C7, w3)
-        np.divide(w3, C0, w3)
-        np.multiply(w1, w3, w3)
-        np.add(w1, w3, w2)
+        np.power(t1, C0, t2)
+        np.power(t1, C3, t3)
+        np.multiply(t2, t3, t3)
+        np.divide(t0, t3, t3)
+        np.subtract(t3, C7, t3)
+        np.divide(t3, C0, t3)
+        np.multiply(t1, t3, t3)
+        np.add(t1, t3, t2)
     if some27 != size:
-        np.copyto(w2, w1, where=~m1)
-    np.multiply(out, w2, out)
+        np.copyto(t2, t1, where=~m1)
+    np.multiply(out, t2, out)
 
 
 def prepare_force_from_depth_all():
     return ()
 
 
-def block_force_from_depth_all(out, d, A, E_star, w0, w1, w2, w3, m0, m1):
+def block_force_from_depth_all(out, d, A, E_star, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.multiply(C0, E_star, out)
     largest_d = largest(d)
@@ -552,25 +552,25 @@ def block_force_from_depth_all(out, d, A, E_star, w0, w1, w2, w3, m0, m1):
         raise FloatingPointError
     np.divide(out, C6, out)
     np.multiply(out, d, out)
-    np.multiply(C32, d, w0)
-    np.divide(w0, A, w0)
-    np.power(w0, C33, w1)
-    np.greater(w0, C3, m0)
-    np.less(w0, C4, m1)
+    np.multiply(C32, d, t0)
+    np.divide(t0, A, t0)
+    np.power(t0, C33, t1)
+    np.greater(t0, C3, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some27 = np.count_nonzero(m1)
     if some27:
-        np.power(w1, C0, w2)
-        np.power(w1, C3, w3)
-        np.multiply(w2, w3, w3)
-        np.divide(w0, w3, w3)
-        np.subtract(w3, C7, w3)
-        np.divide(w3, C0, w3)
-        np.multiply(w1, w3, w3)
-        np.add(w1, w3, w2)
+        np.power(t1, C0, t2)
+        np.power(t1, C3, t3)
+        np.multiply(t2, t3, t3)
+        np.divide(t0, t3, t3)
+        np.subtract(t3, C7, t3)
+        np.divide(t3, C0, t3)
+        np.multiply(t1, t3, t3)
+        np.add(t1, t3, t2)
     if some27 != size:
-        np.copyto(w2, w1, where=~m1)
-    np.multiply(out, w2, out)
+        np.copyto(t2, t1, where=~m1)
+    np.multiply(out, t2, out)
 
 
 def mean_pressure(a, A, E_star):
@@ -601,15 +601,15 @@ def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, A, E_star, w0):
+def block_mean_pressure_all(out, a, A, E_star, t0):
     np.multiply(C30, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
     np.divide(out, C34, out)
-    np.power(a, C2, w0)
-    np.multiply(out, w0, out)
+    np.power(a, C2, t0)
+    np.multiply(out, t0, out)
 
 
 def peak_pressure(a, A, E_star):
@@ -641,16 +641,16 @@ def prepare_peak_pressure_all():
     return ()
 
 
-def block_peak_pressure_all(out, a, A, E_star, w0):
+def block_peak_pressure_all(out, a, A, E_star, t0):
     np.multiply(C36, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
     np.divide(out, C37, out)
-    np.power(a, C2, w0)
-    np.multiply(out, w0, w0)
-    np.multiply(w0, C35, out)
+    np.power(a, C2, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, C35, out)
 
 
 def peak_radius(a, A=1.0, E_star=1.0):
@@ -697,24 +697,24 @@ def prepare_pressure_r(a, A, E_star):
     return (a, v14, v20, v21)
 
 
-def block_pressure_r(out, r, a, v14, v20, v21, w0, w1, f0):
+def block_pressure_r(out, r, a, v14, v20, v21, t0, t1, f0):
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     if largest_r > a:
         np.maximum(out, f0, out=out)
-    np.add(a, r, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, r, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.square(r, out)
-    np.multiply(v21, out, w1)
-    np.add(v20, w1, w1)
+    np.multiply(v21, out, t1)
+    np.add(v20, t1, t1)
     np.square(out, out)
     np.multiply(C40, out, out)
-    np.add(w1, out, out)
+    np.add(t1, out, out)
     np.multiply(v14, out, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def prepare_pressure_r_a(A, E_star):
@@ -724,7 +724,7 @@ def prepare_pressure_r_a(A, E_star):
     return (v13,)
 
 
-def block_pressure_r_a(out, r, a, v13, w0, w1, w2, m0):
+def block_pressure_r_a(out, r, a, v13, t0, t1, t2, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -736,21 +736,21 @@ def block_pressure_r_a(out, r, a, v13, w0, w1, w2, m0):
     some31 = np.count_nonzero(m0)
     if some31:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.square(a, out)
-        np.square(out, w1)
-        np.multiply(C41, w1, w1)
+        np.square(out, t1)
+        np.multiply(C41, t1, t1)
         np.multiply(C42, out, out)
-        np.square(r, w2)
-        np.multiply(out, w2, out)
-        np.add(w1, out, out)
-        np.square(w2, w2)
-        np.multiply(C40, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(v13, w2, w2)
-        np.multiply(w2, w0, out)
+        np.square(r, t2)
+        np.multiply(out, t2, out)
+        np.add(t1, out, out)
+        np.square(t2, t2)
+        np.multiply(C40, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(v13, t2, t2)
+        np.multiply(t2, t0, out)
     if some31 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -759,7 +759,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, a, A, E_star, w0, w1, w2, w3, m0):
+def block_pressure_all(out, r, a, A, E_star, t0, t1, t2, t3, m0):
     size = out.size
     np.less(r, a, m0)
     largest_r = largest(r)
@@ -771,24 +771,24 @@ def block_pressure_all(out, r, a, A, E_star, w0, w1, w2, w3, m0):
     some31 = np.count_nonzero(m0)
     if some31:
         np.subtract(a, r, out)
-        np.add(a, r, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(C28, E_star, out)
         np.multiply(out, A, out)
         np.divide(out, C37, out)
-        np.square(a, w1)
-        np.square(w1, w2)
-        np.multiply(C41, w2, w2)
-        np.multiply(C42, w1, w1)
-        np.square(r, w3)
-        np.multiply(w1, w3, w1)
-        np.add(w2, w1, w1)
-        np.square(w3, w3)
-        np.multiply(C40, w3, w3)
-        np.add(w1, w3, w3)
-        np.multiply(out, w3, w3)
-        np.multiply(w3, w0, out)
+        np.square(a, t1)
+        np.square(t1, t2)
+        np.multiply(C41, t2, t2)
+        np.multiply(C42, t1, t1)
+        np.square(r, t3)
+        np.multiply(t1, t3, t1)
+        np.add(t2, t1, t1)
+        np.square(t3, t3)
+        np.multiply(C40, t3, t3)
+        np.add(t1, t3, t3)
+        np.multiply(out, t3, t3)
+        np.multiply(t3, t0, out)
     if some31 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -847,59 +847,59 @@ def prepare_radius_from_depth_d(A):
     return (v5,)
 
 
-def block_radius_from_depth_d(out, d, v5, w0, w1, w2, m0, m1):
+def block_radius_from_depth_d(out, d, v5, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C2, d, w0)
+    np.multiply(C2, d, t0)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.divide(w0, v5, w0)
-    np.power(w0, C33, w1)
-    np.greater(w0, C3, m0)
-    np.less(w0, C4, m1)
+    np.divide(t0, v5, t0)
+    np.power(t0, C33, t1)
+    np.greater(t0, C3, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some24 = np.count_nonzero(m1)
     if some24:
-        np.power(w1, C0, out)
-        np.power(w1, C3, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C7, w2)
-        np.divide(w2, C0, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C0, out)
+        np.power(t1, C3, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C7, t2)
+        np.divide(t2, C0, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some24 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_radius_from_depth_all():
     return ()
 
 
-def block_radius_from_depth_all(out, d, A, w0, w1, w2, m0, m1):
+def block_radius_from_depth_all(out, d, A, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C2, d, w0)
+    np.multiply(C2, d, t0)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(C1, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C33, w0)
-    np.greater(w1, C3, m0)
-    np.less(w1, C4, m1)
+    np.multiply(C1, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C33, t0)
+    np.greater(t1, C3, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some24 = np.count_nonzero(m1)
     if some24:
-        np.power(w0, C0, out)
-        np.power(w0, C3, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C7, w2)
-        np.divide(w2, C0, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C0, out)
+        np.power(t0, C3, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C7, t2)
+        np.divide(t2, C0, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some24 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def radius_from_force(F, A, E_star):
@@ -924,60 +924,60 @@ def prepare_radius_from_force_F(A, E_star):
     return (v7,)
 
 
-def block_radius_from_force_F(out, F, v7, w0, w1, w2, m0, m1):
+def block_radius_from_force_F(out, F, v7, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, w0)
+    np.multiply(C31, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.divide(w0, v7, w0)
-    np.power(w0, C5, w1)
-    np.greater(w0, C3, m0)
-    np.less(w0, C4, m1)
+    np.divide(t0, v7, t0)
+    np.power(t0, C5, t1)
+    np.greater(t0, C3, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some26 = np.count_nonzero(m1)
     if some26:
-        np.power(w1, C6, out)
-        np.power(w1, C3, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C7, w2)
-        np.divide(w2, C6, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C6, out)
+        np.power(t1, C3, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C7, t2)
+        np.divide(t2, C6, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some26 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_radius_from_force_all():
     return ()
 
 
-def block_radius_from_force_all(out, F, A, E_star, w0, w1, w2, m0, m1):
+def block_radius_from_force_all(out, F, A, E_star, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, w0)
+    np.multiply(C31, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C30, E_star, w1)
-    np.multiply(w1, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C5, w0)
-    np.greater(w1, C3, m0)
-    np.less(w1, C4, m1)
+    np.multiply(C30, E_star, t1)
+    np.multiply(t1, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C5, t0)
+    np.greater(t1, C3, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some26 = np.count_nonzero(m1)
     if some26:
-        np.power(w0, C6, out)
-        np.power(w0, C3, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C7, w2)
-        np.divide(w2, C6, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C6, out)
+        np.power(t0, C3, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C7, t2)
+        np.divide(t2, C6, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some26 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def stiffness(a, E_star, A=1.0):

@@ -48,9 +48,9 @@ def prepare_depth_a(R, theta):
     return (R, v4, v6, v7, v8, v22, v26)
 
 
-def block_depth_a(out, a, R, v4, v6, v7, v8, v22, v26, w0, w1, w2, w3, m0, f0):
+def block_depth_a(out, a, R, v4, v6, v7, v8, v22, v26, t0, t1, t2, t3, m0, f0):
     size = out.size
-    np.subtract(R, a, w0)
+    np.subtract(R, a, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -58,33 +58,33 @@ def block_depth_a(out, a, R, v4, v6, v7, v8, v22, v26, w0, w1, w2, w3, m0, f0):
     some42 = np.count_nonzero(m0)
     if some42:
         np.multiply(C0, a, out)
-        np.divide(out, w0, out)
+        np.divide(out, t0, out)
         np.log1p(out, out)
         np.multiply(out, C1, out)
         np.multiply(a, out, out)
     if some42 != size:
-        other42 = w1 if some42 else out
+        other42 = t1 if some42 else out
         if v7:
             np.add(R, a, other42)
-            np.multiply(w0, other42, other42)
+            np.multiply(t0, other42, other42)
             np.subtract(v8, other42, other42)
         else:
             np.subtract(a, v4, other42)
-            np.add(a, v4, w2)
-            np.multiply(other42, w2, other42)
+            np.add(a, v4, t2)
+            np.multiply(other42, t2, other42)
         np.maximum(other42, f0, out=other42)
         np.sqrt(other42, other42)
-        np.arctan2(other42, v4, w2)
-        np.add(other42, a, w3)
-        np.divide(v22, w3, w3)
-        np.add(w3, v26, w3)
+        np.arctan2(other42, v4, t2)
+        np.add(other42, a, t3)
+        np.divide(v22, t3, t3)
+        np.add(t3, v26, t3)
         np.add(other42, v6, other42)
-        np.divide(w3, other42, other42)
+        np.divide(t3, other42, other42)
         np.log1p(other42, other42)
-        np.multiply(v4, w2, w2)
-        np.divide(w2, v6, w2)
-        np.add(other42, w2, w2)
-        np.multiply(a, w2, other42)
+        np.multiply(v4, t2, t2)
+        np.divide(t2, v6, t2)
+        np.add(other42, t2, t2)
+        np.multiply(a, t2, other42)
         if some42:
             np.copyto(out, other42, where=~m0)
 
@@ -93,55 +93,55 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, theta, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+def block_depth_all(out, a, R, theta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
     size = out.size
-    np.sin(theta, w0)
+    np.sin(theta, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(R, w0, w0)
-    np.subtract(R, a, w1)
-    np.less(a, w0, m0)
+    np.multiply(R, t0, t0)
+    np.subtract(R, a, t1)
+    np.less(a, t0, m0)
     some42 = np.count_nonzero(m0)
     if some42:
         np.multiply(C0, a, out)
-        np.divide(out, w1, out)
+        np.divide(out, t1, out)
         np.log1p(out, out)
         np.multiply(out, C1, out)
         np.multiply(a, out, out)
     if some42 != size:
-        other42 = w2 if some42 else out
+        other42 = t2 if some42 else out
         np.cos(theta, other42)
         np.multiply(R, other42, other42)
-        np.less(other42, w0, m1)
+        np.less(other42, t0, m1)
         some16 = np.count_nonzero(m1)
         if some16:
-            np.multiply(other42, other42, w3)
-            np.add(R, a, w4)
-            np.multiply(w1, w4, w4)
-            np.subtract(w3, w4, w3)
+            np.multiply(other42, other42, t3)
+            np.add(R, a, t4)
+            np.multiply(t1, t4, t4)
+            np.subtract(t3, t4, t3)
         if some16 != size:
-            other16 = w4 if some16 else w3
-            np.subtract(a, w0, other16)
-            np.add(a, w0, w5)
-            np.multiply(other16, w5, other16)
+            other16 = t4 if some16 else t3
+            np.subtract(a, t0, other16)
+            np.add(a, t0, t5)
+            np.multiply(other16, t5, other16)
             if some16:
-                np.copyto(w3, other16, where=~m1)
-        np.maximum(w3, f0, out=w3)
-        np.sqrt(w3, w3)
-        np.arctan2(w3, w0, w4)
-        np.square(w0, w5)
-        np.add(w3, a, w6)
-        np.divide(w5, w6, w6)
-        np.add(other42, R, w7)
-        np.divide(w5, w7, w7)
-        np.add(w6, w7, w7)
-        np.add(w3, other42, w3)
-        np.divide(w7, w3, w3)
-        np.log1p(w3, w3)
-        np.multiply(w0, w4, w4)
-        np.divide(w4, other42, other42)
-        np.add(w3, other42, other42)
+                np.copyto(t3, other16, where=~m1)
+        np.maximum(t3, f0, out=t3)
+        np.sqrt(t3, t3)
+        np.arctan2(t3, t0, t4)
+        np.square(t0, t5)
+        np.add(t3, a, t6)
+        np.divide(t5, t6, t6)
+        np.add(other42, R, t7)
+        np.divide(t5, t7, t7)
+        np.add(t6, t7, t7)
+        np.add(t3, other42, t3)
+        np.divide(t7, t3, t3)
+        np.log1p(t3, t3)
+        np.multiply(t0, t4, t4)
+        np.divide(t4, other42, other42)
+        np.add(t3, other42, other42)
         np.multiply(a, other42, other42)
         if some42:
             np.copyto(out, other42, where=~m0)
@@ -430,7 +430,7 @@ def prepare_profile_r(R, theta):
     return (R, v4, v10, v19)
 
 
-def block_profile_r(out, r, R, v4, v10, v19, w0, m0):
+def block_profile_r(out, r, R, v4, v10, v19, t0, m0):
     size = out.size
     np.less(r, v4, m0)
     largest_r = largest(r)
@@ -439,14 +439,14 @@ def block_profile_r(out, r, R, v4, v10, v19, w0, m0):
     some22 = np.count_nonzero(m0)
     if some22:
         np.subtract(R, r, out)
-        np.add(r, R, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(r, R, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.square(r, out)
-        np.add(w0, R, w0)
-        np.divide(out, w0, out)
+        np.add(t0, R, t0)
+        np.divide(out, t0, out)
     if some22 != size:
-        other22 = w0 if some22 else out
+        other22 = t0 if some22 else out
         np.subtract(r, v4, other22)
         np.divide(other22, v10, other22)
         np.add(other22, v19, other22)
@@ -459,33 +459,33 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, R, theta, w0, w1, w2, m0):
+def block_profile_all(out, r, R, theta, t0, t1, t2, m0):
     size = out.size
-    np.sin(theta, w0)
+    np.sin(theta, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.multiply(R, w0, w0)
-    np.less(r, w0, m0)
+    np.multiply(R, t0, t0)
+    np.less(r, t0, m0)
     some22 = np.count_nonzero(m0)
     if some22:
         np.subtract(R, r, out)
-        np.add(r, R, w1)
-        np.multiply(out, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(r, R, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
         np.square(r, out)
-        np.add(w1, R, w1)
-        np.divide(out, w1, out)
+        np.add(t1, R, t1)
+        np.divide(out, t1, out)
     if some22 != size:
-        other22 = w1 if some22 else out
+        other22 = t1 if some22 else out
         np.cos(theta, other22)
         np.multiply(R, other22, other22)
-        np.subtract(r, w0, w2)
-        np.divide(w2, other22, w2)
+        np.subtract(r, t0, t2)
+        np.divide(t2, other22, t2)
         np.add(other22, R, other22)
-        np.divide(w0, other22, other22)
-        np.add(w2, other22, other22)
-        np.multiply(w0, other22, other22)
+        np.divide(t0, other22, other22)
+        np.add(t2, other22, other22)
+        np.multiply(t0, other22, other22)
         if some22:
             np.copyto(out, other22, where=~m0)
 

@@ -30,37 +30,37 @@ def prepare_depth_a(theta, b):
     return (b, v9)
 
 
-def block_depth_a(out, a, b, v9, w0):
+def block_depth_a(out, a, b, v9, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, w0)
-    np.arctan(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, t0)
+    np.arctan(t0, t0)
     np.multiply(v9, a, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, theta, b, w0):
+def block_depth_all(out, a, theta, b, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, w0)
-    np.arctan(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, t0)
+    np.arctan(t0, t0)
     np.tan(theta, out)
     np.multiply(out, a, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def depth_from_force(F, theta, b, E_star):
@@ -135,44 +135,44 @@ def prepare_force_a(theta, b, E_star):
     return (b, v11)
 
 
-def block_force_a(out, a, b, v11, w0, w1):
+def block_force_a(out, a, b, v11, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.square(a, w1)
-    np.multiply(w1, out, out)
-    np.multiply(b, w0, w0)
-    np.add(out, w0, w0)
-    np.multiply(v11, w0, out)
+    np.square(a, t1)
+    np.multiply(t1, out, out)
+    np.multiply(b, t0, t0)
+    np.add(out, t0, t0)
+    np.multiply(v11, t0, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, theta, b, E_star, w0, w1, w2):
+def block_force_all(out, a, theta, b, E_star, t0, t1, t2):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.tan(theta, w1)
-    np.multiply(E_star, w1, w1)
-    np.square(a, w2)
-    np.multiply(w2, out, out)
-    np.multiply(b, w0, w0)
-    np.add(out, w0, w0)
-    np.multiply(w1, w0, out)
+    np.tan(theta, t1)
+    np.multiply(E_star, t1, t1)
+    np.square(a, t2)
+    np.multiply(t2, out, out)
+    np.multiply(b, t0, t0)
+    np.add(out, t0, t0)
+    np.multiply(t1, t0, out)
 
 
 def force_from_depth(d, theta, b, E_star):
@@ -203,45 +203,45 @@ def prepare_mean_pressure_a(theta, b, E_star):
     return (b, v13)
 
 
-def block_mean_pressure_a(out, a, b, v13, w0, w1):
+def block_mean_pressure_a(out, a, b, v13, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.multiply(b, w0, w0)
-    np.square(a, w1)
-    np.divide(w0, w1, w1)
-    np.add(out, w1, w1)
-    np.multiply(v13, w1, out)
+    np.multiply(b, t0, t0)
+    np.square(a, t1)
+    np.divide(t0, t1, t1)
+    np.add(out, t1, t1)
+    np.multiply(v13, t1, out)
 
 
 def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, theta, b, E_star, w0, w1, w2):
+def block_mean_pressure_all(out, a, theta, b, E_star, t0, t1, t2):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.divide(w0, b, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.divide(t0, b, out)
     np.arctan(out, out)
-    np.tan(theta, w1)
-    np.multiply(E_star, w1, w1)
-    np.divide(w1, C1, w1)
-    np.multiply(b, w0, w0)
-    np.square(a, w2)
-    np.divide(w0, w2, w2)
-    np.add(out, w2, w2)
-    np.multiply(w1, w2, out)
+    np.tan(theta, t1)
+    np.multiply(E_star, t1, t1)
+    np.divide(t1, C1, t1)
+    np.multiply(b, t0, t0)
+    np.square(a, t2)
+    np.divide(t0, t2, t2)
+    np.add(out, t2, t2)
+    np.multiply(t1, t2, out)
 
 
 def pressure(r, a, theta, b, E_star):
@@ -307,7 +307,7 @@ def prepare_profile_r(theta, b):
     return (b, v4)
 
 
-def block_profile_r(out, r, b, v4, w0, m0):
+def block_profile_r(out, r, b, v4, t0, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -317,7 +317,7 @@ def block_profile_r(out, r, b, v4, w0, m0):
     if some8:
         np.copyto(out, C2)
     if some8 != size:
-        other8 = w0 if some8 else out
+        other8 = t0 if some8 else out
         np.subtract(r, b, other8)
         np.multiply(v4, other8, other8)
         if some8:
@@ -328,7 +328,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, theta, b, w0, w1, m0):
+def block_profile_all(out, r, theta, b, t0, t1, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -338,10 +338,10 @@ def block_profile_all(out, r, theta, b, w0, w1, m0):
     if some8:
         np.copyto(out, C2)
     if some8 != size:
-        other8 = w0 if some8 else out
+        other8 = t0 if some8 else out
         np.tan(theta, other8)
-        np.subtract(r, b, w1)
-        np.multiply(other8, w1, other8)
+        np.subtract(r, b, t1)
+        np.multiply(other8, t1, other8)
         if some8:
             np.copyto(out, other8, where=~m0)
 

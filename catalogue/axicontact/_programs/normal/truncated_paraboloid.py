@@ -32,32 +32,32 @@ def prepare_depth_a(R, b):
     return (R, b)
 
 
-def block_depth_a(out, a, R, b, w0):
+def block_depth_a(out, a, R, b, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(a, w0, w0)
-    np.divide(w0, R, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(a, t0, t0)
+    np.divide(t0, R, out)
 
 
 def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, b, w0):
+def block_depth_all(out, a, R, b, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(a, w0, w0)
-    np.divide(w0, R, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(a, t0, t0)
+    np.divide(t0, R, out)
 
 
 def depth_from_force(F, R, b, E_star):
@@ -133,42 +133,42 @@ def prepare_force_a(R, b, E_star):
     return (b, v12, v15)
 
 
-def block_force_a(out, a, b, v12, v15, w0):
+def block_force_a(out, a, b, v12, v15, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.square(a, out)
     np.multiply(C0, out, out)
     np.add(out, v15, out)
     np.multiply(v12, out, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R, b, E_star, w0, w1, w2):
+def block_force_all(out, a, R, b, E_star, t0, t1, t2):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.multiply(C0, E_star, out)
-    np.multiply(C1, R, w1)
-    np.divide(out, w1, w1)
+    np.multiply(C1, R, t1)
+    np.divide(out, t1, t1)
     np.square(a, out)
     np.multiply(C0, out, out)
-    np.square(b, w2)
-    np.add(out, w2, w2)
-    np.multiply(w1, w2, w2)
-    np.multiply(w2, w0, out)
+    np.square(b, t2)
+    np.add(out, t2, t2)
+    np.multiply(t1, t2, t2)
+    np.multiply(t2, t0, out)
 
 
 def force_from_depth(d, R, b, E_star):
@@ -202,48 +202,48 @@ def prepare_mean_pressure_a(R, b, E_star):
     return (R, b, v12, v17)
 
 
-def block_mean_pressure_a(out, a, R, b, v12, v17, w0, w1):
+def block_mean_pressure_a(out, a, R, b, v12, v17, t0, t1):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(v12, w0, out)
-    np.multiply(v17, w0, w0)
-    np.square(a, w1)
-    np.multiply(C2, w1, w1)
-    np.multiply(w1, R, w1)
-    np.divide(w0, w1, w1)
-    np.add(out, w1, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(v12, t0, out)
+    np.multiply(v17, t0, t0)
+    np.square(a, t1)
+    np.multiply(C2, t1, t1)
+    np.multiply(t1, R, t1)
+    np.divide(t0, t1, t1)
+    np.add(out, t1, out)
 
 
 def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, R, b, E_star, w0, w1, w2):
+def block_mean_pressure_all(out, a, R, b, E_star, t0, t1, t2):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.multiply(C3, E_star, out)
-    np.multiply(C2, R, w1)
-    np.divide(out, w1, w1)
-    np.multiply(w1, w0, w1)
+    np.multiply(C2, R, t1)
+    np.divide(out, t1, t1)
+    np.multiply(t1, t0, t1)
     np.multiply(C0, E_star, out)
-    np.square(b, w2)
-    np.multiply(out, w2, w2)
-    np.multiply(w2, w0, w0)
-    np.square(a, w2)
-    np.multiply(C2, w2, w2)
-    np.multiply(w2, R, w2)
-    np.divide(w0, w2, w2)
-    np.add(w1, w2, out)
+    np.square(b, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(t2, t0, t0)
+    np.square(a, t2)
+    np.multiply(C2, t2, t2)
+    np.multiply(t2, R, t2)
+    np.divide(t0, t2, t2)
+    np.add(t1, t2, out)
 
 
 def pressure(r, a, R, b, E_star):
@@ -308,7 +308,7 @@ def prepare_profile_r(R, b):
     return (b, v8)
 
 
-def block_profile_r(out, r, b, v8, w0, w1, m0):
+def block_profile_r(out, r, b, v8, t0, t1, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -318,11 +318,11 @@ def block_profile_r(out, r, b, v8, w0, w1, m0):
     if some11:
         np.copyto(out, C4)
     if some11 != size:
-        other11 = w0 if some11 else out
+        other11 = t0 if some11 else out
         np.subtract(r, b, other11)
-        np.add(r, b, w1)
-        np.multiply(other11, w1, w1)
-        np.divide(w1, v8, other11)
+        np.add(r, b, t1)
+        np.multiply(other11, t1, t1)
+        np.divide(t1, v8, other11)
         if some11:
             np.copyto(out, other11, where=~m0)
 
@@ -331,7 +331,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, r, R, b, w0, w1, m0):
+def block_profile_all(out, r, R, b, t0, t1, m0):
     size = out.size
     np.less(r, b, m0)
     largest_r = largest(r)
@@ -341,12 +341,12 @@ def block_profile_all(out, r, R, b, w0, w1, m0):
     if some11:
         np.copyto(out, C4)
     if some11 != size:
-        other11 = w0 if some11 else out
+        other11 = t0 if some11 else out
         np.subtract(r, b, other11)
-        np.add(r, b, w1)
-        np.multiply(other11, w1, w1)
+        np.add(r, b, t1)
+        np.multiply(other11, t1, t1)
         np.multiply(C0, R, other11)
-        np.divide(w1, other11, other11)
+        np.divide(t1, other11, other11)
         if some11:
             np.copyto(out, other11, where=~m0)
 
@@ -391,26 +391,26 @@ def prepare_radius_from_depth_all():
     return ()
 
 
-def block_radius_from_depth_all(out, d, R, b, w0, w1, w2):
+def block_radius_from_depth_all(out, d, R, b, t0, t1, t2):
     np.square(b, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.square(out, w0)
-    np.square(R, w1)
-    np.multiply(C3, w1, w1)
-    np.square(d, w2)
-    np.multiply(w1, w2, w2)
-    np.add(w0, w2, w2)
-    np.sqrt(w2, w2)
-    np.divide(w2, R, w2)
+    np.square(out, t0)
+    np.square(R, t1)
+    np.multiply(C3, t1, t1)
+    np.square(d, t2)
+    np.multiply(t1, t2, t2)
+    np.add(t0, t2, t2)
+    np.sqrt(t2, t2)
+    np.divide(t2, R, t2)
     np.divide(out, R, out)
-    np.add(w2, out, out)
+    np.add(t2, out, out)
     np.sqrt(out, out)
-    np.multiply(C0, R, w2)
-    np.sqrt(w2, w2)
-    np.multiply(out, w2, w2)
-    np.multiply(w2, C5, out)
+    np.multiply(C0, R, t2)
+    np.sqrt(t2, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(t2, C5, out)
 
 
 def radius_from_force(F, R, b, E_star):

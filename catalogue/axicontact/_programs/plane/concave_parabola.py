@@ -43,7 +43,7 @@ def prepare_depth_L(P, a, h, E_star):
     return (a, h, v10, v16, v26)
 
 
-def block_depth_L(out, L, a, h, v10, v16, v26, w0, w1, m0):
+def block_depth_L(out, L, a, h, v10, v16, v26, t0, t1, m0):
     size = out.size
     largest_L = largest(L)
     if largest_L == np.inf:
@@ -53,18 +53,18 @@ def block_depth_L(out, L, a, h, v10, v16, v26, w0, w1, m0):
         some29 = np.count_nonzero(m0)
         if some29:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.add(out, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.add(out, t0, out)
             np.divide(out, a, out)
             np.log1p(out, out)
             np.multiply(v10, out, out)
             np.divide(out, v16, out)
-            np.add(w0, L, w0)
-            np.multiply(h, L, w1)
-            np.divide(w1, w0, w0)
-            np.subtract(out, w0, out)
+            np.add(t0, L, t0)
+            np.multiply(h, L, t1)
+            np.divide(t1, t0, t0)
+            np.subtract(out, t0, out)
         if some29 != size:
             np.copyto(out, C0, where=~m0)
     else:
@@ -79,7 +79,7 @@ def prepare_depth_L_P(a, h, E_star):
     return (a, h, v16, v25)
 
 
-def block_depth_L_P(out, L, P, a, h, v16, v25, w0, w1, m0, m1):
+def block_depth_L_P(out, L, P, a, h, v16, v25, t0, t1, m0, m1):
     size = out.size
     np.less_equal(v25, P, m0)
     largest_L = largest(L)
@@ -94,19 +94,19 @@ def block_depth_L_P(out, L, P, a, h, v16, v25, w0, w1, m0, m1):
         some29 = np.count_nonzero(m1)
         if some29:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(C1, P, w1)
-            np.add(out, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(C1, P, t1)
+            np.add(out, t0, out)
             np.divide(out, a, out)
             np.log1p(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v16, out)
-            np.add(w0, L, w0)
-            np.multiply(h, L, w1)
-            np.divide(w1, w0, w0)
-            np.subtract(out, w0, out)
+            np.add(t0, L, t0)
+            np.multiply(h, L, t1)
+            np.divide(t1, t0, t0)
+            np.subtract(out, t0, out)
         if some29 != size:
             np.copyto(out, C0, where=~m1)
     if some30 != size:
@@ -117,38 +117,38 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, P, a, h, E_star, w0, w1, w2, m0, m1):
+def block_depth_all(out, L, P, a, h, E_star, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C2, E_star, w0)
+    np.multiply(C2, E_star, t0)
     largest_L = largest(L)
     if largest_L == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w1)
-    np.multiply(w1, C3, w1)
-    np.multiply(w1, C4, w1)
-    np.less_equal(w1, P, m0)
+    np.multiply(t0, h, t1)
+    np.multiply(t1, C3, t1)
+    np.multiply(t1, C4, t1)
+    np.less_equal(t1, P, m0)
     some31 = np.count_nonzero(m0)
     if some31:
         np.less_equal(a, L, m1)
         some30 = np.count_nonzero(m1)
         if some30:
             np.subtract(L, a, out)
-            np.add(a, L, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
-            np.multiply(C1, P, w2)
-            np.add(out, w1, out)
+            np.add(a, L, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
+            np.multiply(C1, P, t2)
+            np.add(out, t1, out)
             np.divide(out, a, out)
             np.log1p(out, out)
-            np.multiply(w2, out, out)
-            np.divide(out, w0, out)
-            np.add(w1, L, w1)
-            np.multiply(h, L, w2)
-            np.divide(w2, w1, w1)
-            np.subtract(out, w1, out)
+            np.multiply(t2, out, out)
+            np.divide(out, t0, out)
+            np.add(t1, L, t1)
+            np.multiply(h, L, t2)
+            np.divide(t2, t1, t1)
+            np.subtract(out, t1, out)
         if some30 != size:
             np.copyto(out, C0, where=~m1)
     if some31 != size:
@@ -201,7 +201,7 @@ def prepare_pressure_x(P, a, h, E_star):
     return (a, v11, v15, v18, v24, v27)
 
 
-def block_pressure_x(out, x, a, v11, v15, v18, v24, v27, w0, m0):
+def block_pressure_x(out, x, a, v11, v15, v18, v24, v27, t0, m0):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
@@ -212,15 +212,15 @@ def block_pressure_x(out, x, a, v11, v15, v18, v24, v27, w0, m0):
         some29 = np.count_nonzero(m0)
         if some29:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(x, out)
             np.multiply(v11, out, out)
             np.divide(out, v15, out)
             np.add(v18, out, out)
-            np.multiply(C2, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(C2, t0, t0)
+            np.divide(out, t0, out)
         if some29 != size:
             np.copyto(out, C5, where=~m0)
     else:
@@ -236,7 +236,7 @@ def prepare_pressure_x_P(a, h, E_star):
     return (a, v11, v15, v17, v23)
 
 
-def block_pressure_x_P(out, x, P, a, v11, v15, v17, v23, w0, w1, m0, m1, m2):
+def block_pressure_x_P(out, x, P, a, v11, v15, v17, v23, t0, t1, m0, m1, m2):
     size = out.size
     np.less_equal(v23, P, m0)
     largest_x = largest(x)
@@ -253,16 +253,16 @@ def block_pressure_x_P(out, x, P, a, v11, v15, v17, v23, w0, w1, m0, m1, m2):
         some29 = np.count_nonzero(m2)
         if some29:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(x, out)
             np.multiply(v11, out, out)
             np.divide(out, v15, out)
-            np.subtract(P, v17, w1)
-            np.add(w1, out, out)
-            np.multiply(C2, w0, w0)
-            np.divide(out, w0, out)
+            np.subtract(P, v17, t1)
+            np.add(t1, out, out)
+            np.multiply(C2, t0, t0)
+            np.divide(out, t0, out)
         if some29 != size:
             np.copyto(out, C5, where=~m2)
     if some31 != size:
@@ -273,19 +273,19 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, P, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
+def block_pressure_all(out, x, P, a, h, E_star, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
-    np.multiply(C2, E_star, w0)
+    np.multiply(C2, E_star, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.multiply(w0, C3, w1)
-    np.multiply(w1, C4, w2)
-    np.less_equal(w2, P, m0)
+    np.multiply(t0, h, t0)
+    np.multiply(t0, C3, t1)
+    np.multiply(t1, C4, t2)
+    np.less_equal(t2, P, m0)
     some32 = np.count_nonzero(m0)
     if some32:
         np.less_equal(x, a, m1)
@@ -294,17 +294,17 @@ def block_pressure_all(out, x, P, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
         some30 = np.count_nonzero(m2)
         if some30:
             np.subtract(a, x, out)
-            np.add(a, x, w2)
-            np.multiply(out, w2, w2)
-            np.sqrt(w2, w2)
+            np.add(a, x, t2)
+            np.multiply(out, t2, t2)
+            np.sqrt(t2, t2)
             np.square(x, out)
-            np.multiply(w0, out, out)
-            np.square(a, w3)
-            np.divide(out, w3, w3)
-            np.subtract(P, w1, out)
-            np.add(out, w3, w3)
-            np.multiply(C2, w2, w2)
-            np.divide(w3, w2, out)
+            np.multiply(t0, out, out)
+            np.square(a, t3)
+            np.divide(out, t3, t3)
+            np.subtract(P, t1, out)
+            np.add(out, t3, t3)
+            np.multiply(C2, t2, t2)
+            np.divide(t3, t2, out)
         if some30 != size:
             np.copyto(out, C5, where=~m2)
     if some32 != size:
@@ -347,7 +347,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, a, h, w0, m0):
+def block_profile_all(out, x, a, h, t0, m0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -356,10 +356,10 @@ def block_profile_all(out, x, a, h, w0, m0):
     some11 = np.count_nonzero(m0)
     if some11:
         np.negative(h, out)
-        np.square(x, w0)
-        np.multiply(out, w0, w0)
+        np.square(x, t0)
+        np.multiply(out, t0, t0)
         np.square(a, out)
-        np.divide(w0, out, out)
+        np.divide(t0, out, out)
     if some11 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -396,7 +396,7 @@ def prepare_slope_x(P, a, h, E_star):
     return (a, v10, v12, v21, v23, v28, v34, v36)
 
 
-def block_slope_x(out, x, a, v10, v12, v21, v23, v28, v34, v36, w0, w1, w2, m0):
+def block_slope_x(out, x, a, v10, v12, v21, v23, v28, v34, v36, t0, t1, t2, m0):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
@@ -407,24 +407,24 @@ def block_slope_x(out, x, a, v10, v12, v21, v23, v28, v34, v36, w0, w1, w2, m0):
         if some40:
             if v28:
                 np.subtract(x, a, out)
-                np.add(a, x, w0)
-                np.multiply(out, w0, w0)
-                np.sqrt(w0, w0)
-                np.multiply(v12, w0, out)
+                np.add(a, x, t0)
+                np.multiply(out, t0, t0)
+                np.sqrt(t0, t0)
+                np.multiply(v12, t0, out)
                 np.divide(v10, out, out)
-                np.square(w0, w1)
-                np.multiply(C1, w1, w1)
-                np.multiply(C1, x, w2)
-                np.multiply(w2, w0, w2)
-                np.add(w1, w2, w2)
-                np.add(w2, v21, w2)
-                np.multiply(w2, w0, w0)
-                np.divide(v23, w0, w0)
-                np.subtract(out, w0, out)
+                np.square(t0, t1)
+                np.multiply(C1, t1, t1)
+                np.multiply(C1, x, t2)
+                np.multiply(t2, t0, t2)
+                np.add(t1, t2, t2)
+                np.add(t2, v21, t2)
+                np.multiply(t2, t0, t0)
+                np.divide(v23, t0, t0)
+                np.subtract(out, t0, out)
             else:
                 np.copyto(out, C5)
         if some40 != size:
-            other40 = w0 if some40 else out
+            other40 = t0 if some40 else out
             np.multiply(v36, x, other40)
             np.divide(other40, v21, other40)
             np.negative(other40, other40)
@@ -445,7 +445,7 @@ def prepare_slope_x_P(a, h, E_star):
     return (a, v12, v21, v23, v33, v36)
 
 
-def block_slope_x_P(out, x, P, a, v12, v21, v23, v33, v36, w0, w1, w2, m0, m1, m2):
+def block_slope_x_P(out, x, P, a, v12, v21, v23, v33, v36, t0, t1, t2, m0, m1, m2):
     size = out.size
     np.less_equal(v33, P, m0)
     largest_x = largest(x)
@@ -463,25 +463,25 @@ def block_slope_x_P(out, x, P, a, v12, v21, v23, v33, v36, w0, w1, w2, m0, m1, m
             some29 = np.count_nonzero(m2)
             if some29:
                 np.subtract(x, a, out)
-                np.add(a, x, w0)
-                np.multiply(out, w0, w0)
-                np.sqrt(w0, w0)
+                np.add(a, x, t0)
+                np.multiply(out, t0, t0)
+                np.sqrt(t0, t0)
                 np.multiply(C6, P, out)
-                np.multiply(v12, w0, w1)
-                np.divide(out, w1, w1)
-                np.square(w0, out)
+                np.multiply(v12, t0, t1)
+                np.divide(out, t1, t1)
+                np.square(t0, out)
                 np.multiply(C1, out, out)
-                np.multiply(C1, x, w2)
-                np.multiply(w2, w0, w2)
-                np.add(out, w2, w2)
-                np.add(w2, v21, w2)
-                np.multiply(w2, w0, w0)
-                np.divide(v23, w0, w0)
-                np.subtract(w1, w0, out)
+                np.multiply(C1, x, t2)
+                np.multiply(t2, t0, t2)
+                np.add(out, t2, t2)
+                np.add(t2, v21, t2)
+                np.multiply(t2, t0, t0)
+                np.divide(v23, t0, t0)
+                np.subtract(t1, t0, out)
             if some29 != size:
                 np.copyto(out, C5, where=~m2)
         if some40 != size:
-            other40 = w0 if some40 else out
+            other40 = t0 if some40 else out
             np.multiply(v36, x, other40)
             np.divide(other40, v21, other40)
             np.negative(other40, other40)
@@ -495,22 +495,22 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, P, a, h, E_star, w0, w1, w2, w3, w4, m0, m1, m2):
+def block_slope_all(out, x, P, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.multiply(C2, E_star, w0)
+    np.multiply(C2, E_star, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w1)
-    np.multiply(w1, C3, w1)
-    np.multiply(w1, C4, w1)
-    np.less_equal(w1, P, m0)
+    np.multiply(t0, h, t1)
+    np.multiply(t1, C3, t1)
+    np.multiply(t1, C4, t1)
+    np.less_equal(t1, P, m0)
     some43 = np.count_nonzero(m0)
     if some43:
-        np.square(a, w1)
+        np.square(a, t1)
         np.greater_equal(x, a, m1)
         some41 = np.count_nonzero(m1)
         if some41:
@@ -518,29 +518,29 @@ def block_slope_all(out, x, P, a, h, E_star, w0, w1, w2, w3, w4, m0, m1, m2):
             some29 = np.count_nonzero(m2)
             if some29:
                 np.subtract(x, a, out)
-                np.add(a, x, w2)
-                np.multiply(out, w2, w2)
-                np.sqrt(w2, w2)
+                np.add(a, x, t2)
+                np.multiply(out, t2, t2)
+                np.sqrt(t2, t2)
                 np.multiply(C6, P, out)
-                np.multiply(w0, w2, w3)
-                np.divide(out, w3, w3)
-                np.square(w2, out)
+                np.multiply(t0, t2, t3)
+                np.divide(out, t3, t3)
+                np.square(t2, out)
                 np.multiply(C1, out, out)
-                np.multiply(C1, x, w4)
-                np.multiply(w4, w2, w4)
-                np.add(out, w4, w4)
-                np.add(w4, w1, w4)
-                np.multiply(h, w1, out)
-                np.multiply(w4, w2, w2)
-                np.divide(out, w2, w2)
-                np.subtract(w3, w2, out)
+                np.multiply(C1, x, t4)
+                np.multiply(t4, t2, t4)
+                np.add(out, t4, t4)
+                np.add(t4, t1, t4)
+                np.multiply(h, t1, out)
+                np.multiply(t4, t2, t2)
+                np.divide(out, t2, t2)
+                np.subtract(t3, t2, out)
             if some29 != size:
                 np.copyto(out, C5, where=~m2)
         if some41 != size:
-            other41 = w2 if some41 else out
+            other41 = t2 if some41 else out
             np.multiply(C6, h, other41)
             np.multiply(other41, x, other41)
-            np.divide(other41, w1, other41)
+            np.divide(other41, t1, other41)
             np.negative(other41, other41)
             if some41:
                 np.copyto(out, other41, where=~m1)

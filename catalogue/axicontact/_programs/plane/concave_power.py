@@ -530,7 +530,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, a, h, n, w0, m0):
+def block_profile_all(out, x, a, h, n, t0, m0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -539,10 +539,10 @@ def block_profile_all(out, x, a, h, n, w0, m0):
     some11 = np.count_nonzero(m0)
     if some11:
         np.negative(h, out)
-        np.power(x, n, w0)
-        np.multiply(out, w0, w0)
+        np.power(x, n, t0)
+        np.multiply(out, t0, t0)
         np.power(a, n, out)
-        np.divide(w0, out, out)
+        np.divide(t0, out, out)
     if some11 != size:
         np.copyto(out, C0, where=~m0)
 

@@ -52,7 +52,7 @@ def prepare_depth_L(P, a, h, E_star):
     return (a, h, v10, v16, v18, v42)
 
 
-def block_depth_L(out, L, a, h, v10, v16, v18, v42, w0, w1, w2, w3, m0):
+def block_depth_L(out, L, a, h, v10, v16, v18, v42, t0, t1, t2, t3, m0):
     size = out.size
     largest_L = largest(L)
     if largest_L == np.inf:
@@ -62,29 +62,29 @@ def block_depth_L(out, L, a, h, v10, v16, v18, v42, w0, w1, w2, w3, m0):
         some45 = np.count_nonzero(m0)
         if some45:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.add(out, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.add(out, t0, out)
             np.divide(out, a, out)
             np.log1p(out, out)
             np.multiply(v10, out, out)
             np.divide(out, v16, out)
-            np.multiply(v18, w0, w1)
-            np.square(L, w2)
-            np.multiply(L, w2, w3)
-            np.multiply(C0, w3, w3)
-            np.add(w1, w3, w3)
-            np.multiply(C0, w2, w1)
-            np.multiply(w1, w0, w0)
-            np.add(w3, w0, w0)
-            np.multiply(h, L, w3)
-            np.multiply(C1, w2, w2)
-            np.add(v18, w2, w2)
-            np.multiply(w3, w2, w2)
-            np.multiply(C0, w0, w0)
-            np.divide(w2, w0, w0)
-            np.subtract(out, w0, out)
+            np.multiply(v18, t0, t1)
+            np.square(L, t2)
+            np.multiply(L, t2, t3)
+            np.multiply(C0, t3, t3)
+            np.add(t1, t3, t3)
+            np.multiply(C0, t2, t1)
+            np.multiply(t1, t0, t0)
+            np.add(t3, t0, t0)
+            np.multiply(h, L, t3)
+            np.multiply(C1, t2, t2)
+            np.add(v18, t2, t2)
+            np.multiply(t3, t2, t2)
+            np.multiply(C0, t0, t0)
+            np.divide(t2, t0, t0)
+            np.subtract(out, t0, out)
         if some45 != size:
             np.copyto(out, C2, where=~m0)
     else:
@@ -101,7 +101,7 @@ def prepare_depth_L_P(a, h, E_star):
     return (a, h, v16, v18, v41)
 
 
-def block_depth_L_P(out, L, P, a, h, v16, v18, v41, w0, w1, w2, w3, m0, m1):
+def block_depth_L_P(out, L, P, a, h, v16, v18, v41, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.less_equal(v41, P, m0)
     largest_L = largest(L)
@@ -116,30 +116,30 @@ def block_depth_L_P(out, L, P, a, h, v16, v18, v41, w0, w1, w2, w3, m0, m1):
         some45 = np.count_nonzero(m1)
         if some45:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(C0, P, w1)
-            np.add(out, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(C0, P, t1)
+            np.add(out, t0, out)
             np.divide(out, a, out)
             np.log1p(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v16, out)
-            np.multiply(v18, w0, w1)
-            np.square(L, w2)
-            np.multiply(L, w2, w3)
-            np.multiply(C0, w3, w3)
-            np.add(w1, w3, w3)
-            np.multiply(C0, w2, w1)
-            np.multiply(w1, w0, w0)
-            np.add(w3, w0, w0)
-            np.multiply(h, L, w3)
-            np.multiply(C1, w2, w2)
-            np.add(v18, w2, w2)
-            np.multiply(w3, w2, w2)
-            np.multiply(C0, w0, w0)
-            np.divide(w2, w0, w0)
-            np.subtract(out, w0, out)
+            np.multiply(v18, t0, t1)
+            np.square(L, t2)
+            np.multiply(L, t2, t3)
+            np.multiply(C0, t3, t3)
+            np.add(t1, t3, t3)
+            np.multiply(C0, t2, t1)
+            np.multiply(t1, t0, t0)
+            np.add(t3, t0, t0)
+            np.multiply(h, L, t3)
+            np.multiply(C1, t2, t2)
+            np.add(v18, t2, t2)
+            np.multiply(t3, t2, t2)
+            np.multiply(C0, t0, t0)
+            np.divide(t2, t0, t0)
+            np.subtract(out, t0, out)
         if some45 != size:
             np.copyto(out, C2, where=~m1)
     if some46 != size:
@@ -150,51 +150,51 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, P, a, h, E_star, w0, w1, w2, w3, w4, m0, m1):
+def block_depth_all(out, L, P, a, h, E_star, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
-    np.multiply(C3, E_star, w0)
+    np.multiply(C3, E_star, t0)
     largest_L = largest(L)
     if largest_L == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.multiply(w0, C4, w0)
-    np.multiply(w0, C5, w0)
-    np.less_equal(w0, P, m0)
+    np.multiply(t0, h, t0)
+    np.multiply(t0, C4, t0)
+    np.multiply(t0, C5, t0)
+    np.less_equal(t0, P, m0)
     some47 = np.count_nonzero(m0)
     if some47:
         np.less_equal(a, L, m1)
         some46 = np.count_nonzero(m1)
         if some46:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(C0, P, w1)
-            np.add(out, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(C0, P, t1)
+            np.add(out, t0, out)
             np.divide(out, a, out)
             np.log1p(out, out)
-            np.multiply(w1, out, out)
-            np.multiply(C6, E_star, w1)
-            np.divide(out, w1, w1)
+            np.multiply(t1, out, out)
+            np.multiply(C6, E_star, t1)
+            np.divide(out, t1, t1)
             np.square(a, out)
-            np.multiply(out, w0, w2)
-            np.square(L, w3)
-            np.multiply(L, w3, w4)
-            np.multiply(C0, w4, w4)
-            np.add(w2, w4, w4)
-            np.multiply(C0, w3, w2)
-            np.multiply(w2, w0, w0)
-            np.add(w4, w0, w0)
-            np.multiply(h, L, w4)
-            np.multiply(C1, w3, w3)
-            np.add(out, w3, w3)
-            np.multiply(w4, w3, w3)
-            np.multiply(C0, w0, w0)
-            np.divide(w3, w0, w0)
-            np.subtract(w1, w0, out)
+            np.multiply(out, t0, t2)
+            np.square(L, t3)
+            np.multiply(L, t3, t4)
+            np.multiply(C0, t4, t4)
+            np.add(t2, t4, t4)
+            np.multiply(C0, t3, t2)
+            np.multiply(t2, t0, t0)
+            np.add(t4, t0, t0)
+            np.multiply(h, L, t4)
+            np.multiply(C1, t3, t3)
+            np.add(out, t3, t3)
+            np.multiply(t4, t3, t3)
+            np.multiply(C0, t0, t0)
+            np.divide(t3, t0, t0)
+            np.subtract(t1, t0, out)
         if some46 != size:
             np.copyto(out, C2, where=~m1)
     if some47 != size:
@@ -257,7 +257,7 @@ def prepare_pressure_x(P, a, h, E_star):
     return (a, v11, v23, v29, v35, v38)
 
 
-def block_pressure_x(out, x, a, v11, v23, v29, v35, v38, w0, w1, m0):
+def block_pressure_x(out, x, a, v11, v23, v29, v35, v38, t0, t1, m0):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
@@ -268,20 +268,20 @@ def block_pressure_x(out, x, a, v11, v23, v29, v35, v38, w0, w1, m0):
         some40 = np.count_nonzero(m0)
         if some40:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C0, x, out)
-            np.subtract(out, a, w1)
-            np.square(w1, w1)
-            np.multiply(v11, w1, w1)
+            np.subtract(out, a, t1)
+            np.square(t1, t1)
+            np.multiply(v11, t1, t1)
             np.add(a, out, out)
             np.square(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v23, out)
             np.add(v29, out, out)
-            np.multiply(C6, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(C6, t0, t0)
+            np.divide(out, t0, out)
         if some40 != size:
             np.copyto(out, C7, where=~m0)
     else:
@@ -301,7 +301,7 @@ def prepare_pressure_x_P(a, h, E_star):
     return (a, v11, v23, v28, v34)
 
 
-def block_pressure_x_P(out, x, P, a, v11, v23, v28, v34, w0, w1, m0, m1, m2):
+def block_pressure_x_P(out, x, P, a, v11, v23, v28, v34, t0, t1, m0, m1, m2):
     size = out.size
     np.less_equal(v34, P, m0)
     largest_x = largest(x)
@@ -318,21 +318,21 @@ def block_pressure_x_P(out, x, P, a, v11, v23, v28, v34, w0, w1, m0, m1, m2):
         some40 = np.count_nonzero(m2)
         if some40:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C0, x, out)
-            np.subtract(out, a, w1)
-            np.square(w1, w1)
-            np.multiply(v11, w1, w1)
+            np.subtract(out, a, t1)
+            np.square(t1, t1)
+            np.multiply(v11, t1, t1)
             np.add(a, out, out)
             np.square(out, out)
-            np.multiply(w1, out, out)
+            np.multiply(t1, out, out)
             np.divide(out, v23, out)
-            np.subtract(P, v28, w1)
-            np.add(w1, out, out)
-            np.multiply(C6, w0, w0)
-            np.divide(out, w0, out)
+            np.subtract(P, v28, t1)
+            np.add(t1, out, out)
+            np.multiply(C6, t0, t0)
+            np.divide(out, t0, out)
         if some40 != size:
             np.copyto(out, C7, where=~m2)
     if some42 != size:
@@ -343,19 +343,19 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, P, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
+def block_pressure_all(out, x, P, a, h, E_star, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
-    np.multiply(C3, E_star, w0)
+    np.multiply(C3, E_star, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.multiply(w0, C4, w0)
-    np.multiply(w0, C5, w1)
-    np.less_equal(w1, P, m0)
+    np.multiply(t0, h, t0)
+    np.multiply(t0, C4, t0)
+    np.multiply(t0, C5, t1)
+    np.less_equal(t1, P, m0)
     some43 = np.count_nonzero(m0)
     if some43:
         np.less_equal(x, a, m1)
@@ -364,26 +364,26 @@ def block_pressure_all(out, x, P, a, h, E_star, w0, w1, w2, w3, m0, m1, m2):
         some41 = np.count_nonzero(m2)
         if some41:
             np.subtract(a, x, out)
-            np.add(a, x, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
+            np.add(a, x, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
             np.multiply(C6, E_star, out)
             np.multiply(out, h, out)
-            np.multiply(C0, x, w2)
-            np.subtract(w2, a, w3)
-            np.square(w3, w3)
-            np.multiply(out, w3, w3)
-            np.add(a, w2, w2)
-            np.square(w2, w2)
-            np.multiply(w3, w2, w2)
-            np.square(a, w3)
-            np.square(w3, w3)
-            np.multiply(C8, w3, w3)
-            np.divide(w2, w3, w3)
-            np.subtract(P, w0, w2)
-            np.add(w2, w3, w3)
-            np.multiply(C6, w1, w1)
-            np.divide(w3, w1, out)
+            np.multiply(C0, x, t2)
+            np.subtract(t2, a, t3)
+            np.square(t3, t3)
+            np.multiply(out, t3, t3)
+            np.add(a, t2, t2)
+            np.square(t2, t2)
+            np.multiply(t3, t2, t2)
+            np.square(a, t3)
+            np.square(t3, t3)
+            np.multiply(C8, t3, t3)
+            np.divide(t2, t3, t3)
+            np.subtract(P, t0, t2)
+            np.add(t2, t3, t3)
+            np.multiply(C6, t1, t1)
+            np.divide(t3, t1, out)
         if some41 != size:
             np.copyto(out, C7, where=~m2)
     if some43 != size:
@@ -430,7 +430,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, a, h, w0, m0):
+def block_profile_all(out, x, a, h, t0, m0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -439,12 +439,12 @@ def block_profile_all(out, x, a, h, w0, m0):
     some13 = np.count_nonzero(m0)
     if some13:
         np.negative(h, out)
-        np.square(x, w0)
-        np.square(w0, w0)
-        np.multiply(out, w0, w0)
+        np.square(x, t0)
+        np.square(t0, t0)
+        np.multiply(out, t0, t0)
         np.square(a, out)
         np.square(out, out)
-        np.divide(w0, out, out)
+        np.divide(t0, out, out)
     if some13 != size:
         np.copyto(out, C2, where=~m0)
 
@@ -491,45 +491,45 @@ def prepare_slope_x(P, a, h, E_star):
     return (a, v10, v12, v26, v27, v28, v31, v34, v43, v51, v54)
 
 
-def block_slope_x(out, x, a, v10, v12, v26, v27, v28, v31, v34, v43, v51, v54, w0, w1, w2, w3, w4, w5, m0):
+def block_slope_x(out, x, a, v10, v12, v26, v27, v28, v31, v34, v43, v51, v54, t0, t1, t2, t3, t4, t5, m0):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     if v51:
-        np.square(x, w0)
-        np.multiply(x, w0, w1)
+        np.square(x, t0)
+        np.multiply(x, t0, t1)
         np.greater_equal(x, a, m0)
         some58 = np.count_nonzero(m0)
         if some58:
             if v43:
                 np.subtract(x, a, out)
-                np.add(a, x, w2)
-                np.multiply(out, w2, w2)
-                np.sqrt(w2, w2)
-                np.multiply(v12, w2, out)
+                np.add(a, x, t2)
+                np.multiply(out, t2, t2)
+                np.sqrt(t2, t2)
+                np.multiply(v12, t2, out)
                 np.divide(v10, out, out)
-                np.square(w2, w3)
-                np.square(w3, w4)
-                np.multiply(C8, w4, w4)
-                np.multiply(C8, w1, w5)
-                np.multiply(w5, w2, w5)
-                np.add(w4, w5, w5)
-                np.add(w5, v28, w5)
-                np.multiply(v31, w3, w3)
-                np.add(w5, w3, w3)
-                np.multiply(C8, w0, w5)
-                np.add(v26, w5, w5)
-                np.multiply(v34, w5, w5)
-                np.multiply(C0, w3, w3)
-                np.multiply(w3, w2, w2)
-                np.divide(w5, w2, w2)
-                np.subtract(out, w2, out)
+                np.square(t2, t3)
+                np.square(t3, t4)
+                np.multiply(C8, t4, t4)
+                np.multiply(C8, t1, t5)
+                np.multiply(t5, t2, t5)
+                np.add(t4, t5, t5)
+                np.add(t5, v28, t5)
+                np.multiply(v31, t3, t3)
+                np.add(t5, t3, t3)
+                np.multiply(C8, t0, t5)
+                np.add(v26, t5, t5)
+                np.multiply(v34, t5, t5)
+                np.multiply(C0, t3, t3)
+                np.multiply(t3, t2, t2)
+                np.divide(t5, t2, t2)
+                np.subtract(out, t2, out)
             else:
                 np.copyto(out, C7)
         if some58 != size:
-            other58 = w2 if some58 else out
-            np.multiply(v54, w1, other58)
+            other58 = t2 if some58 else out
+            np.multiply(v54, t1, other58)
             np.divide(other58, v27, other58)
             np.negative(other58, other58)
             if some58:
@@ -553,7 +553,7 @@ def prepare_slope_x_P(a, h, E_star):
     return (a, v12, v26, v27, v28, v31, v34, v50, v54)
 
 
-def block_slope_x_P(out, x, P, a, v12, v26, v27, v28, v31, v34, v50, v54, w0, w1, w2, w3, w4, w5, m0, m1, m2):
+def block_slope_x_P(out, x, P, a, v12, v26, v27, v28, v31, v34, v50, v54, t0, t1, t2, t3, t4, t5, m0, m1, m2):
     size = out.size
     np.less_equal(v50, P, m0)
     largest_x = largest(x)
@@ -564,8 +564,8 @@ def block_slope_x_P(out, x, P, a, v12, v26, v27, v28, v31, v34, v50, v54, w0, w1
         raise FloatingPointError
     some60 = np.count_nonzero(m0)
     if some60:
-        np.square(x, w0)
-        np.multiply(x, w0, w1)
+        np.square(x, t0)
+        np.multiply(x, t0, t1)
         np.greater_equal(x, a, m1)
         some58 = np.count_nonzero(m1)
         if some58:
@@ -573,33 +573,33 @@ def block_slope_x_P(out, x, P, a, v12, v26, v27, v28, v31, v34, v50, v54, w0, w1
             some44 = np.count_nonzero(m2)
             if some44:
                 np.subtract(x, a, out)
-                np.add(a, x, w2)
-                np.multiply(out, w2, w2)
-                np.sqrt(w2, w2)
+                np.add(a, x, t2)
+                np.multiply(out, t2, t2)
+                np.sqrt(t2, t2)
                 np.multiply(C9, P, out)
-                np.multiply(v12, w2, w3)
-                np.divide(out, w3, w3)
-                np.square(w2, out)
-                np.square(out, w4)
-                np.multiply(C8, w4, w4)
-                np.multiply(C8, w1, w5)
-                np.multiply(w5, w2, w5)
-                np.add(w4, w5, w5)
-                np.add(w5, v28, w5)
+                np.multiply(v12, t2, t3)
+                np.divide(out, t3, t3)
+                np.square(t2, out)
+                np.square(out, t4)
+                np.multiply(C8, t4, t4)
+                np.multiply(C8, t1, t5)
+                np.multiply(t5, t2, t5)
+                np.add(t4, t5, t5)
+                np.add(t5, v28, t5)
                 np.multiply(v31, out, out)
-                np.add(w5, out, out)
-                np.multiply(C8, w0, w5)
-                np.add(v26, w5, w5)
-                np.multiply(v34, w5, w5)
+                np.add(t5, out, out)
+                np.multiply(C8, t0, t5)
+                np.add(v26, t5, t5)
+                np.multiply(v34, t5, t5)
                 np.multiply(C0, out, out)
-                np.multiply(out, w2, w2)
-                np.divide(w5, w2, w2)
-                np.subtract(w3, w2, out)
+                np.multiply(out, t2, t2)
+                np.divide(t5, t2, t2)
+                np.subtract(t3, t2, out)
             if some44 != size:
                 np.copyto(out, C7, where=~m2)
         if some58 != size:
-            other58 = w2 if some58 else out
-            np.multiply(v54, w1, other58)
+            other58 = t2 if some58 else out
+            np.multiply(v54, t1, other58)
             np.divide(other58, v27, other58)
             np.negative(other58, other58)
             if some58:
@@ -612,25 +612,25 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, P, a, h, E_star, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, m2):
+def block_slope_all(out, x, P, a, h, E_star, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2):
     size = out.size
-    np.multiply(C3, E_star, w0)
+    np.multiply(C3, E_star, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(w0, h, w0)
-    np.multiply(w0, C4, w0)
-    np.multiply(w0, C5, w0)
-    np.less_equal(w0, P, m0)
+    np.multiply(t0, h, t0)
+    np.multiply(t0, C4, t0)
+    np.multiply(t0, C5, t0)
+    np.less_equal(t0, P, m0)
     some61 = np.count_nonzero(m0)
     if some61:
-        np.square(x, w0)
-        np.multiply(x, w0, w1)
-        np.square(a, w2)
-        np.square(w2, w3)
+        np.square(x, t0)
+        np.multiply(x, t0, t1)
+        np.square(a, t2)
+        np.square(t2, t3)
         np.greater_equal(x, a, m1)
         some59 = np.count_nonzero(m1)
         if some59:
@@ -638,39 +638,39 @@ def block_slope_all(out, x, P, a, h, E_star, w0, w1, w2, w3, w4, w5, w6, w7, m0,
             some44 = np.count_nonzero(m2)
             if some44:
                 np.subtract(x, a, out)
-                np.add(a, x, w4)
-                np.multiply(out, w4, w4)
-                np.sqrt(w4, w4)
+                np.add(a, x, t4)
+                np.multiply(out, t4, t4)
+                np.sqrt(t4, t4)
                 np.multiply(C9, P, out)
-                np.multiply(C6, E_star, w5)
-                np.multiply(w5, w4, w5)
-                np.divide(out, w5, w5)
-                np.square(w4, out)
-                np.square(out, w6)
-                np.multiply(C8, w6, w6)
-                np.multiply(C8, w1, w7)
-                np.multiply(w7, w4, w7)
-                np.add(w6, w7, w7)
-                np.multiply(C1, w3, w6)
-                np.add(w7, w6, w6)
-                np.multiply(C10, w2, w7)
-                np.multiply(w7, out, out)
-                np.add(w6, out, out)
-                np.multiply(h, w2, w6)
-                np.multiply(C8, w0, w7)
-                np.add(w2, w7, w7)
-                np.multiply(w6, w7, w7)
+                np.multiply(C6, E_star, t5)
+                np.multiply(t5, t4, t5)
+                np.divide(out, t5, t5)
+                np.square(t4, out)
+                np.square(out, t6)
+                np.multiply(C8, t6, t6)
+                np.multiply(C8, t1, t7)
+                np.multiply(t7, t4, t7)
+                np.add(t6, t7, t7)
+                np.multiply(C1, t3, t6)
+                np.add(t7, t6, t6)
+                np.multiply(C10, t2, t7)
+                np.multiply(t7, out, out)
+                np.add(t6, out, out)
+                np.multiply(h, t2, t6)
+                np.multiply(C8, t0, t7)
+                np.add(t2, t7, t7)
+                np.multiply(t6, t7, t7)
                 np.multiply(C0, out, out)
-                np.multiply(out, w4, w4)
-                np.divide(w7, w4, w4)
-                np.subtract(w5, w4, out)
+                np.multiply(out, t4, t4)
+                np.divide(t7, t4, t4)
+                np.subtract(t5, t4, out)
             if some44 != size:
                 np.copyto(out, C7, where=~m2)
         if some59 != size:
-            other59 = w4 if some59 else out
+            other59 = t4 if some59 else out
             np.multiply(C11, h, other59)
-            np.multiply(other59, w1, other59)
-            np.divide(other59, w3, other59)
+            np.multiply(other59, t1, other59)
+            np.divide(other59, t3, other59)
             np.negative(other59, other59)
             if some59:
                 np.copyto(out, other59, where=~m1)

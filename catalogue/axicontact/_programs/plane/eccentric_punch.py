@@ -33,17 +33,17 @@ def prepare_contact_width_all_signed():
     return ()
 
 
-def block_contact_width_all_signed(out, a, e, w0, w1, m0):
+def block_contact_width_all_signed(out, a, e, t0, t1, m0):
     size = out.size
-    np.absolute(e, w0)
-    np.multiply(a, C0, w1)
-    np.less(w0, w1, m0)
+    np.absolute(e, t0)
+    np.multiply(a, C0, t1)
+    np.less(t0, t1, m0)
     some11 = np.count_nonzero(m0)
     if some11:
         np.multiply(C1, a, out)
     if some11 != size:
-        other11 = w1 if some11 else out
-        np.subtract(a, w0, other11)
+        other11 = t1 if some11 else out
+        np.subtract(a, t0, other11)
         np.multiply(C2, other11, other11)
         if some11:
             np.copyto(out, other11, where=~m0)
@@ -93,7 +93,7 @@ def prepare_pressure_x(P, a, e):
     return (P, a, v10, v17, v23, v29, v30, v33, v43, v46, v49)
 
 
-def block_pressure_x(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, v49, w0, w1, m0, f0):
+def block_pressure_x(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, v49, t0, t1, m0, f0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -104,28 +104,28 @@ def block_pressure_x(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, v49, 
     if some51:
         if v46:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(x, v10, w1)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(x, v10, t1)
             np.multiply(a, out, out)
-            np.add(w1, out, out)
+            np.add(t1, out, out)
             np.multiply(P, out, out)
-            np.multiply(v17, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(v17, t0, t0)
+            np.divide(out, t0, out)
         else:
             np.multiply(v23, x, out)
-            np.subtract(a, out, w0)
+            np.subtract(a, out, t0)
             if v33:
-                np.add(a, out, w1)
-                np.subtract(w1, v29, w1)
+                np.add(a, out, t1)
+                np.subtract(t1, v29, t1)
             else:
-                np.subtract(out, v30, w1)
-            np.maximum(w1, f0, out=w1)
-            np.divide(w1, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(P, w0, w0)
-            np.divide(w0, v43, out)
+                np.subtract(out, v30, t1)
+            np.maximum(t1, f0, out=t1)
+            np.divide(t1, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(P, t0, t0)
+            np.divide(t0, v43, out)
     if some51 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -151,7 +151,7 @@ def prepare_pressure_x_P(a, e):
     return (a, v10, v17, v23, v29, v30, v33, v43, v46)
 
 
-def block_pressure_x_P(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, w0, w1, m0, m1, f0):
+def block_pressure_x_P(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, t0, t1, m0, m1, f0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -166,28 +166,28 @@ def block_pressure_x_P(out, x, P, a, v10, v17, v23, v29, v30, v33, v43, v46, w0,
     if some51:
         if v46:
             np.subtract(a, x, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(x, v10, w1)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(x, v10, t1)
             np.multiply(a, out, out)
-            np.add(w1, out, out)
+            np.add(t1, out, out)
             np.multiply(P, out, out)
-            np.multiply(v17, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(v17, t0, t0)
+            np.divide(out, t0, out)
         else:
             np.multiply(v23, x, out)
-            np.subtract(a, out, w0)
+            np.subtract(a, out, t0)
             if v33:
-                np.add(a, out, w1)
-                np.subtract(w1, v29, w1)
+                np.add(a, out, t1)
+                np.subtract(t1, v29, t1)
             else:
-                np.subtract(out, v30, w1)
-            np.maximum(w1, f0, out=w1)
-            np.divide(w1, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(P, w0, w0)
-            np.divide(w0, v43, out)
+                np.subtract(out, v30, t1)
+            np.maximum(t1, f0, out=t1)
+            np.divide(t1, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(P, t0, t0)
+            np.divide(t0, v43, out)
     if some51 != size:
         np.copyto(out, C3, where=~m1)
 
@@ -196,7 +196,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, P, a, e, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, m2, f0):
+def block_pressure_all(out, x, P, a, e, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -209,53 +209,53 @@ def block_pressure_all(out, x, P, a, e, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, 
     np.bitwise_and(m0, m1, m1)
     some52 = np.count_nonzero(m1)
     if some52:
-        np.absolute(e, w0)
-        np.multiply(a, C0, w1)
-        np.less(w0, w1, m0)
+        np.absolute(e, t0)
+        np.multiply(a, C0, t1)
+        np.less(t0, t1, m0)
         some48 = np.count_nonzero(m0)
         if some48:
             np.subtract(a, x, out)
-            np.add(a, x, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
-            np.multiply(C1, e, w2)
-            np.add(w2, a, w2)
-            np.multiply(x, w2, w2)
+            np.add(a, x, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
+            np.multiply(C1, e, t2)
+            np.add(t2, a, t2)
+            np.multiply(x, t2, t2)
             np.multiply(a, out, out)
-            np.add(w2, out, out)
+            np.add(t2, out, out)
             np.multiply(P, out, out)
-            np.square(a, w2)
-            np.multiply(C4, w2, w2)
-            np.multiply(w2, w1, w1)
-            np.divide(out, w1, out)
+            np.square(a, t2)
+            np.multiply(C4, t2, t2)
+            np.multiply(t2, t1, t1)
+            np.divide(out, t1, out)
         if some48 != size:
-            other48 = w1 if some48 else out
-            np.subtract(a, w0, other48)
-            np.copysign(C5, e, w2)
-            np.multiply(C1, w0, w3)
-            np.subtract(w3, a, w3)
-            np.multiply(w2, x, w2)
-            np.subtract(a, w2, w4)
-            np.multiply(C1, w3, w3)
-            np.subtract(w3, a, w5)
-            np.negative(a, w6)
-            np.multiply(w6, C0, w6)
-            np.less(w5, w6, m2)
+            other48 = t1 if some48 else out
+            np.subtract(a, t0, other48)
+            np.copysign(C5, e, t2)
+            np.multiply(C1, t0, t3)
+            np.subtract(t3, a, t3)
+            np.multiply(t2, x, t2)
+            np.subtract(a, t2, t4)
+            np.multiply(C1, t3, t3)
+            np.subtract(t3, a, t5)
+            np.negative(a, t6)
+            np.multiply(t6, C0, t6)
+            np.less(t5, t6, m2)
             some37 = np.count_nonzero(m2)
             if some37:
-                np.add(a, w2, w6)
-                np.subtract(w6, w3, w6)
+                np.add(a, t2, t6)
+                np.subtract(t6, t3, t6)
             if some37 != size:
-                other37 = w7 if some37 else w6
-                np.subtract(w2, w5, other37)
+                other37 = t7 if some37 else t6
+                np.subtract(t2, t5, other37)
                 if some37:
-                    np.copyto(w6, other37, where=~m2)
-            np.maximum(w6, f0, out=w6)
-            np.divide(w6, w4, w4)
-            np.sqrt(w4, w4)
-            np.multiply(P, w4, w4)
+                    np.copyto(t6, other37, where=~m2)
+            np.maximum(t6, f0, out=t6)
+            np.divide(t6, t4, t4)
+            np.sqrt(t4, t4)
+            np.multiply(P, t4, t4)
             np.multiply(C6, other48, other48)
-            np.divide(w4, other48, other48)
+            np.divide(t4, other48, other48)
             if some48:
                 np.copyto(out, other48, where=~m0)
     if some52 != size:
@@ -308,28 +308,28 @@ def prepare_tilt_all():
     return ()
 
 
-def block_tilt_all(out, P, a, e, E_star, w0, w1, w2, w3, m0):
+def block_tilt_all(out, P, a, e, E_star, t0, t1, t2, t3, m0):
     size = out.size
-    np.absolute(e, w0)
+    np.absolute(e, t0)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(a, C0, w1)
-    np.less(w0, w1, m0)
-    np.multiply(C4, E_star, w1)
+    np.multiply(a, C0, t1)
+    np.less(t0, t1, m0)
+    np.multiply(C4, E_star, t1)
     some23 = np.count_nonzero(m0)
     if some23:
         np.multiply(C2, e, out)
         np.multiply(out, P, out)
-        np.square(a, w2)
-        np.multiply(w1, w2, w2)
-        np.divide(out, w2, out)
+        np.square(a, t2)
+        np.multiply(t1, t2, t2)
+        np.divide(out, t2, out)
     if some23 != size:
-        other23 = w2 if some23 else out
-        np.subtract(a, w0, other23)
-        np.copysign(C5, e, w3)
-        np.multiply(w1, other23, other23)
-        np.divide(w3, other23, other23)
+        other23 = t2 if some23 else out
+        np.subtract(a, t0, other23)
+        np.copysign(C5, e, t3)
+        np.multiply(t1, other23, other23)
+        np.divide(t3, other23, other23)
         np.multiply(other23, P, other23)
         if some23:
             np.copyto(out, other23, where=~m0)

@@ -33,7 +33,7 @@ def prepare_depth_L(P, a, E_star):
     return (a, v9, v15)
 
 
-def block_depth_L(out, L, a, v9, v15, w0, m0):
+def block_depth_L(out, L, a, v9, v15, t0, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -42,14 +42,14 @@ def block_depth_L(out, L, a, v9, v15, w0, m0):
     some19 = np.count_nonzero(m0)
     if some19:
         np.subtract(L, a, out)
-        np.add(a, L, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(out, w0, w0)
-        np.divide(w0, a, w0)
-        np.log1p(w0, w0)
-        np.multiply(v9, w0, w0)
-        np.divide(w0, v15, out)
+        np.add(a, L, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(out, t0, t0)
+        np.divide(t0, a, t0)
+        np.log1p(t0, t0)
+        np.multiply(v9, t0, t0)
+        np.divide(t0, v15, out)
     if some19 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -59,7 +59,7 @@ def prepare_depth_L_P(a, E_star):
     return (a, v15)
 
 
-def block_depth_L_P(out, L, P, a, v15, w0, w1, m0):
+def block_depth_L_P(out, L, P, a, v15, t0, t1, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -71,15 +71,15 @@ def block_depth_L_P(out, L, P, a, v15, w0, w1, m0):
     some19 = np.count_nonzero(m0)
     if some19:
         np.subtract(L, a, out)
-        np.add(a, L, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C1, P, w1)
-        np.add(out, w0, w0)
-        np.divide(w0, a, w0)
-        np.log1p(w0, w0)
-        np.multiply(w1, w0, w0)
-        np.divide(w0, v15, out)
+        np.add(a, L, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C1, P, t1)
+        np.add(out, t0, t0)
+        np.divide(t0, a, t0)
+        np.log1p(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.divide(t0, v15, out)
     if some19 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -88,7 +88,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, P, a, E_star, w0, w1, m0):
+def block_depth_all(out, L, P, a, E_star, t0, t1, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -100,16 +100,16 @@ def block_depth_all(out, L, P, a, E_star, w0, w1, m0):
     some19 = np.count_nonzero(m0)
     if some19:
         np.subtract(L, a, out)
-        np.add(a, L, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C1, P, w1)
-        np.add(out, w0, w0)
-        np.divide(w0, a, w0)
-        np.log1p(w0, w0)
-        np.multiply(w1, w0, w0)
-        np.multiply(C2, E_star, w1)
-        np.divide(w0, w1, out)
+        np.add(a, L, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C1, P, t1)
+        np.add(out, t0, t0)
+        np.divide(t0, a, t0)
+        np.log1p(t0, t0)
+        np.multiply(t1, t0, t0)
+        np.multiply(C2, E_star, t1)
+        np.divide(t0, t1, out)
     if some19 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -130,7 +130,7 @@ def prepare_pressure_x(P, a):
     return (P, a, v12)
 
 
-def block_pressure_x(out, x, P, a, v12, w0, m0):
+def block_pressure_x(out, x, P, a, v12, t0, m0):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -140,11 +140,11 @@ def block_pressure_x(out, x, P, a, v12, w0, m0):
     some14 = np.count_nonzero(m0)
     if some14:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C2, w0, w0)
-        np.divide(P, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C2, t0, t0)
+        np.divide(P, t0, out)
     if some14 != size:
         np.copyto(out, C3, where=~m0)
 
@@ -153,7 +153,7 @@ def prepare_pressure_x_P(a):
     return (a,)
 
 
-def block_pressure_x_P(out, x, P, a, w0, m0, m1):
+def block_pressure_x_P(out, x, P, a, t0, m0, m1):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -167,11 +167,11 @@ def block_pressure_x_P(out, x, P, a, w0, m0, m1):
     some14 = np.count_nonzero(m1)
     if some14:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C2, w0, w0)
-        np.divide(P, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C2, t0, t0)
+        np.divide(P, t0, out)
     if some14 != size:
         np.copyto(out, C3, where=~m1)
 
@@ -180,7 +180,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, P, a, w0, m0, m1):
+def block_pressure_all(out, x, P, a, t0, m0, m1):
     size = out.size
     np.less_equal(x, a, m0)
     largest_x = largest(x)
@@ -194,11 +194,11 @@ def block_pressure_all(out, x, P, a, w0, m0, m1):
     some14 = np.count_nonzero(m1)
     if some14:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(C2, w0, w0)
-        np.divide(P, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(C2, t0, t0)
+        np.divide(P, t0, out)
     if some14 != size:
         np.copyto(out, C3, where=~m1)
 
@@ -268,7 +268,7 @@ def prepare_slope_x(P, a, E_star):
     return (a, v9, v11, v15)
 
 
-def block_slope_x(out, x, a, v9, v11, v15, w0, m0):
+def block_slope_x(out, x, a, v9, v11, v15, t0, m0):
     size = out.size
     np.greater_equal(x, a, m0)
     largest_x = largest(x)
@@ -278,11 +278,11 @@ def block_slope_x(out, x, a, v9, v11, v15, w0, m0):
     if some18:
         if v15:
             np.subtract(x, a, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.multiply(v11, w0, w0)
-            np.divide(v9, w0, out)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(v11, t0, t0)
+            np.divide(v9, t0, out)
         else:
             np.copyto(out, C3)
     if some18 != size:
@@ -294,7 +294,7 @@ def prepare_slope_x_P(a, E_star):
     return (a, v11)
 
 
-def block_slope_x_P(out, x, P, a, v11, w0, m0, m1):
+def block_slope_x_P(out, x, P, a, v11, t0, m0, m1):
     size = out.size
     np.greater_equal(x, a, m0)
     largest_x = largest(x)
@@ -309,12 +309,12 @@ def block_slope_x_P(out, x, P, a, v11, w0, m0, m1):
         some16 = np.count_nonzero(m1)
         if some16:
             np.subtract(x, a, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C4, P, out)
-            np.multiply(v11, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(v11, t0, t0)
+            np.divide(out, t0, out)
         if some16 != size:
             np.copyto(out, C3, where=~m1)
     if some18 != size:
@@ -325,7 +325,7 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, P, a, E_star, w0, w1, m0, m1):
+def block_slope_all(out, x, P, a, E_star, t0, t1, m0, m1):
     size = out.size
     np.greater_equal(x, a, m0)
     largest_x = largest(x)
@@ -340,13 +340,13 @@ def block_slope_all(out, x, P, a, E_star, w0, w1, m0, m1):
         some16 = np.count_nonzero(m1)
         if some16:
             np.subtract(x, a, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.multiply(C4, P, out)
-            np.multiply(C2, E_star, w1)
-            np.multiply(w1, w0, w0)
-            np.divide(out, w0, out)
+            np.multiply(C2, E_star, t1)
+            np.multiply(t1, t0, t0)
+            np.divide(out, t0, out)
         if some16 != size:
             np.copyto(out, C3, where=~m1)
     if some18 != size:

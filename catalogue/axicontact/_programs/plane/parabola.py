@@ -37,7 +37,7 @@ def prepare_depth_L(a, R):
     return (a, v8, v16, v19)
 
 
-def block_depth_L(out, L, a, v8, v16, v19, w0, w1, m0):
+def block_depth_L(out, L, a, v8, v16, v19, t0, t1, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -47,17 +47,17 @@ def block_depth_L(out, L, a, v8, v16, v19, w0, w1, m0):
     if some23:
         if v19:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.add(w0, L, w1)
-            np.divide(L, w1, w1)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.add(w1, w0, w0)
-            np.multiply(v8, w0, w0)
-            np.divide(w0, v16, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.add(t0, L, t1)
+            np.divide(L, t1, t1)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.add(t1, t0, t0)
+            np.multiply(v8, t0, t0)
+            np.divide(t0, v16, out)
         else:
             np.copyto(out, C0)
     if some23 != size:
@@ -69,7 +69,7 @@ def prepare_depth_L_a(R):
     return (v16,)
 
 
-def block_depth_L_a(out, L, a, v16, w0, w1, w2, m0, m1):
+def block_depth_L_a(out, L, a, v16, t0, t1, t2, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -84,18 +84,18 @@ def block_depth_L_a(out, L, a, v16, w0, w1, w2, m0, m1):
         some20 = np.count_nonzero(m1)
         if some20:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.square(a, w1)
-            np.add(w0, L, w2)
-            np.divide(L, w2, w2)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.add(w2, w0, w0)
-            np.multiply(w1, w0, w0)
-            np.divide(w0, v16, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(a, t1)
+            np.add(t0, L, t2)
+            np.divide(L, t2, t2)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(t1, t0, t0)
+            np.divide(t0, v16, out)
         if some20 != size:
             np.copyto(out, C0, where=~m1)
     if some23 != size:
@@ -106,7 +106,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, a, R, w0, w1, w2, m0, m1):
+def block_depth_all(out, L, a, R, t0, t1, t2, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -121,19 +121,19 @@ def block_depth_all(out, L, a, R, w0, w1, w2, m0, m1):
         some20 = np.count_nonzero(m1)
         if some20:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.square(a, w1)
-            np.add(w0, L, w2)
-            np.divide(L, w2, w2)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.add(w2, w0, w0)
-            np.multiply(w1, w0, w0)
-            np.multiply(C2, R, w1)
-            np.divide(w0, w1, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(a, t1)
+            np.add(t0, L, t2)
+            np.divide(L, t2, t2)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(t1, t0, t0)
+            np.multiply(C2, R, t1)
+            np.divide(t0, t1, out)
         if some20 != size:
             np.copyto(out, C0, where=~m1)
     if some23 != size:
@@ -168,15 +168,15 @@ def prepare_half_width_from_load_all():
     return ()
 
 
-def block_half_width_from_load_all(out, P, R, E_star, w0):
+def block_half_width_from_load_all(out, P, R, E_star, t0):
     np.multiply(C3, R, out)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(C4, E_star, w0)
-    np.divide(out, w0, w0)
-    np.multiply(w0, P, w0)
-    np.sqrt(w0, out)
+    np.multiply(C4, E_star, t0)
+    np.divide(out, t0, t0)
+    np.multiply(t0, P, t0)
+    np.sqrt(t0, out)
 
 
 def load(a, R, E_star):
@@ -207,15 +207,15 @@ def prepare_load_all():
     return ()
 
 
-def block_load_all(out, a, R, E_star, w0):
+def block_load_all(out, a, R, E_star, t0):
     np.multiply(C4, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C3, R, w0)
-    np.divide(out, w0, w0)
+    np.multiply(C3, R, t0)
+    np.divide(out, t0, t0)
     np.square(a, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def pressure(x, a, R, E_star):
@@ -235,17 +235,17 @@ def prepare_pressure_x(a, R, E_star):
     return (a, v12)
 
 
-def block_pressure_x(out, x, a, v12, w0, f0):
+def block_pressure_x(out, x, a, v12, t0, f0):
     np.subtract(a, x, out)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     if largest_x > a:
         np.maximum(out, f0, out=out)
-    np.add(a, x, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(v12, w0, out)
+    np.add(a, x, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(v12, t0, out)
 
 
 def prepare_pressure_x_a(R, E_star):
@@ -254,7 +254,7 @@ def prepare_pressure_x_a(R, E_star):
     return (v10,)
 
 
-def block_pressure_x_a(out, x, a, v10, w0, m0):
+def block_pressure_x_a(out, x, a, v10, t0, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -266,10 +266,10 @@ def block_pressure_x_a(out, x, a, v10, w0, m0):
     some14 = np.count_nonzero(m0)
     if some14:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(v10, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(v10, t0, out)
     if some14 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -278,7 +278,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, a, R, E_star, w0, m0):
+def block_pressure_all(out, x, a, R, E_star, t0, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -290,12 +290,12 @@ def block_pressure_all(out, x, a, R, E_star, w0, m0):
     some14 = np.count_nonzero(m0)
     if some14:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(C2, R, out)
         np.divide(E_star, out, out)
-        np.multiply(out, w0, out)
+        np.multiply(out, t0, out)
     if some14 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -326,13 +326,13 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, R, w0):
+def block_profile_all(out, x, R, t0):
     np.square(x, out)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
-    np.multiply(C2, R, w0)
-    np.divide(out, w0, out)
+    np.multiply(C2, R, t0)
+    np.divide(out, t0, out)
 
 
 def slope(x, a, R):
@@ -352,7 +352,7 @@ def prepare_slope_x(a, R):
     return (a, R, v10)
 
 
-def block_slope_x(out, x, a, R, v10, w0, m0):
+def block_slope_x(out, x, a, R, v10, t0, m0):
     size = out.size
     np.greater(x, a, m0)
     largest_x = largest(x)
@@ -361,14 +361,14 @@ def block_slope_x(out, x, a, R, v10, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(w0, x, w0)
-        np.multiply(R, w0, w0)
-        np.divide(v10, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(t0, x, t0)
+        np.multiply(R, t0, t0)
+        np.divide(v10, t0, out)
     if some16 != size:
-        other16 = w0 if some16 else out
+        other16 = t0 if some16 else out
         np.divide(x, R, other16)
         np.negative(other16, other16)
         if some16:
@@ -379,7 +379,7 @@ def prepare_slope_x_a(R):
     return (R,)
 
 
-def block_slope_x_a(out, x, a, R, w0, m0):
+def block_slope_x_a(out, x, a, R, t0, m0):
     size = out.size
     np.greater(x, a, m0)
     largest_x = largest(x)
@@ -391,16 +391,16 @@ def block_slope_x_a(out, x, a, R, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(w0, x, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(t0, x, t0)
         np.square(a, out)
         np.negative(out, out)
-        np.multiply(R, w0, w0)
-        np.divide(out, w0, out)
+        np.multiply(R, t0, t0)
+        np.divide(out, t0, out)
     if some16 != size:
-        other16 = w0 if some16 else out
+        other16 = t0 if some16 else out
         np.divide(x, R, other16)
         np.negative(other16, other16)
         if some16:
@@ -411,7 +411,7 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, a, R, w0, m0):
+def block_slope_all(out, x, a, R, t0, m0):
     size = out.size
     np.greater(x, a, m0)
     largest_x = largest(x)
@@ -423,16 +423,16 @@ def block_slope_all(out, x, a, R, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(w0, x, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(t0, x, t0)
         np.square(a, out)
         np.negative(out, out)
-        np.multiply(R, w0, w0)
-        np.divide(out, w0, out)
+        np.multiply(R, t0, t0)
+        np.divide(out, t0, out)
     if some16 != size:
-        other16 = w0 if some16 else out
+        other16 = t0 if some16 else out
         np.divide(x, R, other16)
         np.negative(other16, other16)
         if some16:

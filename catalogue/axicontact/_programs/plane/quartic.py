@@ -47,7 +47,7 @@ def prepare_depth_L(a, A):
     return (a, v12, v29, v32)
 
 
-def block_depth_L(out, L, a, v12, v29, v32, w0, w1, w2, m0):
+def block_depth_L(out, L, a, v12, v29, v32, t0, t1, t2, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -57,25 +57,25 @@ def block_depth_L(out, L, a, v12, v29, v32, w0, w1, w2, m0):
     if some36:
         if v32:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(L, out)
-            np.multiply(L, out, w1)
-            np.multiply(C0, w1, w1)
-            np.multiply(C0, out, w2)
-            np.add(v12, w2, w2)
-            np.multiply(w2, w0, w2)
-            np.add(w1, w2, w2)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C1, w0, w0)
+            np.multiply(L, out, t1)
+            np.multiply(C0, t1, t1)
+            np.multiply(C0, out, t2)
+            np.add(v12, t2, t2)
+            np.multiply(t2, t0, t2)
+            np.add(t1, t2, t2)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C1, t0, t0)
             np.multiply(C1, out, out)
             np.add(v12, out, out)
             np.multiply(L, out, out)
-            np.divide(out, w2, w2)
-            np.add(w0, w2, w2)
-            np.multiply(v29, w2, out)
+            np.divide(out, t2, t2)
+            np.add(t0, t2, t2)
+            np.multiply(v29, t2, out)
         else:
             np.copyto(out, C2)
     if some36 != size:
@@ -86,7 +86,7 @@ def prepare_depth_L_a(A):
     return (A,)
 
 
-def block_depth_L_a(out, L, a, A, w0, w1, w2, w3, m0, m1):
+def block_depth_L_a(out, L, a, A, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -101,29 +101,29 @@ def block_depth_L_a(out, L, a, A, w0, w1, w2, w3, m0, m1):
         some32 = np.count_nonzero(m1)
         if some32:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(L, out)
-            np.multiply(L, out, w1)
-            np.multiply(C0, w1, w1)
-            np.square(a, w2)
-            np.multiply(C0, out, w3)
-            np.add(w2, w3, w3)
-            np.multiply(w3, w0, w3)
-            np.add(w1, w3, w3)
-            np.square(w2, w1)
-            np.multiply(A, w1, w1)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C1, w0, w0)
+            np.multiply(L, out, t1)
+            np.multiply(C0, t1, t1)
+            np.square(a, t2)
+            np.multiply(C0, out, t3)
+            np.add(t2, t3, t3)
+            np.multiply(t3, t0, t3)
+            np.add(t1, t3, t3)
+            np.square(t2, t1)
+            np.multiply(A, t1, t1)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C1, t0, t0)
             np.multiply(C1, out, out)
-            np.add(w2, out, out)
+            np.add(t2, out, out)
             np.multiply(L, out, out)
-            np.divide(out, w3, w3)
-            np.add(w0, w3, w3)
-            np.multiply(w1, w3, w3)
-            np.multiply(w3, C4, out)
+            np.divide(out, t3, t3)
+            np.add(t0, t3, t3)
+            np.multiply(t1, t3, t3)
+            np.multiply(t3, C4, out)
         if some32 != size:
             np.copyto(out, C2, where=~m1)
     if some35 != size:
@@ -134,7 +134,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, a, A, w0, w1, w2, w3, m0, m1):
+def block_depth_all(out, L, a, A, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -149,29 +149,29 @@ def block_depth_all(out, L, a, A, w0, w1, w2, w3, m0, m1):
         some32 = np.count_nonzero(m1)
         if some32:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.square(L, out)
-            np.multiply(L, out, w1)
-            np.multiply(C0, w1, w1)
-            np.square(a, w2)
-            np.multiply(C0, out, w3)
-            np.add(w2, w3, w3)
-            np.multiply(w3, w0, w3)
-            np.add(w1, w3, w3)
-            np.square(w2, w1)
-            np.multiply(A, w1, w1)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C1, w0, w0)
+            np.multiply(L, out, t1)
+            np.multiply(C0, t1, t1)
+            np.square(a, t2)
+            np.multiply(C0, out, t3)
+            np.add(t2, t3, t3)
+            np.multiply(t3, t0, t3)
+            np.add(t1, t3, t3)
+            np.square(t2, t1)
+            np.multiply(A, t1, t1)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C1, t0, t0)
             np.multiply(C1, out, out)
-            np.add(w2, out, out)
+            np.add(t2, out, out)
             np.multiply(L, out, out)
-            np.divide(out, w3, w3)
-            np.add(w0, w3, w3)
-            np.multiply(w1, w3, w3)
-            np.multiply(w3, C4, out)
+            np.divide(out, t3, t3)
+            np.add(t0, t3, t3)
+            np.multiply(t1, t3, t3)
+            np.multiply(t3, C4, out)
         if some32 != size:
             np.copyto(out, C2, where=~m1)
     if some35 != size:
@@ -207,16 +207,16 @@ def prepare_half_width_from_load_all():
     return ()
 
 
-def block_half_width_from_load_all(out, P, A, E_star, w0):
+def block_half_width_from_load_all(out, P, A, E_star, t0):
     np.multiply(C5, P, out)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(C6, E_star, w0)
-    np.multiply(w0, A, w0)
-    np.divide(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.sqrt(w0, out)
+    np.multiply(C6, E_star, t0)
+    np.multiply(t0, A, t0)
+    np.divide(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.sqrt(t0, out)
 
 
 def load(a, A, E_star):
@@ -249,16 +249,16 @@ def prepare_load_all():
     return ()
 
 
-def block_load_all(out, a, A, E_star, w0):
+def block_load_all(out, a, A, E_star, t0):
     np.multiply(C6, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.square(a, w0)
-    np.square(w0, w0)
-    np.multiply(out, w0, w0)
-    np.multiply(w0, C7, out)
+    np.square(a, t0)
+    np.square(t0, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, C7, out)
 
 
 def pressure(x, a, A, E_star):
@@ -278,21 +278,21 @@ def prepare_pressure_x(a, A, E_star):
     return (a, v10, v12)
 
 
-def block_pressure_x(out, x, a, v10, v12, w0, f0):
+def block_pressure_x(out, x, a, v10, v12, t0, f0):
     np.subtract(a, x, out)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     if largest_x > a:
         np.maximum(out, f0, out=out)
-    np.add(a, x, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, x, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.square(x, out)
     np.multiply(C0, out, out)
     np.add(v12, out, out)
     np.multiply(v10, out, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def prepare_pressure_x_a(A, E_star):
@@ -300,7 +300,7 @@ def prepare_pressure_x_a(A, E_star):
     return (v8,)
 
 
-def block_pressure_x_a(out, x, a, v8, w0, w1, m0):
+def block_pressure_x_a(out, x, a, v8, t0, t1, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -312,15 +312,15 @@ def block_pressure_x_a(out, x, a, v8, w0, w1, m0):
     some18 = np.count_nonzero(m0)
     if some18:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.square(a, out)
-        np.square(x, w1)
-        np.multiply(C0, w1, w1)
-        np.add(out, w1, w1)
-        np.multiply(v8, w1, w1)
-        np.multiply(w1, w0, out)
+        np.square(x, t1)
+        np.multiply(C0, t1, t1)
+        np.add(out, t1, t1)
+        np.multiply(v8, t1, t1)
+        np.multiply(t1, t0, out)
     if some18 != size:
         np.copyto(out, C2, where=~m0)
 
@@ -329,7 +329,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, a, A, E_star, w0, w1, w2, m0):
+def block_pressure_all(out, x, a, A, E_star, t0, t1, t2, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -341,16 +341,16 @@ def block_pressure_all(out, x, a, A, E_star, w0, w1, w2, m0):
     some18 = np.count_nonzero(m0)
     if some18:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(E_star, A, out)
-        np.square(a, w1)
-        np.square(x, w2)
-        np.multiply(C0, w2, w2)
-        np.add(w1, w2, w2)
-        np.multiply(out, w2, w2)
-        np.multiply(w2, w0, out)
+        np.square(a, t1)
+        np.square(x, t2)
+        np.multiply(C0, t2, t2)
+        np.add(t1, t2, t2)
+        np.multiply(out, t2, t2)
+        np.multiply(t2, t0, out)
     if some18 != size:
         np.copyto(out, C2, where=~m0)
 
@@ -418,33 +418,33 @@ def prepare_slope_x(a, A):
     return (a, v11, v22, v28)
 
 
-def block_slope_x(out, x, a, v11, v22, v28, w0, w1, w2, m0):
+def block_slope_x(out, x, a, v11, v22, v28, t0, t1, t2, m0):
     size = out.size
-    np.square(x, w0)
+    np.square(x, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
-    np.multiply(x, w0, w1)
+    np.multiply(x, t0, t1)
     np.greater(x, a, m0)
     some31 = np.count_nonzero(m0)
     if some31:
         np.subtract(x, a, out)
-        np.add(a, x, w2)
-        np.multiply(out, w2, w2)
-        np.sqrt(w2, w2)
-        np.multiply(C0, w0, out)
-        np.multiply(out, w2, out)
-        np.multiply(v11, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(C0, w1, out)
-        np.add(w2, out, out)
-        np.multiply(C1, w0, w2)
-        np.add(v11, w2, w2)
-        np.multiply(v22, w2, w2)
-        np.divide(w2, out, out)
+        np.add(a, x, t2)
+        np.multiply(out, t2, t2)
+        np.sqrt(t2, t2)
+        np.multiply(C0, t0, out)
+        np.multiply(out, t2, out)
+        np.multiply(v11, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(C0, t1, out)
+        np.add(t2, out, out)
+        np.multiply(C1, t0, t2)
+        np.add(v11, t2, t2)
+        np.multiply(v22, t2, t2)
+        np.divide(t2, out, out)
     if some31 != size:
-        other31 = w2 if some31 else out
-        np.multiply(v28, w1, other31)
+        other31 = t2 if some31 else out
+        np.multiply(v28, t1, other31)
         np.negative(other31, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
@@ -456,39 +456,39 @@ def prepare_slope_x_a(A):
     return (v19, v28)
 
 
-def block_slope_x_a(out, x, a, v19, v28, w0, w1, w2, w3, w4, m0):
+def block_slope_x_a(out, x, a, v19, v28, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(x, w0)
+    np.square(x, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(x, w0, w1)
+    np.multiply(x, t0, t1)
     np.greater(x, a, m0)
     some31 = np.count_nonzero(m0)
     if some31:
         np.subtract(x, a, out)
-        np.add(a, x, w2)
-        np.multiply(out, w2, w2)
-        np.sqrt(w2, w2)
-        np.multiply(C0, w0, out)
-        np.multiply(out, w2, out)
-        np.square(a, w3)
-        np.multiply(w3, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(C0, w1, out)
-        np.add(w2, out, out)
-        np.square(w3, w2)
-        np.multiply(v19, w2, w2)
-        np.multiply(C1, w0, w4)
-        np.add(w3, w4, w4)
-        np.multiply(w2, w4, w4)
-        np.divide(w4, out, out)
+        np.add(a, x, t2)
+        np.multiply(out, t2, t2)
+        np.sqrt(t2, t2)
+        np.multiply(C0, t0, out)
+        np.multiply(out, t2, out)
+        np.square(a, t3)
+        np.multiply(t3, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(C0, t1, out)
+        np.add(t2, out, out)
+        np.square(t3, t2)
+        np.multiply(v19, t2, t2)
+        np.multiply(C1, t0, t4)
+        np.add(t3, t4, t4)
+        np.multiply(t2, t4, t4)
+        np.divide(t4, out, out)
     if some31 != size:
-        other31 = w4 if some31 else out
-        np.multiply(v28, w1, other31)
+        other31 = t4 if some31 else out
+        np.multiply(v28, t1, other31)
         np.negative(other31, other31)
         if some31:
             np.copyto(out, other31, where=~m0)
@@ -498,41 +498,41 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, a, A, w0, w1, w2, w3, w4, m0):
+def block_slope_all(out, x, a, A, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.square(x, w0)
+    np.square(x, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(x, w0, w1)
+    np.multiply(x, t0, t1)
     np.greater(x, a, m0)
     some31 = np.count_nonzero(m0)
     if some31:
         np.subtract(x, a, out)
-        np.add(a, x, w2)
-        np.multiply(out, w2, w2)
-        np.sqrt(w2, w2)
-        np.multiply(C0, w0, out)
-        np.multiply(out, w2, out)
-        np.square(a, w3)
-        np.multiply(w3, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(C0, w1, out)
-        np.add(w2, out, out)
-        np.multiply(C8, A, w2)
-        np.square(w3, w4)
-        np.multiply(w2, w4, w4)
-        np.multiply(C1, w0, w2)
-        np.add(w3, w2, w2)
-        np.multiply(w4, w2, w2)
-        np.divide(w2, out, out)
+        np.add(a, x, t2)
+        np.multiply(out, t2, t2)
+        np.sqrt(t2, t2)
+        np.multiply(C0, t0, out)
+        np.multiply(out, t2, out)
+        np.square(a, t3)
+        np.multiply(t3, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(C0, t1, out)
+        np.add(t2, out, out)
+        np.multiply(C8, A, t2)
+        np.square(t3, t4)
+        np.multiply(t2, t4, t4)
+        np.multiply(C1, t0, t2)
+        np.add(t3, t2, t2)
+        np.multiply(t4, t2, t2)
+        np.divide(t2, out, out)
     if some31 != size:
-        other31 = w2 if some31 else out
+        other31 = t2 if some31 else out
         np.multiply(C5, A, other31)
-        np.multiply(other31, w1, other31)
+        np.multiply(other31, t1, other31)
         np.negative(other31, other31)
         if some31:
             np.copyto(out, other31, where=~m0)

@@ -173,7 +173,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, R, b, w0, m0):
+def block_profile_all(out, x, R, b, t0, m0):
     size = out.size
     np.greater(x, b, m0)
     largest_x = largest(x)
@@ -183,8 +183,8 @@ def block_profile_all(out, x, R, b, w0, m0):
     if some10:
         np.subtract(x, b, out)
         np.square(out, out)
-        np.multiply(C0, R, w0)
-        np.divide(out, w0, out)
+        np.multiply(C0, R, t0)
+        np.divide(out, t0, out)
     if some10 != size:
         np.copyto(out, C1, where=~m0)
 

@@ -111,27 +111,27 @@ def prepare_load_a(theta, b, E_star):
     return (b, v10, v26)
 
 
-def block_load_a(out, a, b, v10, v26, w0, w1, w2, m0):
+def block_load_a(out, a, b, v10, v26, t0, t1, t2, m0):
     size = out.size
-    np.square(a, w0)
+    np.square(a, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.less(a, b, m0)
     some29 = np.count_nonzero(m0)
     if some29:
-        np.multiply(v10, w0, out)
+        np.multiply(v10, t0, out)
     if some29 != size:
-        other29 = w1 if some29 else out
+        other29 = t1 if some29 else out
         np.subtract(a, b, other29)
-        np.add(a, b, w2)
-        np.multiply(other29, w2, w2)
-        np.sqrt(w2, w2)
-        np.divide(b, w2, other29)
+        np.add(a, b, t2)
+        np.multiply(other29, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(b, t2, other29)
         np.arctan(other29, other29)
-        np.multiply(w0, other29, other29)
+        np.multiply(t0, other29, other29)
         np.divide(other29, b, other29)
-        np.add(w2, other29, other29)
+        np.add(t2, other29, other29)
         np.multiply(v26, other29, other29)
         if some29:
             np.copyto(out, other29, where=~m0)
@@ -141,34 +141,34 @@ def prepare_load_all():
     return ()
 
 
-def block_load_all(out, a, theta, b, E_star, w0, w1, w2, w3, w4, m0):
+def block_load_all(out, a, theta, b, E_star, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.square(a, w1)
+    np.square(a, t1)
     np.less(a, b, m0)
     some28 = np.count_nonzero(m0)
     if some28:
         np.multiply(C1, E_star, out)
-        np.multiply(out, w0, out)
-        np.multiply(C2, b, w2)
-        np.divide(out, w2, w2)
-        np.multiply(w2, w1, out)
+        np.multiply(out, t0, out)
+        np.multiply(C2, b, t2)
+        np.divide(out, t2, t2)
+        np.multiply(t2, t1, out)
     if some28 != size:
-        other28 = w2 if some28 else out
+        other28 = t2 if some28 else out
         np.subtract(a, b, other28)
-        np.add(a, b, w3)
-        np.multiply(other28, w3, w3)
-        np.sqrt(w3, w3)
-        np.divide(b, w3, other28)
+        np.add(a, b, t3)
+        np.multiply(other28, t3, t3)
+        np.sqrt(t3, t3)
+        np.divide(b, t3, other28)
         np.arctan(other28, other28)
-        np.multiply(E_star, w0, w4)
-        np.multiply(w1, other28, other28)
+        np.multiply(E_star, t0, t4)
+        np.multiply(t1, other28, other28)
         np.divide(other28, b, other28)
-        np.add(w3, other28, other28)
-        np.multiply(w4, other28, other28)
+        np.add(t3, other28, other28)
+        np.multiply(t4, other28, other28)
         np.multiply(other28, C3, other28)
         if some28:
             np.copyto(out, other28, where=~m0)
@@ -238,7 +238,7 @@ def prepare_profile_x(theta, b):
     return (b, v4, v6, v10)
 
 
-def block_profile_x(out, x, b, v4, v6, v10, w0, m0):
+def block_profile_x(out, x, b, v4, v6, v10, t0, m0):
     size = out.size
     np.greater(x, b, m0)
     largest_x = largest(x)
@@ -249,7 +249,7 @@ def block_profile_x(out, x, b, v4, v6, v10, w0, m0):
         np.subtract(x, v6, out)
         np.multiply(v4, out, out)
     if some13 != size:
-        other13 = w0 if some13 else out
+        other13 = t0 if some13 else out
         np.square(x, other13)
         np.multiply(v10, other13, other13)
         if some13:
@@ -260,24 +260,24 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, theta, b, w0, w1, w2, m0):
+def block_profile_all(out, x, theta, b, t0, t1, t2, m0):
     size = out.size
     np.greater(x, b, m0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     some14 = np.count_nonzero(m0)
     if some14:
         np.multiply(b, C3, out)
         np.subtract(x, out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
     if some14 != size:
-        other14 = w1 if some14 else out
+        other14 = t1 if some14 else out
         np.multiply(C0, b, other14)
-        np.divide(w0, other14, other14)
-        np.square(x, w2)
-        np.multiply(other14, w2, other14)
+        np.divide(t0, other14, other14)
+        np.square(x, t2)
+        np.multiply(other14, t2, other14)
         if some14:
             np.copyto(out, other14, where=~m0)
 

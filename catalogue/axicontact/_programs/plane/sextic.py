@@ -64,7 +64,7 @@ def prepare_depth_L(a, A):
     return (a, v16, v21, v31, v35, v46, v49)
 
 
-def block_depth_L(out, L, a, v16, v21, v31, v35, v46, v49, w0, w1, w2, w3, w4, m0):
+def block_depth_L(out, L, a, v16, v21, v31, v35, v46, v49, t0, t1, t2, t3, t4, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -74,30 +74,30 @@ def block_depth_L(out, L, a, v16, v21, v31, v35, v46, v49, w0, w1, w2, w3, w4, m
     if some53:
         if v49:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.power(L, C0, out)
             np.multiply(C1, out, out)
-            np.square(L, w1)
-            np.square(w1, w2)
-            np.multiply(C1, w2, w3)
-            np.add(v16, w3, w3)
-            np.multiply(v21, w1, w4)
-            np.add(w3, w4, w4)
-            np.multiply(w4, w0, w4)
-            np.add(out, w4, w4)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C3, w0, w0)
-            np.multiply(C4, w2, w2)
-            np.add(v31, w2, w2)
-            np.multiply(v35, w1, w1)
-            np.add(w2, w1, w1)
-            np.multiply(L, w1, w1)
-            np.divide(w1, w4, w4)
-            np.add(w0, w4, w4)
-            np.multiply(v46, w4, out)
+            np.square(L, t1)
+            np.square(t1, t2)
+            np.multiply(C1, t2, t3)
+            np.add(v16, t3, t3)
+            np.multiply(v21, t1, t4)
+            np.add(t3, t4, t4)
+            np.multiply(t4, t0, t4)
+            np.add(out, t4, t4)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C3, t0, t0)
+            np.multiply(C4, t2, t2)
+            np.add(v31, t2, t2)
+            np.multiply(v35, t1, t1)
+            np.add(t2, t1, t1)
+            np.multiply(L, t1, t1)
+            np.divide(t1, t4, t4)
+            np.add(t0, t4, t4)
+            np.multiply(v46, t4, out)
         else:
             np.copyto(out, C5)
     if some53 != size:
@@ -108,7 +108,7 @@ def prepare_depth_L_a(A):
     return (A,)
 
 
-def block_depth_L_a(out, L, a, A, w0, w1, w2, w3, w4, w5, w6, m0, m1):
+def block_depth_L_a(out, L, a, A, t0, t1, t2, t3, t4, t5, t6, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -123,39 +123,39 @@ def block_depth_L_a(out, L, a, A, w0, w1, w2, w3, w4, w5, w6, m0, m1):
         some49 = np.count_nonzero(m1)
         if some49:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.power(L, C0, out)
             np.multiply(C1, out, out)
-            np.square(a, w1)
-            np.square(w1, w2)
-            np.multiply(C7, w2, w3)
-            np.square(L, w4)
-            np.square(w4, w5)
-            np.multiply(C1, w5, w6)
-            np.add(w3, w6, w6)
-            np.multiply(C8, w1, w3)
-            np.multiply(w3, w4, w3)
-            np.add(w6, w3, w3)
-            np.multiply(w3, w0, w3)
-            np.add(out, w3, w3)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C3, w0, w0)
-            np.multiply(C9, w2, w2)
-            np.multiply(C4, w5, w5)
-            np.add(w2, w5, w5)
-            np.multiply(C3, w1, w1)
-            np.multiply(w1, w4, w4)
-            np.add(w5, w4, w4)
-            np.multiply(L, w4, w4)
-            np.divide(w4, w3, w3)
-            np.add(w0, w3, w3)
-            np.power(a, C10, w0)
-            np.multiply(A, w0, w0)
-            np.multiply(w0, w3, w3)
-            np.multiply(w3, C11, out)
+            np.square(a, t1)
+            np.square(t1, t2)
+            np.multiply(C7, t2, t3)
+            np.square(L, t4)
+            np.square(t4, t5)
+            np.multiply(C1, t5, t6)
+            np.add(t3, t6, t6)
+            np.multiply(C8, t1, t3)
+            np.multiply(t3, t4, t3)
+            np.add(t6, t3, t3)
+            np.multiply(t3, t0, t3)
+            np.add(out, t3, t3)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C3, t0, t0)
+            np.multiply(C9, t2, t2)
+            np.multiply(C4, t5, t5)
+            np.add(t2, t5, t5)
+            np.multiply(C3, t1, t1)
+            np.multiply(t1, t4, t4)
+            np.add(t5, t4, t4)
+            np.multiply(L, t4, t4)
+            np.divide(t4, t3, t3)
+            np.add(t0, t3, t3)
+            np.power(a, C10, t0)
+            np.multiply(A, t0, t0)
+            np.multiply(t0, t3, t3)
+            np.multiply(t3, C11, out)
         if some49 != size:
             np.copyto(out, C5, where=~m1)
     if some52 != size:
@@ -166,7 +166,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, a, A, w0, w1, w2, w3, w4, w5, w6, m0, m1):
+def block_depth_all(out, L, a, A, t0, t1, t2, t3, t4, t5, t6, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -181,39 +181,39 @@ def block_depth_all(out, L, a, A, w0, w1, w2, w3, w4, w5, w6, m0, m1):
         some49 = np.count_nonzero(m1)
         if some49:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.power(L, C0, out)
             np.multiply(C1, out, out)
-            np.square(a, w1)
-            np.square(w1, w2)
-            np.multiply(C7, w2, w3)
-            np.square(L, w4)
-            np.square(w4, w5)
-            np.multiply(C1, w5, w6)
-            np.add(w3, w6, w6)
-            np.multiply(C8, w1, w3)
-            np.multiply(w3, w4, w3)
-            np.add(w6, w3, w3)
-            np.multiply(w3, w0, w3)
-            np.add(out, w3, w3)
-            np.divide(w0, a, w0)
-            np.arcsinh(w0, w0)
-            np.multiply(C3, w0, w0)
-            np.multiply(C9, w2, w2)
-            np.multiply(C4, w5, w5)
-            np.add(w2, w5, w5)
-            np.multiply(C3, w1, w1)
-            np.multiply(w1, w4, w4)
-            np.add(w5, w4, w4)
-            np.multiply(L, w4, w4)
-            np.divide(w4, w3, w3)
-            np.add(w0, w3, w3)
-            np.power(a, C10, w0)
-            np.multiply(A, w0, w0)
-            np.multiply(w0, w3, w3)
-            np.multiply(w3, C11, out)
+            np.square(a, t1)
+            np.square(t1, t2)
+            np.multiply(C7, t2, t3)
+            np.square(L, t4)
+            np.square(t4, t5)
+            np.multiply(C1, t5, t6)
+            np.add(t3, t6, t6)
+            np.multiply(C8, t1, t3)
+            np.multiply(t3, t4, t3)
+            np.add(t6, t3, t3)
+            np.multiply(t3, t0, t3)
+            np.add(out, t3, t3)
+            np.divide(t0, a, t0)
+            np.arcsinh(t0, t0)
+            np.multiply(C3, t0, t0)
+            np.multiply(C9, t2, t2)
+            np.multiply(C4, t5, t5)
+            np.add(t2, t5, t5)
+            np.multiply(C3, t1, t1)
+            np.multiply(t1, t4, t4)
+            np.add(t5, t4, t4)
+            np.multiply(L, t4, t4)
+            np.divide(t4, t3, t3)
+            np.add(t0, t3, t3)
+            np.power(a, C10, t0)
+            np.multiply(A, t0, t0)
+            np.multiply(t0, t3, t3)
+            np.multiply(t3, C11, out)
         if some49 != size:
             np.copyto(out, C5, where=~m1)
     if some52 != size:
@@ -242,60 +242,60 @@ def prepare_half_width_from_load_P(A, E_star):
     return (v7,)
 
 
-def block_half_width_from_load_P(out, P, v7, w0, w1, w2, m0, m1):
+def block_half_width_from_load_P(out, P, v7, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C12, P, w0)
+    np.multiply(C12, P, t0)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.divide(w0, v7, w0)
-    np.power(w0, C13, w1)
-    np.greater(w0, C5, m0)
-    np.less(w0, C14, m1)
+    np.divide(t0, v7, t0)
+    np.power(t0, C13, t1)
+    np.greater(t0, C5, m0)
+    np.less(t0, C14, m1)
     np.bitwise_and(m0, m1, m1)
     some26 = np.count_nonzero(m1)
     if some26:
-        np.power(w1, C10, out)
-        np.power(w1, C5, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C15, w2)
-        np.divide(w2, C10, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C10, out)
+        np.power(t1, C5, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C15, t2)
+        np.divide(t2, C10, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some26 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_half_width_from_load_all():
     return ()
 
 
-def block_half_width_from_load_all(out, P, A, E_star, w0, w1, w2, m0, m1):
+def block_half_width_from_load_all(out, P, A, E_star, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C12, P, w0)
+    np.multiply(C12, P, t0)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.multiply(C16, E_star, w1)
-    np.multiply(w1, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C13, w0)
-    np.greater(w1, C5, m0)
-    np.less(w1, C14, m1)
+    np.multiply(C16, E_star, t1)
+    np.multiply(t1, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C13, t0)
+    np.greater(t1, C5, m0)
+    np.less(t1, C14, m1)
     np.bitwise_and(m0, m1, m1)
     some26 = np.count_nonzero(m1)
     if some26:
-        np.power(w0, C10, out)
-        np.power(w0, C5, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C15, w2)
-        np.divide(w2, C10, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C10, out)
+        np.power(t0, C5, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C15, t2)
+        np.divide(t2, C10, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some26 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def load(a, A, E_star):
@@ -326,15 +326,15 @@ def prepare_load_all():
     return ()
 
 
-def block_load_all(out, a, A, E_star, w0):
+def block_load_all(out, a, A, E_star, t0):
     np.multiply(C16, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.power(a, C10, w0)
-    np.multiply(out, w0, w0)
-    np.multiply(w0, C17, out)
+    np.power(a, C10, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, C17, out)
 
 
 def pressure(x, a, A, E_star):
@@ -360,25 +360,25 @@ def prepare_pressure_x(a, A, E_star):
     return (a, v12, v17, v18)
 
 
-def block_pressure_x(out, x, a, v12, v17, v18, w0, w1, f0):
+def block_pressure_x(out, x, a, v12, v17, v18, t0, t1, f0):
     np.subtract(a, x, out)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     if largest_x > a:
         np.maximum(out, f0, out=out)
-    np.add(a, x, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, x, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.square(x, out)
-    np.multiply(v18, out, w1)
-    np.add(v17, w1, w1)
+    np.multiply(v18, out, t1)
+    np.add(v17, t1, t1)
     np.square(out, out)
     np.multiply(C1, out, out)
-    np.add(w1, out, out)
+    np.add(t1, out, out)
     np.multiply(v12, out, out)
-    np.multiply(out, w0, w0)
-    np.multiply(w0, C11, out)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, C11, out)
 
 
 def prepare_pressure_x_a(A, E_star):
@@ -387,7 +387,7 @@ def prepare_pressure_x_a(A, E_star):
     return (v10,)
 
 
-def block_pressure_x_a(out, x, a, v10, w0, w1, w2, m0):
+def block_pressure_x_a(out, x, a, v10, t0, t1, t2, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -399,22 +399,22 @@ def block_pressure_x_a(out, x, a, v10, w0, w1, w2, m0):
     some30 = np.count_nonzero(m0)
     if some30:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.square(a, out)
-        np.square(out, w1)
-        np.multiply(C7, w1, w1)
+        np.square(out, t1)
+        np.multiply(C7, t1, t1)
         np.multiply(C8, out, out)
-        np.square(x, w2)
-        np.multiply(out, w2, out)
-        np.add(w1, out, out)
-        np.square(w2, w2)
-        np.multiply(C1, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(v10, w2, w2)
-        np.multiply(w2, w0, w0)
-        np.multiply(w0, C11, out)
+        np.square(x, t2)
+        np.multiply(out, t2, out)
+        np.add(t1, out, out)
+        np.square(t2, t2)
+        np.multiply(C1, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(v10, t2, t2)
+        np.multiply(t2, t0, t0)
+        np.multiply(t0, C11, out)
     if some30 != size:
         np.copyto(out, C5, where=~m0)
 
@@ -423,7 +423,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, a, A, E_star, w0, w1, w2, w3, m0):
+def block_pressure_all(out, x, a, A, E_star, t0, t1, t2, t3, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -435,24 +435,24 @@ def block_pressure_all(out, x, a, A, E_star, w0, w1, w2, w3, m0):
     some30 = np.count_nonzero(m0)
     if some30:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.multiply(C7, E_star, out)
         np.multiply(out, A, out)
-        np.square(a, w1)
-        np.square(w1, w2)
-        np.multiply(C7, w2, w2)
-        np.multiply(C8, w1, w1)
-        np.square(x, w3)
-        np.multiply(w1, w3, w1)
-        np.add(w2, w1, w1)
-        np.square(w3, w3)
-        np.multiply(C1, w3, w3)
-        np.add(w1, w3, w3)
-        np.multiply(out, w3, w3)
-        np.multiply(w3, w0, w0)
-        np.multiply(w0, C11, out)
+        np.square(a, t1)
+        np.square(t1, t2)
+        np.multiply(C7, t2, t2)
+        np.multiply(C8, t1, t1)
+        np.square(x, t3)
+        np.multiply(t1, t3, t1)
+        np.add(t2, t1, t1)
+        np.square(t3, t3)
+        np.multiply(C1, t3, t3)
+        np.add(t1, t3, t3)
+        np.multiply(out, t3, t3)
+        np.multiply(t3, t0, t0)
+        np.multiply(t0, C11, out)
     if some30 != size:
         np.copyto(out, C5, where=~m0)
 
@@ -524,9 +524,9 @@ def prepare_slope_x(a, A):
     return (a, v17, v20, v32, v34, v36, v46)
 
 
-def block_slope_x(out, x, a, v17, v20, v32, v34, v36, v46, w0, w1, w2, w3, w4, m0):
+def block_slope_x(out, x, a, v17, v20, v32, v34, v36, v46, t0, t1, t2, t3, t4, m0):
     size = out.size
-    np.power(x, C0, w0)
+    np.power(x, C0, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
@@ -534,30 +534,30 @@ def block_slope_x(out, x, a, v17, v20, v32, v34, v36, v46, w0, w1, w2, w3, w4, m
     some49 = np.count_nonzero(m0)
     if some49:
         np.subtract(x, a, out)
-        np.add(a, x, w1)
-        np.multiply(out, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, x, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
         np.square(x, out)
-        np.square(out, w2)
-        np.multiply(C1, w2, w3)
-        np.multiply(w3, w1, w3)
-        np.multiply(v17, w1, w4)
-        np.add(w3, w4, w4)
-        np.multiply(v20, out, w3)
-        np.multiply(w3, w1, w1)
-        np.add(w4, w1, w1)
-        np.multiply(C1, w0, w4)
-        np.add(w1, w4, w4)
+        np.square(out, t2)
+        np.multiply(C1, t2, t3)
+        np.multiply(t3, t1, t3)
+        np.multiply(v17, t1, t4)
+        np.add(t3, t4, t4)
+        np.multiply(v20, out, t3)
+        np.multiply(t3, t1, t1)
+        np.add(t4, t1, t1)
+        np.multiply(C1, t0, t4)
+        np.add(t1, t4, t4)
         np.multiply(v36, out, out)
         np.add(v34, out, out)
-        np.multiply(C4, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(v32, w2, w2)
-        np.multiply(C8, w4, w4)
-        np.divide(w2, w4, out)
+        np.multiply(C4, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(v32, t2, t2)
+        np.multiply(C8, t4, t4)
+        np.divide(t2, t4, out)
     if some49 != size:
-        other49 = w4 if some49 else out
-        np.multiply(v46, w0, other49)
+        other49 = t4 if some49 else out
+        np.multiply(v46, t0, other49)
         np.negative(other49, other49)
         if some49:
             np.copyto(out, other49, where=~m0)
@@ -569,9 +569,9 @@ def prepare_slope_x_a(A):
     return (v29, v46)
 
 
-def block_slope_x_a(out, x, a, v29, v46, w0, w1, w2, w3, w4, w5, w6, m0):
+def block_slope_x_a(out, x, a, v29, v46, t0, t1, t2, t3, t4, t5, t6, m0):
     size = out.size
-    np.power(x, C0, w0)
+    np.power(x, C0, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
@@ -582,38 +582,38 @@ def block_slope_x_a(out, x, a, v29, v46, w0, w1, w2, w3, w4, w5, w6, m0):
     some49 = np.count_nonzero(m0)
     if some49:
         np.subtract(x, a, out)
-        np.add(a, x, w1)
-        np.multiply(out, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, x, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
         np.square(x, out)
-        np.square(out, w2)
-        np.multiply(C1, w2, w3)
-        np.multiply(w3, w1, w3)
-        np.square(a, w4)
-        np.square(w4, w5)
-        np.multiply(C7, w5, w6)
-        np.multiply(w6, w1, w6)
-        np.add(w3, w6, w6)
-        np.multiply(C8, w4, w3)
-        np.multiply(w3, out, w3)
-        np.multiply(w3, w1, w1)
-        np.add(w6, w1, w1)
-        np.multiply(C1, w0, w6)
-        np.add(w1, w6, w6)
-        np.power(a, C10, w1)
-        np.multiply(v29, w1, w1)
-        np.multiply(C9, w5, w5)
-        np.multiply(C3, w4, w4)
-        np.multiply(w4, out, out)
-        np.add(w5, out, out)
-        np.multiply(C4, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(w1, w2, w2)
-        np.multiply(C8, w6, w6)
-        np.divide(w2, w6, out)
+        np.square(out, t2)
+        np.multiply(C1, t2, t3)
+        np.multiply(t3, t1, t3)
+        np.square(a, t4)
+        np.square(t4, t5)
+        np.multiply(C7, t5, t6)
+        np.multiply(t6, t1, t6)
+        np.add(t3, t6, t6)
+        np.multiply(C8, t4, t3)
+        np.multiply(t3, out, t3)
+        np.multiply(t3, t1, t1)
+        np.add(t6, t1, t1)
+        np.multiply(C1, t0, t6)
+        np.add(t1, t6, t6)
+        np.power(a, C10, t1)
+        np.multiply(v29, t1, t1)
+        np.multiply(C9, t5, t5)
+        np.multiply(C3, t4, t4)
+        np.multiply(t4, out, out)
+        np.add(t5, out, out)
+        np.multiply(C4, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(t1, t2, t2)
+        np.multiply(C8, t6, t6)
+        np.divide(t2, t6, out)
     if some49 != size:
-        other49 = w6 if some49 else out
-        np.multiply(v46, w0, other49)
+        other49 = t6 if some49 else out
+        np.multiply(v46, t0, other49)
         np.negative(other49, other49)
         if some49:
             np.copyto(out, other49, where=~m0)
@@ -623,9 +623,9 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, a, A, w0, w1, w2, w3, w4, w5, w6, m0):
+def block_slope_all(out, x, a, A, t0, t1, t2, t3, t4, t5, t6, m0):
     size = out.size
-    np.power(x, C0, w0)
+    np.power(x, C0, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
@@ -636,40 +636,40 @@ def block_slope_all(out, x, a, A, w0, w1, w2, w3, w4, w5, w6, m0):
     some49 = np.count_nonzero(m0)
     if some49:
         np.subtract(x, a, out)
-        np.add(a, x, w1)
-        np.multiply(out, w1, w1)
-        np.sqrt(w1, w1)
+        np.add(a, x, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
         np.square(x, out)
-        np.square(out, w2)
-        np.multiply(C1, w2, w3)
-        np.multiply(w3, w1, w3)
-        np.square(a, w4)
-        np.square(w4, w5)
-        np.multiply(C7, w5, w6)
-        np.multiply(w6, w1, w6)
-        np.add(w3, w6, w6)
-        np.multiply(C8, w4, w3)
-        np.multiply(w3, out, w3)
-        np.multiply(w3, w1, w1)
-        np.add(w6, w1, w1)
-        np.multiply(C1, w0, w6)
-        np.add(w1, w6, w6)
-        np.multiply(C18, A, w1)
-        np.power(a, C10, w3)
-        np.multiply(w1, w3, w3)
-        np.multiply(C9, w5, w5)
-        np.multiply(C3, w4, w4)
-        np.multiply(w4, out, out)
-        np.add(w5, out, out)
-        np.multiply(C4, w2, w2)
-        np.add(out, w2, w2)
-        np.multiply(w3, w2, w2)
-        np.multiply(C8, w6, w6)
-        np.divide(w2, w6, out)
+        np.square(out, t2)
+        np.multiply(C1, t2, t3)
+        np.multiply(t3, t1, t3)
+        np.square(a, t4)
+        np.square(t4, t5)
+        np.multiply(C7, t5, t6)
+        np.multiply(t6, t1, t6)
+        np.add(t3, t6, t6)
+        np.multiply(C8, t4, t3)
+        np.multiply(t3, out, t3)
+        np.multiply(t3, t1, t1)
+        np.add(t6, t1, t1)
+        np.multiply(C1, t0, t6)
+        np.add(t1, t6, t6)
+        np.multiply(C18, A, t1)
+        np.power(a, C10, t3)
+        np.multiply(t1, t3, t3)
+        np.multiply(C9, t5, t5)
+        np.multiply(C3, t4, t4)
+        np.multiply(t4, out, out)
+        np.add(t5, out, out)
+        np.multiply(C4, t2, t2)
+        np.add(out, t2, t2)
+        np.multiply(t3, t2, t2)
+        np.multiply(C8, t6, t6)
+        np.divide(t2, t6, out)
     if some49 != size:
-        other49 = w6 if some49 else out
+        other49 = t6 if some49 else out
         np.multiply(C10, A, other49)
-        np.multiply(other49, w0, other49)
+        np.multiply(other49, t0, other49)
         np.negative(other49, other49)
         if some49:
             np.copyto(out, other49, where=~m0)

@@ -115,18 +115,18 @@ def prepare_half_width_from_load_all():
     return ()
 
 
-def block_half_width_from_load_all(out, P, theta, b, E_star, w0, w1):
+def block_half_width_from_load_all(out, P, theta, b, E_star, t0, t1):
     np.square(P, out)
     largest_P = largest(P)
     if largest_P == np.inf:
         raise FloatingPointError
-    np.square(E_star, w0)
-    np.tan(theta, w1)
-    np.square(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.divide(out, w1, w1)
+    np.square(E_star, t0)
+    np.tan(theta, t1)
+    np.square(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(out, t1, t1)
     np.square(b, out)
-    np.add(w1, out, out)
+    np.add(t1, out, out)
     np.sqrt(out, out)
 
 
@@ -145,32 +145,32 @@ def prepare_load_a(theta, b, E_star):
     return (b, v9)
 
 
-def block_load_a(out, a, b, v9, w0):
+def block_load_a(out, a, b, v9, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(v9, w0, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(v9, t0, out)
 
 
 def prepare_load_all():
     return ()
 
 
-def block_load_all(out, a, theta, b, E_star, w0):
+def block_load_all(out, a, theta, b, E_star, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
     np.tan(theta, out)
     np.multiply(E_star, out, out)
-    np.multiply(out, w0, out)
+    np.multiply(out, t0, out)
 
 
 def pressure(x, a, theta, b, E_star):
@@ -202,7 +202,7 @@ def prepare_pressure_x(a, theta, b, E_star):
     return (a, b, v8, v16, v32)
 
 
-def block_pressure_x(out, x, a, b, v8, v16, v32, w0, w1, w2, m0, m1):
+def block_pressure_x(out, x, a, b, v8, v16, v32, t0, t1, t2, m0, m1):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
@@ -211,26 +211,26 @@ def block_pressure_x(out, x, a, b, v8, v16, v32, w0, w1, w2, m0, m1):
         np.less(x, a, m0)
         some35 = np.count_nonzero(m0)
         if some35:
-            np.add(x, b, w0)
+            np.add(x, b, t0)
             np.less(x, b, m1)
             some31 = np.count_nonzero(m1)
             if some31:
                 np.subtract(b, x, out)
-                np.multiply(out, w0, out)
+                np.multiply(out, t0, out)
                 np.sqrt(out, out)
                 np.divide(v8, out, out)
                 np.arcsinh(out, out)
                 np.multiply(v16, out, out)
             if some31 != size:
-                other31 = w1 if some31 else out
+                other31 = t1 if some31 else out
                 np.subtract(a, x, other31)
-                np.add(a, x, w2)
-                np.multiply(other31, w2, w2)
-                np.sqrt(w2, w2)
+                np.add(a, x, t2)
+                np.multiply(other31, t2, t2)
+                np.sqrt(t2, t2)
                 np.subtract(x, b, other31)
-                np.multiply(other31, w0, other31)
+                np.multiply(other31, t0, other31)
                 np.sqrt(other31, other31)
-                np.divide(w2, other31, other31)
+                np.divide(t2, other31, other31)
                 np.arcsinh(other31, other31)
                 np.multiply(v16, other31, other31)
                 if some31:
@@ -248,7 +248,7 @@ def prepare_pressure_x_a(theta, b, E_star):
     return (b, v16)
 
 
-def block_pressure_x_a(out, x, a, b, v16, w0, w1, w2, m0, m1, m2):
+def block_pressure_x_a(out, x, a, b, v16, t0, t1, t2, m0, m1, m2):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_x = largest(x)
@@ -262,30 +262,30 @@ def block_pressure_x_a(out, x, a, b, v16, w0, w1, w2, m0, m1, m2):
         np.less(x, a, m1)
         some35 = np.count_nonzero(m1)
         if some35:
-            np.add(x, b, w0)
+            np.add(x, b, t0)
             np.less(x, b, m2)
             some31 = np.count_nonzero(m2)
             if some31:
                 np.subtract(a, b, out)
-                np.add(a, b, w1)
-                np.multiply(out, w1, w1)
-                np.sqrt(w1, w1)
+                np.add(a, b, t1)
+                np.multiply(out, t1, t1)
+                np.sqrt(t1, t1)
                 np.subtract(b, x, out)
-                np.multiply(out, w0, out)
+                np.multiply(out, t0, out)
                 np.sqrt(out, out)
-                np.divide(w1, out, out)
+                np.divide(t1, out, out)
                 np.arcsinh(out, out)
                 np.multiply(v16, out, out)
             if some31 != size:
-                other31 = w1 if some31 else out
+                other31 = t1 if some31 else out
                 np.subtract(a, x, other31)
-                np.add(a, x, w2)
-                np.multiply(other31, w2, w2)
-                np.sqrt(w2, w2)
+                np.add(a, x, t2)
+                np.multiply(other31, t2, t2)
+                np.sqrt(t2, t2)
                 np.subtract(x, b, other31)
-                np.multiply(other31, w0, other31)
+                np.multiply(other31, t0, other31)
                 np.sqrt(other31, other31)
-                np.divide(w2, other31, other31)
+                np.divide(t2, other31, other31)
                 np.arcsinh(other31, other31)
                 np.multiply(v16, other31, other31)
                 if some31:
@@ -300,7 +300,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, a, theta, b, E_star, w0, w1, w2, w3, m0, m1, m2):
+def block_pressure_all(out, x, a, theta, b, E_star, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_x = largest(x)
@@ -314,35 +314,35 @@ def block_pressure_all(out, x, a, theta, b, E_star, w0, w1, w2, w3, m0, m1, m2):
         np.less(x, a, m1)
         some35 = np.count_nonzero(m1)
         if some35:
-            np.add(x, b, w0)
-            np.tan(theta, w1)
-            np.multiply(E_star, w1, w1)
-            np.divide(w1, C3, w1)
+            np.add(x, b, t0)
+            np.tan(theta, t1)
+            np.multiply(E_star, t1, t1)
+            np.divide(t1, C3, t1)
             np.less(x, b, m2)
             some31 = np.count_nonzero(m2)
             if some31:
                 np.subtract(a, b, out)
-                np.add(a, b, w2)
-                np.multiply(out, w2, w2)
-                np.sqrt(w2, w2)
+                np.add(a, b, t2)
+                np.multiply(out, t2, t2)
+                np.sqrt(t2, t2)
                 np.subtract(b, x, out)
-                np.multiply(out, w0, out)
+                np.multiply(out, t0, out)
                 np.sqrt(out, out)
-                np.divide(w2, out, out)
+                np.divide(t2, out, out)
                 np.arcsinh(out, out)
-                np.multiply(w1, out, out)
+                np.multiply(t1, out, out)
             if some31 != size:
-                other31 = w2 if some31 else out
+                other31 = t2 if some31 else out
                 np.subtract(a, x, other31)
-                np.add(a, x, w3)
-                np.multiply(other31, w3, w3)
-                np.sqrt(w3, w3)
+                np.add(a, x, t3)
+                np.multiply(other31, t3, t3)
+                np.sqrt(t3, t3)
                 np.subtract(x, b, other31)
-                np.multiply(other31, w0, other31)
+                np.multiply(other31, t0, other31)
                 np.sqrt(other31, other31)
-                np.divide(w3, other31, other31)
+                np.divide(t3, other31, other31)
                 np.arcsinh(other31, other31)
-                np.multiply(w1, other31, other31)
+                np.multiply(t1, other31, other31)
                 if some31:
                     np.copyto(out, other31, where=~m2)
         if some35 != size:
@@ -385,7 +385,7 @@ def prepare_profile_all():
     return ()
 
 
-def block_profile_all(out, x, theta, b, w0, m0):
+def block_profile_all(out, x, theta, b, t0, m0):
     size = out.size
     np.greater(x, b, m0)
     largest_x = largest(x)
@@ -394,8 +394,8 @@ def block_profile_all(out, x, theta, b, w0, m0):
     some8 = np.count_nonzero(m0)
     if some8:
         np.tan(theta, out)
-        np.subtract(x, b, w0)
-        np.multiply(out, w0, out)
+        np.subtract(x, b, t0)
+        np.multiply(out, t0, out)
     if some8 != size:
         np.copyto(out, C1, where=~m0)
 
@@ -426,7 +426,7 @@ def prepare_slope_x(a, theta, b):
     return (a, b, v7, v12, v16, v19)
 
 
-def block_slope_x(out, x, a, b, v7, v12, v16, v19, w0, m0, m1):
+def block_slope_x(out, x, a, b, v7, v12, v16, v19, t0, m0, m1):
     size = out.size
     largest_x = largest(x)
     if largest_x == np.inf:
@@ -436,13 +436,13 @@ def block_slope_x(out, x, a, b, v7, v12, v16, v19, w0, m0, m1):
         some25 = np.count_nonzero(m0)
         if some25:
             np.subtract(x, a, out)
-            np.add(a, x, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.arctan2(v7, w0, w0)
-            np.multiply(v16, w0, out)
+            np.add(a, x, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.arctan2(v7, t0, t0)
+            np.multiply(v16, t0, out)
         if some25 != size:
-            other25 = w0 if some25 else out
+            other25 = t0 if some25 else out
             np.greater(x, b, m1)
             some23 = np.count_nonzero(m1)
             if some23:
@@ -463,7 +463,7 @@ def prepare_slope_x_a(theta, b):
     return (b, v12, v16)
 
 
-def block_slope_x_a(out, x, a, b, v12, v16, w0, w1, m0, m1, m2):
+def block_slope_x_a(out, x, a, b, v12, v16, t0, t1, m0, m1, m2):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_x = largest(x)
@@ -478,17 +478,17 @@ def block_slope_x_a(out, x, a, b, v12, v16, w0, w1, m0, m1, m2):
         some25 = np.count_nonzero(m1)
         if some25:
             np.subtract(a, b, out)
-            np.add(a, b, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, b, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.subtract(x, a, out)
-            np.add(a, x, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
-            np.arctan2(w0, w1, w1)
-            np.multiply(v16, w1, out)
+            np.add(a, x, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
+            np.arctan2(t0, t1, t1)
+            np.multiply(v16, t1, out)
         if some25 != size:
-            other25 = w1 if some25 else out
+            other25 = t1 if some25 else out
             np.greater(x, b, m2)
             some23 = np.count_nonzero(m2)
             if some23:
@@ -506,7 +506,7 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, a, theta, b, w0, w1, w2, m0, m1, m2):
+def block_slope_all(out, x, a, theta, b, t0, t1, t2, m0, m1, m2):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_x = largest(x)
@@ -517,28 +517,28 @@ def block_slope_all(out, x, a, theta, b, w0, w1, w2, m0, m1, m2):
         raise FloatingPointError
     some27 = np.count_nonzero(m0)
     if some27:
-        np.tan(theta, w0)
+        np.tan(theta, t0)
         np.greater(x, a, m1)
         some25 = np.count_nonzero(m1)
         if some25:
             np.subtract(a, b, out)
-            np.add(a, b, w1)
-            np.multiply(out, w1, w1)
-            np.sqrt(w1, w1)
+            np.add(a, b, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
             np.subtract(x, a, out)
-            np.add(a, x, w2)
-            np.multiply(out, w2, w2)
-            np.sqrt(w2, w2)
-            np.multiply(C4, w0, out)
+            np.add(a, x, t2)
+            np.multiply(out, t2, t2)
+            np.sqrt(t2, t2)
+            np.multiply(C4, t0, out)
             np.divide(out, C3, out)
-            np.arctan2(w1, w2, w2)
-            np.multiply(out, w2, out)
+            np.arctan2(t1, t2, t2)
+            np.multiply(out, t2, out)
         if some25 != size:
-            other25 = w2 if some25 else out
+            other25 = t2 if some25 else out
             np.greater(x, b, m2)
             some23 = np.count_nonzero(m2)
             if some23:
-                np.copyto(other25, w0)
+                np.copyto(other25, t0)
             if some23 != size:
                 np.copyto(other25, C1, where=~m2)
             np.negative(other25, other25)

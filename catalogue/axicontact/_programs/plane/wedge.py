@@ -38,7 +38,7 @@ def prepare_depth_L(a, theta):
     return (a, v12, v21)
 
 
-def block_depth_L(out, L, a, v12, v21, w0, w1, m0):
+def block_depth_L(out, L, a, v12, v21, t0, t1, m0):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -48,17 +48,17 @@ def block_depth_L(out, L, a, v12, v21, w0, w1, m0):
     if some25:
         if v21:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.arctan2(a, w0, w1)
-            np.multiply(L, w1, w1)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.multiply(a, w0, w0)
-            np.add(w1, w0, w0)
-            np.multiply(v12, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.arctan2(a, t0, t1)
+            np.multiply(L, t1, t1)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.multiply(a, t0, t0)
+            np.add(t1, t0, t0)
+            np.multiply(v12, t0, out)
         else:
             np.copyto(out, C0)
     if some25 != size:
@@ -72,7 +72,7 @@ def prepare_depth_L_a(theta):
     return (v12,)
 
 
-def block_depth_L_a(out, L, a, v12, w0, w1, m0, m1):
+def block_depth_L_a(out, L, a, v12, t0, t1, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -87,17 +87,17 @@ def block_depth_L_a(out, L, a, v12, w0, w1, m0, m1):
         some22 = np.count_nonzero(m1)
         if some22:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.arctan2(a, w0, w1)
-            np.multiply(L, w1, w1)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.multiply(a, w0, w0)
-            np.add(w1, w0, w0)
-            np.multiply(v12, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.arctan2(a, t0, t1)
+            np.multiply(L, t1, t1)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.multiply(a, t0, t0)
+            np.add(t1, t0, t0)
+            np.multiply(v12, t0, out)
         if some22 != size:
             np.copyto(out, C0, where=~m1)
     if some25 != size:
@@ -108,7 +108,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, L, a, theta, w0, w1, w2, m0, m1):
+def block_depth_all(out, L, a, theta, t0, t1, t2, m0, m1):
     size = out.size
     np.less_equal(a, L, m0)
     largest_L = largest(L)
@@ -123,20 +123,20 @@ def block_depth_all(out, L, a, theta, w0, w1, w2, m0, m1):
         some22 = np.count_nonzero(m1)
         if some22:
             np.subtract(L, a, out)
-            np.add(a, L, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.arctan2(a, w0, w1)
-            np.tan(theta, w2)
-            np.multiply(C2, w2, w2)
-            np.divide(w2, C3, w2)
-            np.multiply(L, w1, w1)
-            np.add(out, w0, w0)
-            np.divide(w0, a, w0)
-            np.log1p(w0, w0)
-            np.multiply(a, w0, w0)
-            np.add(w1, w0, w0)
-            np.multiply(w2, w0, out)
+            np.add(a, L, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.arctan2(a, t0, t1)
+            np.tan(theta, t2)
+            np.multiply(C2, t2, t2)
+            np.divide(t2, C3, t2)
+            np.multiply(L, t1, t1)
+            np.add(out, t0, t0)
+            np.divide(t0, a, t0)
+            np.log1p(t0, t0)
+            np.multiply(a, t0, t0)
+            np.add(t1, t0, t0)
+            np.multiply(t2, t0, out)
         if some22 != size:
             np.copyto(out, C0, where=~m1)
     if some25 != size:
@@ -232,20 +232,20 @@ def prepare_pressure_x(a, theta, E_star):
     return (a, v13)
 
 
-def block_pressure_x(out, x, a, v13, w0, f0):
+def block_pressure_x(out, x, a, v13, t0, f0):
     np.subtract(a, x, out)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
     if largest_x > a:
         np.maximum(out, f0, out=out)
-    np.add(a, x, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.add(out, w0, w0)
-    np.divide(w0, x, w0)
-    np.log1p(w0, w0)
-    np.multiply(v13, w0, out)
+    np.add(a, x, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.add(out, t0, t0)
+    np.divide(t0, x, t0)
+    np.log1p(t0, t0)
+    np.multiply(v13, t0, out)
 
 
 def prepare_pressure_x_a(theta, E_star):
@@ -255,7 +255,7 @@ def prepare_pressure_x_a(theta, E_star):
     return (v11,)
 
 
-def block_pressure_x_a(out, x, a, v11, w0, m0):
+def block_pressure_x_a(out, x, a, v11, t0, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -267,13 +267,13 @@ def block_pressure_x_a(out, x, a, v11, w0, m0):
     some18 = np.count_nonzero(m0)
     if some18:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.add(out, w0, w0)
-        np.divide(w0, x, w0)
-        np.log1p(w0, w0)
-        np.multiply(v11, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.add(out, t0, t0)
+        np.divide(t0, x, t0)
+        np.log1p(t0, t0)
+        np.multiply(v11, t0, out)
     if some18 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -282,7 +282,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, x, a, theta, E_star, w0, w1, m0):
+def block_pressure_all(out, x, a, theta, E_star, t0, t1, m0):
     size = out.size
     np.less(x, a, m0)
     largest_x = largest(x)
@@ -294,16 +294,16 @@ def block_pressure_all(out, x, a, theta, E_star, w0, w1, m0):
     some18 = np.count_nonzero(m0)
     if some18:
         np.subtract(a, x, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.tan(theta, w1)
-        np.multiply(E_star, w1, w1)
-        np.divide(w1, C3, w1)
-        np.add(out, w0, w0)
-        np.divide(w0, x, w0)
-        np.log1p(w0, w0)
-        np.multiply(w1, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.tan(theta, t1)
+        np.multiply(E_star, t1, t1)
+        np.divide(t1, C3, t1)
+        np.add(out, t0, t0)
+        np.divide(t0, x, t0)
+        np.log1p(t0, t0)
+        np.multiply(t1, t0, out)
     if some18 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -361,7 +361,7 @@ def prepare_slope_x(a, theta):
     return (a, v12, v15)
 
 
-def block_slope_x(out, x, a, v12, v15, w0, m0):
+def block_slope_x(out, x, a, v12, v15, t0, m0):
     size = out.size
     np.greater(x, a, m0)
     largest_x = largest(x)
@@ -370,11 +370,11 @@ def block_slope_x(out, x, a, v12, v15, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.arctan2(a, w0, w0)
-        np.multiply(v12, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.arctan2(a, t0, t0)
+        np.multiply(v12, t0, out)
     if some16 != size:
         np.copyto(out, v15, where=~m0)
 
@@ -387,7 +387,7 @@ def prepare_slope_x_a(theta):
     return (v12, v15)
 
 
-def block_slope_x_a(out, x, a, v12, v15, w0, m0):
+def block_slope_x_a(out, x, a, v12, v15, t0, m0):
     size = out.size
     np.greater(x, a, m0)
     largest_x = largest(x)
@@ -399,11 +399,11 @@ def block_slope_x_a(out, x, a, v12, v15, w0, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.arctan2(a, w0, w0)
-        np.multiply(v12, w0, out)
+        np.add(a, x, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.arctan2(a, t0, t0)
+        np.multiply(v12, t0, out)
     if some16 != size:
         np.copyto(out, v15, where=~m0)
 
@@ -412,9 +412,9 @@ def prepare_slope_all():
     return ()
 
 
-def block_slope_all(out, x, a, theta, w0, w1, m0):
+def block_slope_all(out, x, a, theta, t0, t1, m0):
     size = out.size
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     largest_x = largest(x)
     if largest_x == np.inf:
         raise FloatingPointError
@@ -425,16 +425,16 @@ def block_slope_all(out, x, a, theta, w0, w1, m0):
     some16 = np.count_nonzero(m0)
     if some16:
         np.subtract(x, a, out)
-        np.add(a, x, w1)
-        np.multiply(out, w1, w1)
-        np.sqrt(w1, w1)
-        np.arctan2(a, w1, w1)
-        np.multiply(C4, w0, out)
+        np.add(a, x, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
+        np.arctan2(a, t1, t1)
+        np.multiply(C4, t0, out)
         np.divide(out, C3, out)
-        np.multiply(out, w1, out)
+        np.multiply(out, t1, out)
     if some16 != size:
-        other16 = w1 if some16 else out
-        np.negative(w0, other16)
+        other16 = t1 if some16 else out
+        np.negative(t0, other16)
         if some16:
             np.copyto(out, other16, where=~m0)
 

@@ -31,7 +31,7 @@ def prepare_full_slip_displacement_a(R1, R2, b, E_star, G_star, mu):
     return (R1, b, v8, v17)
 
 
-def block_full_slip_displacement_a(out, a, R1, b, v8, v17, w0, w1, m0):
+def block_full_slip_displacement_a(out, a, R1, b, v8, v17, t0, t1, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -42,15 +42,15 @@ def block_full_slip_displacement_a(out, a, R1, b, v8, v17, w0, w1, m0):
         np.square(a, out)
         np.divide(out, R1, out)
     if some23 != size:
-        other23 = w0 if some23 else out
+        other23 = t0 if some23 else out
         np.subtract(a, b, other23)
-        np.add(a, b, w1)
-        np.multiply(other23, w1, w1)
-        np.sqrt(w1, w1)
-        np.multiply(v17, w1, w1)
-        np.add(a, w1, w1)
-        np.multiply(a, w1, w1)
-        np.divide(w1, R1, other23)
+        np.add(a, b, t1)
+        np.multiply(other23, t1, t1)
+        np.sqrt(t1, t1)
+        np.multiply(v17, t1, t1)
+        np.add(a, t1, t1)
+        np.multiply(a, t1, t1)
+        np.divide(t1, R1, other23)
         if some23:
             np.copyto(out, other23, where=~m0)
     np.multiply(v8, out, out)
@@ -60,7 +60,7 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R1, R2, b, E_star, G_star, mu, w0, w1, w2, m0):
+def block_full_slip_displacement_all(out, a, R1, R2, b, E_star, G_star, mu, t0, t1, t2, m0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
@@ -70,23 +70,23 @@ def block_full_slip_displacement_all(out, a, R1, R2, b, E_star, G_star, mu, w0, 
     np.less(a, b, m0)
     some23 = np.count_nonzero(m0)
     if some23:
-        np.square(a, w0)
-        np.divide(w0, R1, w0)
+        np.square(a, t0)
+        np.divide(t0, R1, t0)
     if some23 != size:
-        other23 = w1 if some23 else w0
+        other23 = t1 if some23 else t0
         np.subtract(a, b, other23)
-        np.add(a, b, w2)
-        np.multiply(other23, w2, w2)
-        np.sqrt(w2, w2)
+        np.add(a, b, t2)
+        np.multiply(other23, t2, t2)
+        np.sqrt(t2, t2)
         np.subtract(R1, R2, other23)
         np.divide(other23, R2, other23)
-        np.multiply(other23, w2, w2)
-        np.add(a, w2, w2)
-        np.multiply(a, w2, w2)
-        np.divide(w2, R1, other23)
+        np.multiply(other23, t2, t2)
+        np.add(a, t2, t2)
+        np.multiply(a, t2, t2)
+        np.divide(t2, R1, other23)
         if some23:
-            np.copyto(w0, other23, where=~m0)
-    np.multiply(out, w0, out)
+            np.copyto(t0, other23, where=~m0)
+    np.multiply(out, t0, out)
 
 
 def stick_radius(F_x, a, R1, R2, b, E_star, mu):

@@ -49,17 +49,17 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, theta, E_star, G_star, mu, w0):
+def block_full_slip_displacement_all(out, a, theta, E_star, G_star, mu, t0):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.tan(theta, w0)
-    np.multiply(C0, w0, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(w0, C1, w0)
-    np.multiply(out, w0, out)
+    np.tan(theta, t0)
+    np.multiply(C0, t0, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(t0, C1, t0)
+    np.multiply(out, t0, out)
 
 
 def stick_radius(F_x, a, theta, E_star, mu):
@@ -92,7 +92,7 @@ def prepare_stick_radius_F_x(a, theta, E_star, mu):
     return (a, mu, v8, v12, v17, v25)
 
 
-def block_stick_radius_F_x(out, F_x, a, mu, v8, v12, v17, v25, w0, w1, m0, m1):
+def block_stick_radius_F_x(out, F_x, a, mu, v8, v12, v17, v25, t0, t1, m0, m1):
     size = out.size
     np.equal(F_x, C2, m0)
     largest_F_x = largest(F_x)
@@ -103,20 +103,20 @@ def block_stick_radius_F_x(out, F_x, a, mu, v8, v12, v17, v25, w0, w1, m0, m1):
     if some30:
         np.copyto(out, a)
     if some30 != size:
-        other30 = w0 if some30 else out
+        other30 = t0 if some30 else out
         np.divide(F_x, mu, other30)
         np.subtract(v12, other30, other30)
-        np.absolute(other30, w1)
-        np.less_equal(w1, v17, m1)
+        np.absolute(other30, t1)
+        np.less_equal(t1, v17, m1)
         some20 = np.count_nonzero(m1)
         if some20:
-            np.copyto(w1, C2)
+            np.copyto(t1, C2)
         if some20 != size:
-            np.copyto(w1, other30, where=~m1)
-        np.greater_equal(w1, C2, m1)
+            np.copyto(t1, other30, where=~m1)
+        np.greater_equal(t1, C2, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.copyto(other30, w1)
+            np.copyto(other30, t1)
         if some23 != size:
             np.copyto(other30, C3, where=~m1)
         np.multiply(C4, other30, other30)
@@ -134,7 +134,7 @@ def prepare_stick_radius_F_x_a(theta, E_star, mu):
     return (mu, v8, v13)
 
 
-def block_stick_radius_F_x_a(out, F_x, a, mu, v8, v13, w0, w1, w2, m0, m1):
+def block_stick_radius_F_x_a(out, F_x, a, mu, v8, v13, t0, t1, t2, m0, m1):
     size = out.size
     np.equal(F_x, C2, m0)
     largest_F_x = largest(F_x)
@@ -149,28 +149,28 @@ def block_stick_radius_F_x_a(out, F_x, a, mu, v8, v13, w0, w1, w2, m0, m1):
     if some32:
         np.copyto(out, a)
     if some32 != size:
-        other32 = w0 if some32 else out
+        other32 = t0 if some32 else out
         np.square(a, other32)
         np.multiply(v13, other32, other32)
-        np.divide(F_x, mu, w1)
-        np.subtract(other32, w1, w1)
-        np.absolute(w1, w2)
+        np.divide(F_x, mu, t1)
+        np.subtract(other32, t1, t1)
+        np.absolute(t1, t2)
         np.multiply(C5, other32, other32)
-        np.less_equal(w2, other32, m0)
+        np.less_equal(t2, other32, m0)
         some22 = np.count_nonzero(m0)
         if some22:
             np.copyto(other32, C2)
         if some22 != size:
-            np.copyto(other32, w1, where=~m0)
+            np.copyto(other32, t1, where=~m0)
         np.greater_equal(other32, C2, m0)
         some25 = np.count_nonzero(m0)
         if some25:
-            np.copyto(w1, other32)
+            np.copyto(t1, other32)
         if some25 != size:
-            np.copyto(w1, C3, where=~m0)
-        np.multiply(C4, w1, w1)
-        np.divide(w1, v8, w1)
-        np.sqrt(w1, other32)
+            np.copyto(t1, C3, where=~m0)
+        np.multiply(C4, t1, t1)
+        np.divide(t1, v8, t1)
+        np.sqrt(t1, other32)
         if some32:
             np.copyto(out, other32, where=~m1)
 
@@ -179,7 +179,7 @@ def prepare_stick_radius_all():
     return ()
 
 
-def block_stick_radius_all(out, F_x, a, theta, E_star, mu, w0, w1, w2, w3, m0, m1):
+def block_stick_radius_all(out, F_x, a, theta, E_star, mu, t0, t1, t2, t3, m0, m1):
     size = out.size
     np.equal(F_x, C2, m0)
     largest_F_x = largest(F_x)
@@ -194,32 +194,32 @@ def block_stick_radius_all(out, F_x, a, theta, E_star, mu, w0, w1, w2, w3, m0, m
     if some31:
         np.copyto(out, a)
     if some31 != size:
-        other31 = w0 if some31 else out
+        other31 = t0 if some31 else out
         np.multiply(C0, E_star, other31)
-        np.tan(theta, w1)
-        np.multiply(other31, w1, w1)
+        np.tan(theta, t1)
+        np.multiply(other31, t1, t1)
         np.square(a, other31)
-        np.multiply(w1, other31, other31)
+        np.multiply(t1, other31, other31)
         np.multiply(other31, C1, other31)
-        np.divide(F_x, mu, w2)
-        np.subtract(other31, w2, w2)
-        np.absolute(w2, w3)
+        np.divide(F_x, mu, t2)
+        np.subtract(other31, t2, t2)
+        np.absolute(t2, t3)
         np.multiply(C5, other31, other31)
-        np.less_equal(w3, other31, m0)
+        np.less_equal(t3, other31, m0)
         some21 = np.count_nonzero(m0)
         if some21:
             np.copyto(other31, C2)
         if some21 != size:
-            np.copyto(other31, w2, where=~m0)
+            np.copyto(other31, t2, where=~m0)
         np.greater_equal(other31, C2, m0)
         some24 = np.count_nonzero(m0)
         if some24:
-            np.copyto(w2, other31)
+            np.copyto(t2, other31)
         if some24 != size:
-            np.copyto(w2, C3, where=~m0)
-        np.multiply(C4, w2, w2)
-        np.divide(w2, w1, w1)
-        np.sqrt(w1, other31)
+            np.copyto(t2, C3, where=~m0)
+        np.multiply(C4, t2, t2)
+        np.divide(t2, t1, t1)
+        np.sqrt(t1, other31)
         if some31:
             np.copyto(out, other31, where=~m1)
 
@@ -245,7 +245,7 @@ def prepare_tangential_displacement_a(c, theta, E_star, G_star, mu):
     return (c, v7, v14)
 
 
-def block_tangential_displacement_a(out, a, c, v7, v14, w0, m0):
+def block_tangential_displacement_a(out, a, c, v7, v14, t0, m0):
     size = out.size
     np.multiply(v14, a, out)
     largest_a = largest(a)
@@ -255,15 +255,15 @@ def block_tangential_displacement_a(out, a, c, v7, v14, w0, m0):
     np.greater(a, c, m0)
     some22 = np.count_nonzero(m0)
     if some22:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some22 != size:
-        np.copyto(w0, C2, where=~m0)
-    np.multiply(C6, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C2, where=~m0)
+    np.multiply(C6, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_a_c(theta, E_star, G_star, mu):
@@ -275,7 +275,7 @@ def prepare_tangential_displacement_a_c(theta, E_star, G_star, mu):
     return (v7, v14)
 
 
-def block_tangential_displacement_a_c(out, a, c, v7, v14, w0, m0):
+def block_tangential_displacement_a_c(out, a, c, v7, v14, t0, m0):
     size = out.size
     np.multiply(v14, a, out)
     largest_a = largest(a)
@@ -288,22 +288,22 @@ def block_tangential_displacement_a_c(out, a, c, v7, v14, w0, m0):
     np.greater(a, c, m0)
     some22 = np.count_nonzero(m0)
     if some22:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some22 != size:
-        np.copyto(w0, C2, where=~m0)
-    np.multiply(C6, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C2, where=~m0)
+    np.multiply(C6, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_all():
     return ()
 
 
-def block_tangential_displacement_all(out, a, c, theta, E_star, G_star, mu, w0, m0):
+def block_tangential_displacement_all(out, a, c, theta, E_star, G_star, mu, t0, m0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
@@ -313,11 +313,11 @@ def block_tangential_displacement_all(out, a, c, theta, E_star, G_star, mu, w0, 
     if largest_c == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.tan(theta, w0)
-    np.multiply(C0, w0, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(w0, C1, w0)
-    np.multiply(out, w0, w0)
+    np.tan(theta, t0)
+    np.multiply(C0, t0, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(t0, C1, t0)
+    np.multiply(out, t0, t0)
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
@@ -329,7 +329,7 @@ def block_tangential_displacement_all(out, a, c, theta, E_star, G_star, mu, w0, 
     np.multiply(C6, out, out)
     np.expm1(out, out)
     np.negative(out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def tangential_force(a, c, theta, E_star, mu):
@@ -352,7 +352,7 @@ def prepare_tangential_force_a(c, theta, E_star, mu):
     return (c, mu, v13)
 
 
-def block_tangential_force_a(out, a, c, mu, v13, w0, m0):
+def block_tangential_force_a(out, a, c, mu, v13, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -363,15 +363,15 @@ def block_tangential_force_a(out, a, c, mu, v13, w0, m0):
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some21 != size:
-        np.copyto(w0, C2, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C2, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_a_c(theta, E_star, mu):
@@ -382,7 +382,7 @@ def prepare_tangential_force_a_c(theta, E_star, mu):
     return (mu, v13)
 
 
-def block_tangential_force_a_c(out, a, c, mu, v13, w0, m0):
+def block_tangential_force_a_c(out, a, c, mu, v13, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -396,22 +396,22 @@ def block_tangential_force_a_c(out, a, c, mu, v13, w0, m0):
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some21 != size:
-        np.copyto(w0, C2, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C2, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_all():
     return ()
 
 
-def block_tangential_force_all(out, a, c, theta, E_star, mu, w0, m0):
+def block_tangential_force_all(out, a, c, theta, E_star, mu, t0, m0):
     size = out.size
     np.multiply(C0, E_star, out)
     largest_a = largest(a)
@@ -420,24 +420,24 @@ def block_tangential_force_all(out, a, c, theta, E_star, mu, w0, m0):
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.tan(theta, w0)
-    np.multiply(out, w0, w0)
+    np.tan(theta, t0)
+    np.multiply(out, t0, t0)
     np.square(a, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.multiply(out, C1, out)
     np.multiply(mu, out, out)
     np.greater(a, c, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some20 != size:
-        np.copyto(w0, C2, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C2, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def traction(r, a, c, theta, E_star, mu):
@@ -474,40 +474,40 @@ def prepare_traction_r(a, c, theta, E_star, mu):
     return (a, c, mu, v19, v27, v28, v29, v31)
 
 
-def block_traction_r(out, r, a, c, mu, v19, v27, v28, v29, v31, w0, w1, w2, m0, m1, f0):
+def block_traction_r(out, r, a, c, mu, v19, v27, v28, v29, v31, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some49 = np.count_nonzero(m0)
     if some49:
-        np.subtract(c, r, w1)
-        np.maximum(w1, f0, out=w1)
-        np.add(c, r, w2)
-        np.multiply(w1, w2, w2)
-        np.sqrt(w2, w2)
+        np.subtract(c, r, t1)
+        np.maximum(t1, f0, out=t1)
+        np.add(c, r, t2)
+        np.multiply(t1, t2, t2)
+        np.sqrt(t2, t2)
         if v29:
-            np.maximum(out, f0, out=w1)
-            np.multiply(w1, w0, w1)
-            np.sqrt(w1, w1)
-            np.add(w1, w2, w1)
-            np.divide(v31, w1, w1)
+            np.maximum(out, f0, out=t1)
+            np.multiply(t1, t0, t1)
+            np.sqrt(t1, t1)
+            np.add(t1, t2, t1)
+            np.divide(v31, t1, t1)
         else:
-            np.copyto(w1, C2)
-        np.add(v28, w1, w1)
-        np.add(c, w2, w2)
-        np.divide(w1, w2, w2)
-        np.log1p(w2, w2)
-        np.multiply(v27, w2, w1)
+            np.copyto(t1, C2)
+        np.add(v28, t1, t1)
+        np.add(c, t2, t2)
+        np.divide(t1, t2, t2)
+        np.log1p(t2, t2)
+        np.multiply(v27, t2, t1)
     if some49 != size:
-        other49 = w2 if some49 else w1
+        other49 = t2 if some49 else t1
         np.less(r, a, m1)
         some22 = np.count_nonzero(m1)
         if some22:
-            np.multiply(out, w0, other49)
+            np.multiply(out, t0, other49)
             np.sqrt(other49, other49)
             np.add(out, other49, other49)
             np.divide(other49, r, other49)
@@ -516,8 +516,8 @@ def block_traction_r(out, r, a, c, mu, v19, v27, v28, v29, v31, w0, w1, w2, m0, 
         if some22 != size:
             np.copyto(other49, C2, where=~m1)
         if some49:
-            np.copyto(w1, other49, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other49, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_r_a_c(theta, E_star, mu):
@@ -531,7 +531,7 @@ def prepare_traction_r_a_c(theta, E_star, mu):
     return (mu, v19, v27)
 
 
-def block_traction_r_a_c(out, r, a, c, mu, v19, v27, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_traction_r_a_c(out, r, a, c, mu, v19, v27, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -543,39 +543,39 @@ def block_traction_r_a_c(out, r, a, c, mu, v19, v27, w0, w1, w2, w3, w4, m0, m1,
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some49 = np.count_nonzero(m0)
     if some49:
-        np.subtract(a, c, w1)
+        np.subtract(a, c, t1)
         np.greater(a, c, m1)
-        np.subtract(c, r, w2)
-        np.maximum(w2, f0, out=w2)
-        np.add(c, r, w3)
-        np.multiply(w2, w3, w3)
-        np.sqrt(w3, w3)
+        np.subtract(c, r, t2)
+        np.maximum(t2, f0, out=t2)
+        np.add(c, r, t3)
+        np.multiply(t2, t3, t3)
+        np.sqrt(t3, t3)
         some42 = np.count_nonzero(m1)
         if some42:
-            np.add(a, c, w2)
-            np.multiply(w1, w2, w2)
-            np.maximum(out, f0, out=w4)
-            np.multiply(w4, w0, w4)
-            np.sqrt(w4, w4)
-            np.add(w4, w3, w4)
-            np.divide(w2, w4, w2)
+            np.add(a, c, t2)
+            np.multiply(t1, t2, t2)
+            np.maximum(out, f0, out=t4)
+            np.multiply(t4, t0, t4)
+            np.sqrt(t4, t4)
+            np.add(t4, t3, t4)
+            np.divide(t2, t4, t2)
         if some42 != size:
-            np.copyto(w2, C2, where=~m1)
-        np.add(w1, w2, w2)
-        np.add(c, w3, w3)
-        np.divide(w2, w3, w3)
-        np.log1p(w3, w3)
-        np.multiply(v27, w3, w1)
+            np.copyto(t2, C2, where=~m1)
+        np.add(t1, t2, t2)
+        np.add(c, t3, t3)
+        np.divide(t2, t3, t3)
+        np.log1p(t3, t3)
+        np.multiply(v27, t3, t1)
     if some49 != size:
-        other49 = w3 if some49 else w1
+        other49 = t3 if some49 else t1
         np.less(r, a, m1)
         some22 = np.count_nonzero(m1)
         if some22:
-            np.multiply(out, w0, other49)
+            np.multiply(out, t0, other49)
             np.sqrt(other49, other49)
             np.add(out, other49, other49)
             np.divide(other49, r, other49)
@@ -584,15 +584,15 @@ def block_traction_r_a_c(out, r, a, c, mu, v19, v27, w0, w1, w2, w3, w4, m0, m1,
         if some22 != size:
             np.copyto(other49, C2, where=~m1)
         if some49:
-            np.copyto(w1, other49, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other49, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_all():
     return ()
 
 
-def block_traction_all(out, r, a, c, theta, E_star, mu, w0, w1, w2, w3, w4, w5, w6, m0, m1, f0):
+def block_traction_all(out, r, a, c, theta, E_star, mu, t0, t1, t2, t3, t4, t5, t6, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -604,55 +604,55 @@ def block_traction_all(out, r, a, c, theta, E_star, mu, w0, w1, w2, w3, w4, w5, 
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
-    np.tan(theta, w1)
+    np.add(a, r, t0)
+    np.tan(theta, t1)
     np.less(r, c, m0)
     some49 = np.count_nonzero(m0)
     if some49:
-        np.divide(E_star, C0, w2)
-        np.multiply(C8, w1, w3)
-        np.multiply(w2, w3, w3)
-        np.subtract(a, c, w2)
+        np.divide(E_star, C0, t2)
+        np.multiply(C8, t1, t3)
+        np.multiply(t2, t3, t3)
+        np.subtract(a, c, t2)
         np.greater(a, c, m1)
-        np.subtract(c, r, w4)
-        np.maximum(w4, f0, out=w4)
-        np.add(c, r, w5)
-        np.multiply(w4, w5, w5)
-        np.sqrt(w5, w5)
+        np.subtract(c, r, t4)
+        np.maximum(t4, f0, out=t4)
+        np.add(c, r, t5)
+        np.multiply(t4, t5, t5)
+        np.sqrt(t5, t5)
         some42 = np.count_nonzero(m1)
         if some42:
-            np.add(a, c, w4)
-            np.multiply(w2, w4, w4)
-            np.maximum(out, f0, out=w6)
-            np.multiply(w6, w0, w6)
-            np.sqrt(w6, w6)
-            np.add(w6, w5, w6)
-            np.divide(w4, w6, w4)
+            np.add(a, c, t4)
+            np.multiply(t2, t4, t4)
+            np.maximum(out, f0, out=t6)
+            np.multiply(t6, t0, t6)
+            np.sqrt(t6, t6)
+            np.add(t6, t5, t6)
+            np.divide(t4, t6, t4)
         if some42 != size:
-            np.copyto(w4, C2, where=~m1)
-        np.add(w2, w4, w4)
-        np.add(c, w5, w5)
-        np.divide(w4, w5, w5)
-        np.log1p(w5, w5)
-        np.multiply(w3, w5, w2)
+            np.copyto(t4, C2, where=~m1)
+        np.add(t2, t4, t4)
+        np.add(c, t5, t5)
+        np.divide(t4, t5, t5)
+        np.log1p(t5, t5)
+        np.multiply(t3, t5, t2)
     if some49 != size:
-        other49 = w5 if some49 else w2
+        other49 = t5 if some49 else t2
         np.less(r, a, m1)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.multiply(out, w0, other49)
+            np.multiply(out, t0, other49)
             np.sqrt(other49, other49)
-            np.multiply(E_star, w1, w3)
+            np.multiply(E_star, t1, t3)
             np.add(out, other49, other49)
             np.divide(other49, r, other49)
             np.log1p(other49, other49)
-            np.multiply(w3, other49, other49)
+            np.multiply(t3, other49, other49)
             np.multiply(other49, C1, other49)
         if some21 != size:
             np.copyto(other49, C2, where=~m1)
         if some49:
-            np.copyto(w2, other49, where=~m0)
-    np.multiply(mu, w2, out)
+            np.copyto(t2, other49, where=~m0)
+    np.multiply(mu, t2, out)
 
 
 BLOCKS = {

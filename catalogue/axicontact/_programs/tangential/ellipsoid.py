@@ -31,39 +31,39 @@ def prepare_full_slip_displacement_a(h, b, E_star, G_star, mu):
     return (b, v7, v15)
 
 
-def block_full_slip_displacement_a(out, a, b, v7, v15, w0):
+def block_full_slip_displacement_a(out, a, b, v7, v15, t0):
     np.multiply(C0, a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.subtract(b, a, w0)
-    np.divide(out, w0, w0)
-    np.log1p(w0, w0)
-    np.multiply(w0, C1, w0)
+    np.subtract(b, a, t0)
+    np.divide(out, t0, t0)
+    np.log1p(t0, t0)
+    np.multiply(t0, C1, t0)
     np.multiply(v15, a, out)
-    np.multiply(out, w0, w0)
-    np.multiply(v7, w0, out)
+    np.multiply(out, t0, t0)
+    np.multiply(v7, t0, out)
 
 
 def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, h, b, E_star, G_star, mu, w0, w1):
+def block_full_slip_displacement_all(out, a, h, b, E_star, G_star, mu, t0, t1):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.multiply(C0, a, w0)
-    np.subtract(b, a, w1)
-    np.divide(w0, w1, w1)
-    np.log1p(w1, w1)
-    np.multiply(w1, C1, w1)
-    np.divide(h, b, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C0, a, t0)
+    np.subtract(b, a, t1)
+    np.divide(t0, t1, t1)
+    np.log1p(t1, t1)
+    np.multiply(t1, C1, t1)
+    np.divide(h, b, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def stick_radius(F_x, a, h, b, E_star, mu):

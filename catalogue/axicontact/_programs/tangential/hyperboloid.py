@@ -29,14 +29,14 @@ def prepare_full_slip_displacement_a(theta, b, E_star, G_star, mu):
     return (b, v7, v10)
 
 
-def block_full_slip_displacement_a(out, a, b, v7, v10, w0):
+def block_full_slip_displacement_a(out, a, b, v7, v10, t0):
     np.divide(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.arctan(out, out)
-    np.multiply(v10, a, w0)
-    np.multiply(w0, out, out)
+    np.multiply(v10, a, t0)
+    np.multiply(t0, out, out)
     np.multiply(v7, out, out)
 
 
@@ -44,18 +44,18 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, theta, b, E_star, G_star, mu, w0, w1):
+def block_full_slip_displacement_all(out, a, theta, b, E_star, G_star, mu, t0, t1):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.divide(a, b, w0)
-    np.arctan(w0, w0)
-    np.tan(theta, w1)
-    np.multiply(w1, a, w1)
-    np.multiply(w1, w0, w0)
-    np.multiply(out, w0, out)
+    np.divide(a, b, t0)
+    np.arctan(t0, t0)
+    np.tan(theta, t1)
+    np.multiply(t1, a, t1)
+    np.multiply(t1, t0, t0)
+    np.multiply(out, t0, out)
 
 
 def stick_radius(F_x, a, theta, b, E_star, mu):

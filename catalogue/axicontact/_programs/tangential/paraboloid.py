@@ -47,15 +47,15 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R, E_star, G_star, mu, w0):
+def block_full_slip_displacement_all(out, a, R, E_star, G_star, mu, t0):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.square(a, w0)
-    np.divide(w0, R, w0)
-    np.multiply(out, w0, out)
+    np.square(a, t0)
+    np.divide(t0, R, t0)
+    np.multiply(out, t0, out)
 
 
 def stick_radius(F_x, a, R, E_star, mu):
@@ -90,7 +90,7 @@ def prepare_stick_radius_F_x(a, R, E_star, mu):
     return (a, mu, v13, v18, v26, v28)
 
 
-def block_stick_radius_F_x(out, F_x, a, mu, v13, v18, v26, v28, w0, w1, m0, m1):
+def block_stick_radius_F_x(out, F_x, a, mu, v13, v18, v26, v28, t0, t1, m0, m1):
     size = out.size
     np.equal(F_x, C1, m0)
     largest_F_x = largest(F_x)
@@ -101,20 +101,20 @@ def block_stick_radius_F_x(out, F_x, a, mu, v13, v18, v26, v28, w0, w1, m0, m1):
     if some31:
         np.copyto(out, a)
     if some31 != size:
-        other31 = w0 if some31 else out
+        other31 = t0 if some31 else out
         np.divide(F_x, mu, other31)
         np.subtract(v13, other31, other31)
-        np.absolute(other31, w1)
-        np.less_equal(w1, v18, m1)
+        np.absolute(other31, t1)
+        np.less_equal(t1, v18, m1)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.copyto(w1, C1)
+            np.copyto(t1, C1)
         if some21 != size:
-            np.copyto(w1, other31, where=~m1)
-        np.greater_equal(w1, C1, m1)
+            np.copyto(t1, other31, where=~m1)
+        np.greater_equal(t1, C1, m1)
         some24 = np.count_nonzero(m1)
         if some24:
-            np.copyto(other31, w1)
+            np.copyto(other31, t1)
         if some24 != size:
             np.copyto(other31, C2, where=~m1)
         np.multiply(v28, other31, other31)
@@ -131,7 +131,7 @@ def prepare_stick_radius_F_x_a(R, E_star, mu):
     return (mu, v9, v28)
 
 
-def block_stick_radius_F_x_a(out, F_x, a, mu, v9, v28, w0, w1, w2, m0, m1):
+def block_stick_radius_F_x_a(out, F_x, a, mu, v9, v28, t0, t1, t2, m0, m1):
     size = out.size
     np.equal(F_x, C1, m0)
     largest_F_x = largest(F_x)
@@ -146,28 +146,28 @@ def block_stick_radius_F_x_a(out, F_x, a, mu, v9, v28, w0, w1, w2, m0, m1):
     if some31:
         np.copyto(out, a)
     if some31 != size:
-        other31 = w0 if some31 else out
+        other31 = t0 if some31 else out
         np.square(a, other31)
         np.multiply(a, other31, other31)
         np.multiply(v9, other31, other31)
-        np.divide(F_x, mu, w1)
-        np.subtract(other31, w1, w1)
-        np.absolute(w1, w2)
+        np.divide(F_x, mu, t1)
+        np.subtract(other31, t1, t1)
+        np.absolute(t1, t2)
         np.multiply(C3, other31, other31)
-        np.less_equal(w2, other31, m0)
+        np.less_equal(t2, other31, m0)
         some21 = np.count_nonzero(m0)
         if some21:
             np.copyto(other31, C1)
         if some21 != size:
-            np.copyto(other31, w1, where=~m0)
+            np.copyto(other31, t1, where=~m0)
         np.greater_equal(other31, C1, m0)
         some24 = np.count_nonzero(m0)
         if some24:
-            np.copyto(w1, other31)
+            np.copyto(t1, other31)
         if some24 != size:
-            np.copyto(w1, C2, where=~m0)
-        np.multiply(v28, w1, w1)
-        np.cbrt(w1, other31)
+            np.copyto(t1, C2, where=~m0)
+        np.multiply(v28, t1, t1)
+        np.cbrt(t1, other31)
         if some31:
             np.copyto(out, other31, where=~m1)
 
@@ -176,7 +176,7 @@ def prepare_stick_radius_all():
     return ()
 
 
-def block_stick_radius_all(out, F_x, a, R, E_star, mu, w0, w1, w2, w3, w4, m0, m1):
+def block_stick_radius_all(out, F_x, a, R, E_star, mu, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
     np.equal(F_x, C1, m0)
     largest_F_x = largest(F_x)
@@ -191,32 +191,32 @@ def block_stick_radius_all(out, F_x, a, R, E_star, mu, w0, w1, w2, w3, w4, m0, m
     if some31:
         np.copyto(out, a)
     if some31 != size:
-        other31 = w0 if some31 else out
+        other31 = t0 if some31 else out
         np.multiply(C4, E_star, other31)
-        np.multiply(C5, R, w1)
-        np.divide(other31, w1, w2)
-        np.square(a, w3)
-        np.multiply(a, w3, w3)
-        np.multiply(w2, w3, w3)
-        np.divide(F_x, mu, w2)
-        np.subtract(w3, w2, w2)
-        np.absolute(w2, w4)
-        np.multiply(C3, w3, w3)
-        np.less_equal(w4, w3, m0)
+        np.multiply(C5, R, t1)
+        np.divide(other31, t1, t2)
+        np.square(a, t3)
+        np.multiply(a, t3, t3)
+        np.multiply(t2, t3, t3)
+        np.divide(F_x, mu, t2)
+        np.subtract(t3, t2, t2)
+        np.absolute(t2, t4)
+        np.multiply(C3, t3, t3)
+        np.less_equal(t4, t3, m0)
         some21 = np.count_nonzero(m0)
         if some21:
-            np.copyto(w3, C1)
+            np.copyto(t3, C1)
         if some21 != size:
-            np.copyto(w3, w2, where=~m0)
-        np.greater_equal(w3, C1, m0)
+            np.copyto(t3, t2, where=~m0)
+        np.greater_equal(t3, C1, m0)
         some24 = np.count_nonzero(m0)
         if some24:
-            np.copyto(w2, w3)
+            np.copyto(t2, t3)
         if some24 != size:
-            np.copyto(w2, C2, where=~m0)
-        np.divide(w1, other31, other31)
-        np.multiply(other31, w2, w2)
-        np.cbrt(w2, other31)
+            np.copyto(t2, C2, where=~m0)
+        np.divide(t1, other31, other31)
+        np.multiply(other31, t2, t2)
+        np.cbrt(t2, other31)
         if some31:
             np.copyto(out, other31, where=~m1)
 
@@ -239,7 +239,7 @@ def prepare_tangential_displacement_a(c, R, E_star, G_star, mu):
     return (c, R, v7)
 
 
-def block_tangential_displacement_a(out, a, c, R, v7, w0, m0):
+def block_tangential_displacement_a(out, a, c, R, v7, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -250,15 +250,15 @@ def block_tangential_displacement_a(out, a, c, R, v7, w0, m0):
     np.greater(a, c, m0)
     some17 = np.count_nonzero(m0)
     if some17:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some17 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(C6, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(C6, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_a_c(R, E_star, G_star, mu):
@@ -267,7 +267,7 @@ def prepare_tangential_displacement_a_c(R, E_star, G_star, mu):
     return (R, v7)
 
 
-def block_tangential_displacement_a_c(out, a, c, R, v7, w0, m0):
+def block_tangential_displacement_a_c(out, a, c, R, v7, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -281,22 +281,22 @@ def block_tangential_displacement_a_c(out, a, c, R, v7, w0, m0):
     np.greater(a, c, m0)
     some17 = np.count_nonzero(m0)
     if some17:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some17 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(C6, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(C6, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_all():
     return ()
 
 
-def block_tangential_displacement_all(out, a, c, R, E_star, G_star, mu, w0, m0):
+def block_tangential_displacement_all(out, a, c, R, E_star, G_star, mu, t0, m0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
@@ -306,9 +306,9 @@ def block_tangential_displacement_all(out, a, c, R, E_star, G_star, mu, w0, m0):
     if largest_c == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.square(a, w0)
-    np.divide(w0, R, w0)
-    np.multiply(out, w0, w0)
+    np.square(a, t0)
+    np.divide(t0, R, t0)
+    np.multiply(out, t0, t0)
     np.greater(a, c, m0)
     some17 = np.count_nonzero(m0)
     if some17:
@@ -320,7 +320,7 @@ def block_tangential_displacement_all(out, a, c, R, E_star, G_star, mu, w0, m0):
     np.multiply(C6, out, out)
     np.expm1(out, out)
     np.negative(out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def tangential_force(a, c, R, E_star, mu):
@@ -342,7 +342,7 @@ def prepare_tangential_force_a(c, R, E_star, mu):
     return (c, mu, v9)
 
 
-def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
+def block_tangential_force_a(out, a, c, mu, v9, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -354,15 +354,15 @@ def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
     np.greater(a, c, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some20 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_a_c(R, E_star, mu):
@@ -372,7 +372,7 @@ def prepare_tangential_force_a_c(R, E_star, mu):
     return (mu, v9)
 
 
-def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
+def block_tangential_force_a_c(out, a, c, mu, v9, t0, m0):
     size = out.size
     np.square(a, out)
     largest_a = largest(a)
@@ -387,22 +387,22 @@ def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
     np.greater(a, c, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some20 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_all():
     return ()
 
 
-def block_tangential_force_all(out, a, c, R, E_star, mu, w0, m0):
+def block_tangential_force_all(out, a, c, R, E_star, mu, t0, m0):
     size = out.size
     np.multiply(C4, E_star, out)
     largest_a = largest(a)
@@ -411,24 +411,24 @@ def block_tangential_force_all(out, a, c, R, E_star, mu, w0, m0):
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.multiply(C5, R, w0)
-    np.divide(out, w0, w0)
+    np.multiply(C5, R, t0)
+    np.divide(out, t0, t0)
     np.square(a, out)
     np.multiply(a, out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.multiply(mu, out, out)
     np.greater(a, c, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some20 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(C7, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(C7, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def traction(r, a, c, R, E_star, mu):
@@ -465,43 +465,43 @@ def prepare_traction_r(a, c, R, E_star, mu):
     return (a, c, mu, v15, v21, v22, v25)
 
 
-def block_traction_r(out, r, a, c, mu, v15, v21, v22, v25, w0, w1, w2, w3, m0, m1, f0):
+def block_traction_r(out, r, a, c, mu, v15, v21, v22, v25, t0, t1, t2, t3, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some39 = np.count_nonzero(m0)
     if some39:
         if v22:
-            np.maximum(out, f0, out=w1)
-            np.multiply(w1, w0, w1)
-            np.sqrt(w1, w1)
-            np.subtract(c, r, w2)
-            np.maximum(w2, f0, out=w2)
-            np.add(c, r, w3)
-            np.multiply(w2, w3, w3)
-            np.sqrt(w3, w3)
-            np.add(w1, w3, w3)
-            np.divide(v25, w3, w1)
+            np.maximum(out, f0, out=t1)
+            np.multiply(t1, t0, t1)
+            np.sqrt(t1, t1)
+            np.subtract(c, r, t2)
+            np.maximum(t2, f0, out=t2)
+            np.add(c, r, t3)
+            np.multiply(t2, t3, t3)
+            np.sqrt(t3, t3)
+            np.add(t1, t3, t3)
+            np.divide(v25, t3, t1)
         else:
-            np.copyto(w1, C1)
-        np.multiply(v21, w1, w1)
+            np.copyto(t1, C1)
+        np.multiply(v21, t1, t1)
     if some39 != size:
-        other39 = w3 if some39 else w1
+        other39 = t3 if some39 else t1
         np.less(r, a, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.multiply(out, w0, other39)
+            np.multiply(out, t0, other39)
             np.sqrt(other39, other39)
             np.multiply(v15, other39, other39)
         if some18 != size:
             np.copyto(other39, C1, where=~m1)
         if some39:
-            np.copyto(w1, other39, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other39, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_r_a_c(R, E_star, mu):
@@ -514,7 +514,7 @@ def prepare_traction_r_a_c(R, E_star, mu):
     return (mu, v15, v21)
 
 
-def block_traction_r_a_c(out, r, a, c, mu, v15, v21, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_traction_r_a_c(out, r, a, c, mu, v15, v21, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -526,49 +526,49 @@ def block_traction_r_a_c(out, r, a, c, mu, v15, v21, w0, w1, w2, w3, w4, m0, m1,
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some39 = np.count_nonzero(m0)
     if some39:
         np.greater(a, c, m1)
         some36 = np.count_nonzero(m1)
         if some36:
-            np.subtract(a, c, w1)
-            np.add(a, c, w2)
-            np.multiply(w1, w2, w2)
-            np.maximum(out, f0, out=w1)
-            np.multiply(w1, w0, w1)
-            np.sqrt(w1, w1)
-            np.subtract(c, r, w3)
-            np.maximum(w3, f0, out=w3)
-            np.add(c, r, w4)
-            np.multiply(w3, w4, w4)
-            np.sqrt(w4, w4)
-            np.add(w1, w4, w4)
-            np.divide(w2, w4, w1)
+            np.subtract(a, c, t1)
+            np.add(a, c, t2)
+            np.multiply(t1, t2, t2)
+            np.maximum(out, f0, out=t1)
+            np.multiply(t1, t0, t1)
+            np.sqrt(t1, t1)
+            np.subtract(c, r, t3)
+            np.maximum(t3, f0, out=t3)
+            np.add(c, r, t4)
+            np.multiply(t3, t4, t4)
+            np.sqrt(t4, t4)
+            np.add(t1, t4, t4)
+            np.divide(t2, t4, t1)
         if some36 != size:
-            np.copyto(w1, C1, where=~m1)
-        np.multiply(v21, w1, w1)
+            np.copyto(t1, C1, where=~m1)
+        np.multiply(v21, t1, t1)
     if some39 != size:
-        other39 = w4 if some39 else w1
+        other39 = t4 if some39 else t1
         np.less(r, a, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.multiply(out, w0, other39)
+            np.multiply(out, t0, other39)
             np.sqrt(other39, other39)
             np.multiply(v15, other39, other39)
         if some18 != size:
             np.copyto(other39, C1, where=~m1)
         if some39:
-            np.copyto(w1, other39, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other39, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_all():
     return ()
 
 
-def block_traction_all(out, r, a, c, R, E_star, mu, w0, w1, w2, w3, w4, w5, m0, m1, f0):
+def block_traction_all(out, r, a, c, R, E_star, mu, t0, t1, t2, t3, t4, t5, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -580,48 +580,48 @@ def block_traction_all(out, r, a, c, R, E_star, mu, w0, w1, w2, w3, w4, w5, m0, 
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some39 = np.count_nonzero(m0)
     if some39:
-        np.divide(E_star, C8, w1)
-        np.divide(C0, R, w2)
-        np.multiply(w1, w2, w2)
+        np.divide(E_star, C8, t1)
+        np.divide(C0, R, t2)
+        np.multiply(t1, t2, t2)
         np.greater(a, c, m1)
         some36 = np.count_nonzero(m1)
         if some36:
-            np.subtract(a, c, w1)
-            np.add(a, c, w3)
-            np.multiply(w1, w3, w3)
-            np.maximum(out, f0, out=w1)
-            np.multiply(w1, w0, w1)
-            np.sqrt(w1, w1)
-            np.subtract(c, r, w4)
-            np.maximum(w4, f0, out=w4)
-            np.add(c, r, w5)
-            np.multiply(w4, w5, w5)
-            np.sqrt(w5, w5)
-            np.add(w1, w5, w5)
-            np.divide(w3, w5, w1)
+            np.subtract(a, c, t1)
+            np.add(a, c, t3)
+            np.multiply(t1, t3, t3)
+            np.maximum(out, f0, out=t1)
+            np.multiply(t1, t0, t1)
+            np.sqrt(t1, t1)
+            np.subtract(c, r, t4)
+            np.maximum(t4, f0, out=t4)
+            np.add(c, r, t5)
+            np.multiply(t4, t5, t5)
+            np.sqrt(t5, t5)
+            np.add(t1, t5, t5)
+            np.divide(t3, t5, t1)
         if some36 != size:
-            np.copyto(w1, C1, where=~m1)
-        np.multiply(w2, w1, w1)
+            np.copyto(t1, C1, where=~m1)
+        np.multiply(t2, t1, t1)
     if some39 != size:
-        other39 = w2 if some39 else w1
+        other39 = t2 if some39 else t1
         np.less(r, a, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.multiply(out, w0, other39)
+            np.multiply(out, t0, other39)
             np.sqrt(other39, other39)
-            np.multiply(C0, E_star, w5)
-            np.multiply(C8, R, w3)
-            np.divide(w5, w3, w3)
-            np.multiply(w3, other39, other39)
+            np.multiply(C0, E_star, t5)
+            np.multiply(C8, R, t3)
+            np.divide(t5, t3, t3)
+            np.multiply(t3, other39, other39)
         if some18 != size:
             np.copyto(other39, C1, where=~m1)
         if some39:
-            np.copyto(w1, other39, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other39, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 BLOCKS = {

@@ -37,7 +37,7 @@ def prepare_full_slip_displacement_a(theta, b, E_star, G_star, mu):
     return (b, v7, v8, v9)
 
 
-def block_full_slip_displacement_a(out, a, b, v7, v8, v9, w0, w1, w2, m0):
+def block_full_slip_displacement_a(out, a, b, v7, v8, v9, t0, t1, t2, m0):
     size = out.size
     np.less(a, b, m0)
     largest_a = largest(a)
@@ -48,18 +48,18 @@ def block_full_slip_displacement_a(out, a, b, v7, v8, v9, w0, w1, w2, m0):
         np.square(a, out)
         np.multiply(v9, out, out)
     if some25 != size:
-        other25 = w0 if some25 else out
+        other25 = t0 if some25 else out
         np.subtract(a, b, other25)
-        np.add(a, b, w1)
-        np.multiply(other25, w1, w1)
-        np.sqrt(w1, w1)
-        np.divide(w1, b, other25)
+        np.add(a, b, t1)
+        np.multiply(other25, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other25)
         np.arctan(other25, other25)
-        np.multiply(v8, a, w2)
-        np.add(w1, a, w1)
-        np.divide(b, w1, w1)
-        np.add(other25, w1, w1)
-        np.multiply(w2, w1, other25)
+        np.multiply(v8, a, t2)
+        np.add(t1, a, t1)
+        np.divide(b, t1, t1)
+        np.add(other25, t1, t1)
+        np.multiply(t2, t1, other25)
         if some25:
             np.copyto(out, other25, where=~m0)
     np.multiply(v7, out, out)
@@ -69,36 +69,36 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, theta, b, E_star, G_star, mu, w0, w1, w2, w3, w4, m0):
+def block_full_slip_displacement_all(out, a, theta, b, E_star, G_star, mu, t0, t1, t2, t3, t4, m0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.tan(theta, w0)
+    np.tan(theta, t0)
     np.less(a, b, m0)
     some25 = np.count_nonzero(m0)
     if some25:
-        np.divide(w0, b, w1)
-        np.square(a, w2)
-        np.multiply(w1, w2, w1)
+        np.divide(t0, b, t1)
+        np.square(a, t2)
+        np.multiply(t1, t2, t1)
     if some25 != size:
-        other25 = w2 if some25 else w1
+        other25 = t2 if some25 else t1
         np.subtract(a, b, other25)
-        np.add(a, b, w3)
-        np.multiply(other25, w3, w3)
-        np.sqrt(w3, w3)
-        np.divide(w3, b, other25)
+        np.add(a, b, t3)
+        np.multiply(other25, t3, t3)
+        np.sqrt(t3, t3)
+        np.divide(t3, b, other25)
         np.arctan(other25, other25)
-        np.multiply(w0, a, w4)
-        np.add(w3, a, w3)
-        np.divide(b, w3, w3)
-        np.add(other25, w3, w3)
-        np.multiply(w4, w3, other25)
+        np.multiply(t0, a, t4)
+        np.add(t3, a, t3)
+        np.divide(b, t3, t3)
+        np.add(other25, t3, t3)
+        np.multiply(t4, t3, other25)
         if some25:
-            np.copyto(w1, other25, where=~m0)
-    np.multiply(out, w1, out)
+            np.copyto(t1, other25, where=~m0)
+    np.multiply(out, t1, out)
 
 
 def stick_radius(F_x, a, theta, b, E_star, mu):

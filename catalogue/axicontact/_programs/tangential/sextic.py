@@ -65,17 +65,17 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, A, E_star, G_star, mu, w0, w1):
+def block_full_slip_displacement_all(out, a, A, E_star, G_star, mu, t0, t1):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.multiply(C1, A, w0)
-    np.divide(w0, C2, w0)
-    np.power(a, C0, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, A, t0)
+    np.divide(t0, C2, t0)
+    np.power(a, C0, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def stick_radius(F_x, a, A, E_star, mu):
@@ -114,7 +114,7 @@ def prepare_stick_radius_F_x(a, A, E_star, mu):
     return (a, mu, v7, v12, v17, v25)
 
 
-def block_stick_radius_F_x(out, F_x, a, mu, v7, v12, v17, v25, w0, w1, w2, w3, m0, m1, m2):
+def block_stick_radius_F_x(out, F_x, a, mu, v7, v12, v17, v25, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
     np.equal(F_x, C3, m0)
     largest_F_x = largest(F_x)
@@ -125,40 +125,40 @@ def block_stick_radius_F_x(out, F_x, a, mu, v7, v12, v17, v25, w0, w1, w2, w3, m
     if some45:
         np.copyto(out, a)
     if some45 != size:
-        other45 = w0 if some45 else out
-        np.divide(F_x, mu, w1)
-        np.subtract(v12, w1, w1)
-        np.absolute(w1, w2)
-        np.less_equal(w2, v17, m1)
+        other45 = t0 if some45 else out
+        np.divide(F_x, mu, t1)
+        np.subtract(v12, t1, t1)
+        np.absolute(t1, t2)
+        np.less_equal(t2, v17, m1)
         some20 = np.count_nonzero(m1)
         if some20:
-            np.copyto(w2, C3)
+            np.copyto(t2, C3)
         if some20 != size:
-            np.copyto(w2, w1, where=~m1)
-        np.greater_equal(w2, C3, m1)
+            np.copyto(t2, t1, where=~m1)
+        np.greater_equal(t2, C3, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.copyto(w1, w2)
+            np.copyto(t1, t2)
         if some23 != size:
-            np.copyto(w1, C4, where=~m1)
-        np.multiply(C5, w1, w1)
-        np.divide(w1, v7, w1)
-        np.power(w1, C6, w2)
-        np.greater(w1, C3, m1)
-        np.less(w1, C7, m2)
+            np.copyto(t1, C4, where=~m1)
+        np.multiply(C5, t1, t1)
+        np.divide(t1, v7, t1)
+        np.power(t1, C6, t2)
+        np.greater(t1, C3, m1)
+        np.less(t1, C7, m2)
         np.bitwise_and(m1, m2, m2)
         some44 = np.count_nonzero(m2)
         if some44:
-            np.power(w2, C8, other45)
-            np.power(w2, C3, w3)
-            np.multiply(other45, w3, w3)
-            np.divide(w1, w3, w3)
-            np.subtract(w3, C9, w3)
-            np.divide(w3, C8, w3)
-            np.multiply(w2, w3, w3)
-            np.add(w2, w3, other45)
+            np.power(t2, C8, other45)
+            np.power(t2, C3, t3)
+            np.multiply(other45, t3, t3)
+            np.divide(t1, t3, t3)
+            np.subtract(t3, C9, t3)
+            np.divide(t3, C8, t3)
+            np.multiply(t2, t3, t3)
+            np.add(t2, t3, other45)
         if some44 != size:
-            np.copyto(other45, w2, where=~m2)
+            np.copyto(other45, t2, where=~m2)
         if some45:
             np.copyto(out, other45, where=~m0)
 
@@ -170,7 +170,7 @@ def prepare_stick_radius_F_x_a(A, E_star, mu):
     return (mu, v7, v9)
 
 
-def block_stick_radius_F_x_a(out, F_x, a, mu, v7, v9, w0, w1, w2, w3, m0, m1, m2):
+def block_stick_radius_F_x_a(out, F_x, a, mu, v7, v9, t0, t1, t2, t3, m0, m1, m2):
     size = out.size
     np.equal(F_x, C3, m0)
     largest_F_x = largest(F_x)
@@ -185,43 +185,43 @@ def block_stick_radius_F_x_a(out, F_x, a, mu, v7, v9, w0, w1, w2, w3, m0, m1, m2
     if some45:
         np.copyto(out, a)
     if some45 != size:
-        other45 = w0 if some45 else out
-        np.power(a, C8, w1)
-        np.multiply(v9, w1, w1)
-        np.divide(F_x, mu, w2)
-        np.subtract(w1, w2, w2)
-        np.absolute(w2, w3)
-        np.multiply(C10, w1, w1)
-        np.less_equal(w3, w1, m0)
+        other45 = t0 if some45 else out
+        np.power(a, C8, t1)
+        np.multiply(v9, t1, t1)
+        np.divide(F_x, mu, t2)
+        np.subtract(t1, t2, t2)
+        np.absolute(t2, t3)
+        np.multiply(C10, t1, t1)
+        np.less_equal(t3, t1, m0)
         some20 = np.count_nonzero(m0)
         if some20:
-            np.copyto(w1, C3)
+            np.copyto(t1, C3)
         if some20 != size:
-            np.copyto(w1, w2, where=~m0)
-        np.greater_equal(w1, C3, m0)
+            np.copyto(t1, t2, where=~m0)
+        np.greater_equal(t1, C3, m0)
         some23 = np.count_nonzero(m0)
         if some23:
-            np.copyto(w2, w1)
+            np.copyto(t2, t1)
         if some23 != size:
-            np.copyto(w2, C4, where=~m0)
-        np.multiply(C5, w2, w2)
-        np.divide(w2, v7, w2)
-        np.power(w2, C6, w1)
-        np.greater(w2, C3, m0)
-        np.less(w2, C7, m2)
+            np.copyto(t2, C4, where=~m0)
+        np.multiply(C5, t2, t2)
+        np.divide(t2, v7, t2)
+        np.power(t2, C6, t1)
+        np.greater(t2, C3, m0)
+        np.less(t2, C7, m2)
         np.bitwise_and(m0, m2, m2)
         some44 = np.count_nonzero(m2)
         if some44:
-            np.power(w1, C8, other45)
-            np.power(w1, C3, w3)
-            np.multiply(other45, w3, w3)
-            np.divide(w2, w3, w3)
-            np.subtract(w3, C9, w3)
-            np.divide(w3, C8, w3)
-            np.multiply(w1, w3, w3)
-            np.add(w1, w3, other45)
+            np.power(t1, C8, other45)
+            np.power(t1, C3, t3)
+            np.multiply(other45, t3, t3)
+            np.divide(t2, t3, t3)
+            np.subtract(t3, C9, t3)
+            np.divide(t3, C8, t3)
+            np.multiply(t1, t3, t3)
+            np.add(t1, t3, other45)
         if some44 != size:
-            np.copyto(other45, w1, where=~m2)
+            np.copyto(other45, t1, where=~m2)
         if some45:
             np.copyto(out, other45, where=~m1)
 
@@ -230,7 +230,7 @@ def prepare_stick_radius_all():
     return ()
 
 
-def block_stick_radius_all(out, F_x, a, A, E_star, mu, w0, w1, w2, w3, w4, m0, m1, m2):
+def block_stick_radius_all(out, F_x, a, A, E_star, mu, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
     np.equal(F_x, C3, m0)
     largest_F_x = largest(F_x)
@@ -245,46 +245,46 @@ def block_stick_radius_all(out, F_x, a, A, E_star, mu, w0, w1, w2, w3, w4, m0, m
     if some45:
         np.copyto(out, a)
     if some45 != size:
-        other45 = w0 if some45 else out
-        np.multiply(C11, E_star, w1)
-        np.multiply(w1, A, w1)
-        np.divide(w1, C5, w2)
-        np.power(a, C8, w3)
-        np.multiply(w2, w3, w3)
-        np.divide(F_x, mu, w2)
-        np.subtract(w3, w2, w2)
-        np.absolute(w2, w4)
-        np.multiply(C10, w3, w3)
-        np.less_equal(w4, w3, m0)
+        other45 = t0 if some45 else out
+        np.multiply(C11, E_star, t1)
+        np.multiply(t1, A, t1)
+        np.divide(t1, C5, t2)
+        np.power(a, C8, t3)
+        np.multiply(t2, t3, t3)
+        np.divide(F_x, mu, t2)
+        np.subtract(t3, t2, t2)
+        np.absolute(t2, t4)
+        np.multiply(C10, t3, t3)
+        np.less_equal(t4, t3, m0)
         some20 = np.count_nonzero(m0)
         if some20:
-            np.copyto(w3, C3)
+            np.copyto(t3, C3)
         if some20 != size:
-            np.copyto(w3, w2, where=~m0)
-        np.greater_equal(w3, C3, m0)
+            np.copyto(t3, t2, where=~m0)
+        np.greater_equal(t3, C3, m0)
         some23 = np.count_nonzero(m0)
         if some23:
-            np.copyto(w2, w3)
+            np.copyto(t2, t3)
         if some23 != size:
-            np.copyto(w2, C4, where=~m0)
-        np.multiply(C5, w2, w2)
-        np.divide(w2, w1, w1)
-        np.power(w1, C6, w2)
-        np.greater(w1, C3, m0)
-        np.less(w1, C7, m2)
+            np.copyto(t2, C4, where=~m0)
+        np.multiply(C5, t2, t2)
+        np.divide(t2, t1, t1)
+        np.power(t1, C6, t2)
+        np.greater(t1, C3, m0)
+        np.less(t1, C7, m2)
         np.bitwise_and(m0, m2, m2)
         some44 = np.count_nonzero(m2)
         if some44:
-            np.power(w2, C8, other45)
-            np.power(w2, C3, w3)
-            np.multiply(other45, w3, w3)
-            np.divide(w1, w3, w3)
-            np.subtract(w3, C9, w3)
-            np.divide(w3, C8, w3)
-            np.multiply(w2, w3, w3)
-            np.add(w2, w3, other45)
+            np.power(t2, C8, other45)
+            np.power(t2, C3, t3)
+            np.multiply(other45, t3, t3)
+            np.divide(t1, t3, t3)
+            np.subtract(t3, C9, t3)
+            np.divide(t3, C8, t3)
+            np.multiply(t2, t3, t3)
+            np.add(t2, t3, other45)
         if some44 != size:
-            np.copyto(other45, w2, where=~m2)
+            np.copyto(other45, t2, where=~m2)
         if some45:
             np.copyto(out, other45, where=~m1)
 
@@ -309,7 +309,7 @@ def prepare_tangential_displacement_a(c, A, E_star, G_star, mu):
     return (c, v7, v11)
 
 
-def block_tangential_displacement_a(out, a, c, v7, v11, w0, m0):
+def block_tangential_displacement_a(out, a, c, v7, v11, t0, m0):
     size = out.size
     np.power(a, C0, out)
     largest_a = largest(a)
@@ -320,15 +320,15 @@ def block_tangential_displacement_a(out, a, c, v7, v11, w0, m0):
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some21 != size:
-        np.copyto(w0, C3, where=~m0)
-    np.multiply(C12, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C3, where=~m0)
+    np.multiply(C12, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_a_c(A, E_star, G_star, mu):
@@ -339,7 +339,7 @@ def prepare_tangential_displacement_a_c(A, E_star, G_star, mu):
     return (v7, v11)
 
 
-def block_tangential_displacement_a_c(out, a, c, v7, v11, w0, m0):
+def block_tangential_displacement_a_c(out, a, c, v7, v11, t0, m0):
     size = out.size
     np.power(a, C0, out)
     largest_a = largest(a)
@@ -353,22 +353,22 @@ def block_tangential_displacement_a_c(out, a, c, v7, v11, w0, m0):
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some21 != size:
-        np.copyto(w0, C3, where=~m0)
-    np.multiply(C12, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C3, where=~m0)
+    np.multiply(C12, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_displacement_all():
     return ()
 
 
-def block_tangential_displacement_all(out, a, c, A, E_star, G_star, mu, w0, w1, m0):
+def block_tangential_displacement_all(out, a, c, A, E_star, G_star, mu, t0, t1, m0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
@@ -378,11 +378,11 @@ def block_tangential_displacement_all(out, a, c, A, E_star, G_star, mu, w0, w1, 
     if largest_c == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.multiply(C1, A, w0)
-    np.divide(w0, C2, w0)
-    np.power(a, C0, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, w1)
+    np.multiply(C1, A, t0)
+    np.divide(t0, C2, t0)
+    np.power(a, C0, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, t1)
     np.greater(a, c, m0)
     some21 = np.count_nonzero(m0)
     if some21:
@@ -394,7 +394,7 @@ def block_tangential_displacement_all(out, a, c, A, E_star, G_star, mu, w0, w1, 
     np.multiply(C12, out, out)
     np.expm1(out, out)
     np.negative(out, out)
-    np.multiply(w1, out, out)
+    np.multiply(t1, out, out)
 
 
 def tangential_force(a, c, A, E_star, mu):
@@ -416,7 +416,7 @@ def prepare_tangential_force_a(c, A, E_star, mu):
     return (c, mu, v9)
 
 
-def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
+def block_tangential_force_a(out, a, c, mu, v9, t0, m0):
     size = out.size
     np.power(a, C8, out)
     largest_a = largest(a)
@@ -427,15 +427,15 @@ def block_tangential_force_a(out, a, c, mu, v9, w0, m0):
     np.greater(a, c, m0)
     some19 = np.count_nonzero(m0)
     if some19:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some19 != size:
-        np.copyto(w0, C3, where=~m0)
-    np.multiply(C13, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C3, where=~m0)
+    np.multiply(C13, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_a_c(A, E_star, mu):
@@ -445,7 +445,7 @@ def prepare_tangential_force_a_c(A, E_star, mu):
     return (mu, v9)
 
 
-def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
+def block_tangential_force_a_c(out, a, c, mu, v9, t0, m0):
     size = out.size
     np.power(a, C8, out)
     largest_a = largest(a)
@@ -459,22 +459,22 @@ def block_tangential_force_a_c(out, a, c, mu, v9, w0, m0):
     np.greater(a, c, m0)
     some19 = np.count_nonzero(m0)
     if some19:
-        np.subtract(a, c, w0)
-        np.divide(w0, c, w0)
-        np.log1p(w0, w0)
+        np.subtract(a, c, t0)
+        np.divide(t0, c, t0)
+        np.log1p(t0, t0)
     if some19 != size:
-        np.copyto(w0, C3, where=~m0)
-    np.multiply(C13, w0, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C3, where=~m0)
+    np.multiply(C13, t0, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_tangential_force_all():
     return ()
 
 
-def block_tangential_force_all(out, a, c, A, E_star, mu, w0, m0):
+def block_tangential_force_all(out, a, c, A, E_star, mu, t0, m0):
     size = out.size
     np.multiply(C11, E_star, out)
     largest_a = largest(a)
@@ -485,9 +485,9 @@ def block_tangential_force_all(out, a, c, A, E_star, mu, w0, m0):
         raise FloatingPointError
     np.multiply(out, A, out)
     np.divide(out, C5, out)
-    np.power(a, C8, w0)
-    np.multiply(out, w0, w0)
-    np.multiply(mu, w0, w0)
+    np.power(a, C8, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(mu, t0, t0)
     np.greater(a, c, m0)
     some19 = np.count_nonzero(m0)
     if some19:
@@ -499,7 +499,7 @@ def block_tangential_force_all(out, a, c, A, E_star, mu, w0, m0):
     np.multiply(C13, out, out)
     np.expm1(out, out)
     np.negative(out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def traction(r, a, c, A, E_star, mu):
@@ -558,66 +558,66 @@ def prepare_traction_r(a, c, A, E_star, mu):
     return (a, c, mu, v15, v21, v22, v41, v52, v53, v63, v64, v73, v76)
 
 
-def block_traction_r(out, r, a, c, mu, v15, v21, v22, v41, v52, v53, v63, v64, v73, v76, w0, w1, w2, w3, w4, m0, m1, f0):
+def block_traction_r(out, r, a, c, mu, v15, v21, v22, v41, v52, v53, v63, v64, v73, v76, t0, t1, t2, t3, t4, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some82 = np.count_nonzero(m0)
     if some82:
-        np.maximum(out, f0, out=w1)
-        np.multiply(w1, w0, w1)
-        np.sqrt(w1, w1)
-        np.subtract(c, r, w2)
-        np.maximum(w2, f0, out=w2)
-        np.add(c, r, w3)
-        np.multiply(w2, w3, w3)
-        np.sqrt(w3, w3)
-        np.multiply(C14, r, w2)
-        np.multiply(w2, r, w2)
-        np.add(w1, w3, w3)
-        np.multiply(v52, w3, w4)
-        np.multiply(w4, w1, w4)
-        np.add(w2, w4, w4)
-        np.add(w4, v53, w4)
-        np.divide(w4, C15, w4)
-        np.multiply(C16, r, w2)
-        np.multiply(w2, r, w2)
-        np.multiply(w2, w4, w4)
-        np.multiply(v63, w3, w2)
-        np.multiply(w2, w1, w1)
-        np.add(w4, w1, w1)
-        np.add(w1, v64, w1)
-        np.divide(w1, C2, w1)
+        np.maximum(out, f0, out=t1)
+        np.multiply(t1, t0, t1)
+        np.sqrt(t1, t1)
+        np.subtract(c, r, t2)
+        np.maximum(t2, f0, out=t2)
+        np.add(c, r, t3)
+        np.multiply(t2, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(C14, r, t2)
+        np.multiply(t2, r, t2)
+        np.add(t1, t3, t3)
+        np.multiply(v52, t3, t4)
+        np.multiply(t4, t1, t4)
+        np.add(t2, t4, t4)
+        np.add(t4, v53, t4)
+        np.divide(t4, C15, t4)
+        np.multiply(C16, r, t2)
+        np.multiply(t2, r, t2)
+        np.multiply(t2, t4, t4)
+        np.multiply(v63, t3, t2)
+        np.multiply(t2, t1, t1)
+        np.add(t4, t1, t1)
+        np.add(t1, v64, t1)
+        np.divide(t1, C2, t1)
         if v73:
-            np.divide(v76, w3, w4)
+            np.divide(v76, t3, t4)
         else:
-            np.copyto(w4, C3)
-        np.multiply(w4, w1, w1)
-        np.multiply(v41, w1, w1)
+            np.copyto(t4, C3)
+        np.multiply(t4, t1, t1)
+        np.multiply(v41, t1, t1)
     if some82 != size:
-        other82 = w4 if some82 else w1
+        other82 = t4 if some82 else t1
         np.less(r, a, m1)
         some33 = np.count_nonzero(m1)
         if some33:
-            np.multiply(out, w0, other82)
+            np.multiply(out, t0, other82)
             np.sqrt(other82, other82)
-            np.square(r, w3)
-            np.multiply(v22, w3, w2)
-            np.add(v21, w2, w2)
-            np.square(w3, w3)
-            np.multiply(C17, w3, w3)
-            np.add(w2, w3, w3)
-            np.multiply(v15, w3, w3)
-            np.multiply(w3, other82, other82)
+            np.square(r, t3)
+            np.multiply(v22, t3, t2)
+            np.add(v21, t2, t2)
+            np.square(t3, t3)
+            np.multiply(C17, t3, t3)
+            np.add(t2, t3, t3)
+            np.multiply(v15, t3, t3)
+            np.multiply(t3, other82, other82)
         if some33 != size:
             np.copyto(other82, C3, where=~m1)
         if some82:
-            np.copyto(w1, other82, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other82, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_r_a_c(A, E_star, mu):
@@ -631,7 +631,7 @@ def prepare_traction_r_a_c(A, E_star, mu):
     return (mu, v15, v41)
 
 
-def block_traction_r_a_c(out, r, a, c, mu, v15, v41, w0, w1, w2, w3, w4, w5, w6, w7, m0, m1, f0):
+def block_traction_r_a_c(out, r, a, c, mu, v15, v41, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -643,83 +643,83 @@ def block_traction_r_a_c(out, r, a, c, mu, v15, v41, w0, w1, w2, w3, w4, w5, w6,
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some82 = np.count_nonzero(m0)
     if some82:
-        np.maximum(out, f0, out=w1)
-        np.multiply(w1, w0, w1)
-        np.sqrt(w1, w1)
-        np.subtract(c, r, w2)
-        np.maximum(w2, f0, out=w2)
-        np.add(c, r, w3)
-        np.multiply(w2, w3, w3)
-        np.sqrt(w3, w3)
-        np.multiply(a, a, w2)
-        np.multiply(w2, C3, w4)
-        np.add(w4, C9, w4)
-        np.multiply(c, c, w5)
-        np.multiply(C14, r, w6)
-        np.multiply(w6, r, w6)
-        np.add(w1, w3, w3)
-        np.multiply(w4, w3, w7)
-        np.multiply(w7, w1, w7)
-        np.add(w6, w7, w7)
-        np.add(w7, w5, w7)
-        np.divide(w7, C15, w7)
-        np.multiply(w2, w4, w4)
-        np.add(w4, w5, w4)
-        np.multiply(w5, w5, w5)
-        np.multiply(C16, r, w2)
-        np.multiply(w2, r, w2)
-        np.multiply(w2, w7, w7)
-        np.multiply(w4, w3, w4)
-        np.multiply(w4, w1, w1)
-        np.add(w7, w1, w1)
-        np.add(w1, w5, w5)
-        np.divide(w5, C2, w5)
+        np.maximum(out, f0, out=t1)
+        np.multiply(t1, t0, t1)
+        np.sqrt(t1, t1)
+        np.subtract(c, r, t2)
+        np.maximum(t2, f0, out=t2)
+        np.add(c, r, t3)
+        np.multiply(t2, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(a, a, t2)
+        np.multiply(t2, C3, t4)
+        np.add(t4, C9, t4)
+        np.multiply(c, c, t5)
+        np.multiply(C14, r, t6)
+        np.multiply(t6, r, t6)
+        np.add(t1, t3, t3)
+        np.multiply(t4, t3, t7)
+        np.multiply(t7, t1, t7)
+        np.add(t6, t7, t7)
+        np.add(t7, t5, t7)
+        np.divide(t7, C15, t7)
+        np.multiply(t2, t4, t4)
+        np.add(t4, t5, t4)
+        np.multiply(t5, t5, t5)
+        np.multiply(C16, r, t2)
+        np.multiply(t2, r, t2)
+        np.multiply(t2, t7, t7)
+        np.multiply(t4, t3, t4)
+        np.multiply(t4, t1, t1)
+        np.add(t7, t1, t1)
+        np.add(t1, t5, t5)
+        np.divide(t5, C2, t5)
         np.greater(a, c, m1)
         some78 = np.count_nonzero(m1)
         if some78:
-            np.subtract(a, c, w1)
-            np.add(a, c, w7)
-            np.multiply(w1, w7, w7)
-            np.divide(w7, w3, w1)
+            np.subtract(a, c, t1)
+            np.add(a, c, t7)
+            np.multiply(t1, t7, t7)
+            np.divide(t7, t3, t1)
         if some78 != size:
-            np.copyto(w1, C3, where=~m1)
-        np.multiply(w1, w5, w5)
-        np.multiply(v41, w5, w1)
+            np.copyto(t1, C3, where=~m1)
+        np.multiply(t1, t5, t5)
+        np.multiply(v41, t5, t1)
     if some82 != size:
-        other82 = w5 if some82 else w1
+        other82 = t5 if some82 else t1
         np.less(r, a, m1)
         some33 = np.count_nonzero(m1)
         if some33:
-            np.multiply(out, w0, other82)
+            np.multiply(out, t0, other82)
             np.sqrt(other82, other82)
-            np.square(a, w3)
-            np.square(w3, w7)
-            np.multiply(C15, w7, w7)
-            np.multiply(C16, w3, w3)
-            np.square(r, w4)
-            np.multiply(w3, w4, w3)
-            np.add(w7, w3, w3)
-            np.square(w4, w4)
-            np.multiply(C17, w4, w4)
-            np.add(w3, w4, w4)
-            np.multiply(v15, w4, w4)
-            np.multiply(w4, other82, other82)
+            np.square(a, t3)
+            np.square(t3, t7)
+            np.multiply(C15, t7, t7)
+            np.multiply(C16, t3, t3)
+            np.square(r, t4)
+            np.multiply(t3, t4, t3)
+            np.add(t7, t3, t3)
+            np.square(t4, t4)
+            np.multiply(C17, t4, t4)
+            np.add(t3, t4, t4)
+            np.multiply(v15, t4, t4)
+            np.multiply(t4, other82, other82)
         if some33 != size:
             np.copyto(other82, C3, where=~m1)
         if some82:
-            np.copyto(w1, other82, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other82, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 def prepare_traction_all():
     return ()
 
 
-def block_traction_all(out, r, a, c, A, E_star, mu, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0, m1, f0):
+def block_traction_all(out, r, a, c, A, E_star, mu, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0, m1, f0):
     size = out.size
     np.subtract(a, r, out)
     largest_r = largest(r)
@@ -731,83 +731,83 @@ def block_traction_all(out, r, a, c, A, E_star, mu, w0, w1, w2, w3, w4, w5, w6, 
     largest_c = largest(c)
     if largest_c == np.inf:
         raise FloatingPointError
-    np.add(a, r, w0)
+    np.add(a, r, t0)
     np.less(r, c, m0)
     some82 = np.count_nonzero(m0)
     if some82:
-        np.divide(E_star, C18, w1)
-        np.multiply(C19, A, w2)
-        np.divide(w2, C2, w2)
-        np.multiply(w1, w2, w2)
-        np.maximum(out, f0, out=w1)
-        np.multiply(w1, w0, w1)
-        np.sqrt(w1, w1)
-        np.subtract(c, r, w3)
-        np.maximum(w3, f0, out=w3)
-        np.add(c, r, w4)
-        np.multiply(w3, w4, w4)
-        np.sqrt(w4, w4)
-        np.multiply(a, a, w3)
-        np.multiply(w3, C3, w5)
-        np.add(w5, C9, w5)
-        np.multiply(c, c, w6)
-        np.multiply(C14, r, w7)
-        np.multiply(w7, r, w7)
-        np.add(w1, w4, w4)
-        np.multiply(w5, w4, w8)
-        np.multiply(w8, w1, w8)
-        np.add(w7, w8, w8)
-        np.add(w8, w6, w8)
-        np.divide(w8, C15, w8)
-        np.multiply(w3, w5, w5)
-        np.add(w5, w6, w5)
-        np.multiply(w6, w6, w6)
-        np.multiply(C16, r, w3)
-        np.multiply(w3, r, w3)
-        np.multiply(w3, w8, w8)
-        np.multiply(w5, w4, w5)
-        np.multiply(w5, w1, w1)
-        np.add(w8, w1, w1)
-        np.add(w1, w6, w6)
-        np.divide(w6, C2, w6)
+        np.divide(E_star, C18, t1)
+        np.multiply(C19, A, t2)
+        np.divide(t2, C2, t2)
+        np.multiply(t1, t2, t2)
+        np.maximum(out, f0, out=t1)
+        np.multiply(t1, t0, t1)
+        np.sqrt(t1, t1)
+        np.subtract(c, r, t3)
+        np.maximum(t3, f0, out=t3)
+        np.add(c, r, t4)
+        np.multiply(t3, t4, t4)
+        np.sqrt(t4, t4)
+        np.multiply(a, a, t3)
+        np.multiply(t3, C3, t5)
+        np.add(t5, C9, t5)
+        np.multiply(c, c, t6)
+        np.multiply(C14, r, t7)
+        np.multiply(t7, r, t7)
+        np.add(t1, t4, t4)
+        np.multiply(t5, t4, t8)
+        np.multiply(t8, t1, t8)
+        np.add(t7, t8, t8)
+        np.add(t8, t6, t8)
+        np.divide(t8, C15, t8)
+        np.multiply(t3, t5, t5)
+        np.add(t5, t6, t5)
+        np.multiply(t6, t6, t6)
+        np.multiply(C16, r, t3)
+        np.multiply(t3, r, t3)
+        np.multiply(t3, t8, t8)
+        np.multiply(t5, t4, t5)
+        np.multiply(t5, t1, t1)
+        np.add(t8, t1, t1)
+        np.add(t1, t6, t6)
+        np.divide(t6, C2, t6)
         np.greater(a, c, m1)
         some78 = np.count_nonzero(m1)
         if some78:
-            np.subtract(a, c, w1)
-            np.add(a, c, w8)
-            np.multiply(w1, w8, w8)
-            np.divide(w8, w4, w1)
+            np.subtract(a, c, t1)
+            np.add(a, c, t8)
+            np.multiply(t1, t8, t8)
+            np.divide(t8, t4, t1)
         if some78 != size:
-            np.copyto(w1, C3, where=~m1)
-        np.multiply(w1, w6, w6)
-        np.multiply(w2, w6, w1)
+            np.copyto(t1, C3, where=~m1)
+        np.multiply(t1, t6, t6)
+        np.multiply(t2, t6, t1)
     if some82 != size:
-        other82 = w6 if some82 else w1
+        other82 = t6 if some82 else t1
         np.less(r, a, m1)
         some33 = np.count_nonzero(m1)
         if some33:
-            np.multiply(out, w0, other82)
+            np.multiply(out, t0, other82)
             np.sqrt(other82, other82)
-            np.multiply(C20, E_star, w2)
-            np.multiply(w2, A, w2)
-            np.divide(w2, C21, w2)
-            np.square(a, w4)
-            np.square(w4, w8)
-            np.multiply(C15, w8, w8)
-            np.multiply(C16, w4, w4)
-            np.square(r, w5)
-            np.multiply(w4, w5, w4)
-            np.add(w8, w4, w4)
-            np.square(w5, w5)
-            np.multiply(C17, w5, w5)
-            np.add(w4, w5, w5)
-            np.multiply(w2, w5, w5)
-            np.multiply(w5, other82, other82)
+            np.multiply(C20, E_star, t2)
+            np.multiply(t2, A, t2)
+            np.divide(t2, C21, t2)
+            np.square(a, t4)
+            np.square(t4, t8)
+            np.multiply(C15, t8, t8)
+            np.multiply(C16, t4, t4)
+            np.square(r, t5)
+            np.multiply(t4, t5, t4)
+            np.add(t8, t4, t4)
+            np.square(t5, t5)
+            np.multiply(C17, t5, t5)
+            np.add(t4, t5, t5)
+            np.multiply(t2, t5, t5)
+            np.multiply(t5, other82, other82)
         if some33 != size:
             np.copyto(other82, C3, where=~m1)
         if some82:
-            np.copyto(w1, other82, where=~m0)
-    np.multiply(mu, w1, out)
+            np.copyto(t1, other82, where=~m0)
+    np.multiply(mu, t1, out)
 
 
 BLOCKS = {

@@ -30,36 +30,36 @@ def prepare_full_slip_displacement_a(R, E_star, G_star, mu):
     return (R, v6)
 
 
-def block_full_slip_displacement_a(out, a, R, v6, w0):
+def block_full_slip_displacement_a(out, a, R, v6, t0):
     np.multiply(C0, a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.subtract(R, a, w0)
-    np.divide(out, w0, w0)
-    np.log1p(w0, w0)
-    np.multiply(w0, C1, w0)
-    np.multiply(a, w0, w0)
-    np.multiply(v6, w0, out)
+    np.subtract(R, a, t0)
+    np.divide(out, t0, t0)
+    np.log1p(t0, t0)
+    np.multiply(t0, C1, t0)
+    np.multiply(a, t0, t0)
+    np.multiply(v6, t0, out)
 
 
 def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R, E_star, G_star, mu, w0, w1):
+def block_full_slip_displacement_all(out, a, R, E_star, G_star, mu, t0, t1):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.multiply(C0, a, w0)
-    np.subtract(R, a, w1)
-    np.divide(w0, w1, w1)
-    np.log1p(w1, w1)
-    np.multiply(w1, C1, w1)
-    np.multiply(a, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C0, a, t0)
+    np.subtract(R, a, t1)
+    np.divide(t0, t1, t1)
+    np.log1p(t1, t1)
+    np.multiply(t1, C1, t1)
+    np.multiply(a, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def stick_radius(F_x, a, R, E_star, mu):

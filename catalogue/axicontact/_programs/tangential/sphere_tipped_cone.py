@@ -51,7 +51,7 @@ def prepare_full_slip_displacement_a(R, theta, E_star, G_star, mu):
     return (R, v7, v9, v11, v12, v13, v27, v31)
 
 
-def block_full_slip_displacement_a(out, a, R, v7, v9, v11, v12, v13, v27, v31, w0, w1, w2, w3, m0, f0):
+def block_full_slip_displacement_a(out, a, R, v7, v9, v11, v12, v13, v27, v31, t0, t1, t2, t3, m0, f0):
     size = out.size
     np.subtract(R, a, out)
     largest_a = largest(a)
@@ -60,98 +60,98 @@ def block_full_slip_displacement_a(out, a, R, v7, v9, v11, v12, v13, v27, v31, w
     np.less(a, v9, m0)
     some47 = np.count_nonzero(m0)
     if some47:
-        np.multiply(C0, a, w0)
-        np.divide(w0, out, w0)
-        np.log1p(w0, w0)
-        np.multiply(w0, C1, w0)
-        np.multiply(a, w0, w0)
+        np.multiply(C0, a, t0)
+        np.divide(t0, out, t0)
+        np.log1p(t0, t0)
+        np.multiply(t0, C1, t0)
+        np.multiply(a, t0, t0)
     if some47 != size:
-        other47 = w1 if some47 else w0
+        other47 = t1 if some47 else t0
         if v12:
             np.add(R, a, other47)
             np.multiply(out, other47, other47)
             np.subtract(v13, other47, other47)
         else:
             np.subtract(a, v9, other47)
-            np.add(a, v9, w2)
-            np.multiply(other47, w2, other47)
+            np.add(a, v9, t2)
+            np.multiply(other47, t2, other47)
         np.maximum(other47, f0, out=other47)
         np.sqrt(other47, other47)
-        np.arctan2(other47, v9, w2)
-        np.add(other47, a, w3)
-        np.divide(v27, w3, w3)
-        np.add(w3, v31, w3)
+        np.arctan2(other47, v9, t2)
+        np.add(other47, a, t3)
+        np.divide(v27, t3, t3)
+        np.add(t3, v31, t3)
         np.add(other47, v11, other47)
-        np.divide(w3, other47, other47)
+        np.divide(t3, other47, other47)
         np.log1p(other47, other47)
-        np.multiply(v9, w2, w2)
-        np.divide(w2, v11, w2)
-        np.add(other47, w2, w2)
-        np.multiply(a, w2, other47)
+        np.multiply(v9, t2, t2)
+        np.divide(t2, v11, t2)
+        np.add(other47, t2, t2)
+        np.multiply(a, t2, other47)
         if some47:
-            np.copyto(w0, other47, where=~m0)
-    np.multiply(v7, w0, out)
+            np.copyto(t0, other47, where=~m0)
+    np.multiply(v7, t0, out)
 
 
 def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R, theta, E_star, G_star, mu, w0, w1, w2, w3, w4, w5, w6, w7, w8, m0, m1, f0):
+def block_full_slip_displacement_all(out, a, R, theta, E_star, G_star, mu, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0, m1, f0):
     size = out.size
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.sin(theta, w0)
-    np.multiply(R, w0, w0)
-    np.subtract(R, a, w1)
-    np.less(a, w0, m0)
+    np.sin(theta, t0)
+    np.multiply(R, t0, t0)
+    np.subtract(R, a, t1)
+    np.less(a, t0, m0)
     some47 = np.count_nonzero(m0)
     if some47:
-        np.multiply(C0, a, w2)
-        np.divide(w2, w1, w2)
-        np.log1p(w2, w2)
-        np.multiply(w2, C1, w2)
-        np.multiply(a, w2, w2)
+        np.multiply(C0, a, t2)
+        np.divide(t2, t1, t2)
+        np.log1p(t2, t2)
+        np.multiply(t2, C1, t2)
+        np.multiply(a, t2, t2)
     if some47 != size:
-        other47 = w3 if some47 else w2
+        other47 = t3 if some47 else t2
         np.cos(theta, other47)
         np.multiply(R, other47, other47)
-        np.less(other47, w0, m1)
+        np.less(other47, t0, m1)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.multiply(other47, other47, w4)
-            np.add(R, a, w5)
-            np.multiply(w1, w5, w5)
-            np.subtract(w4, w5, w4)
+            np.multiply(other47, other47, t4)
+            np.add(R, a, t5)
+            np.multiply(t1, t5, t5)
+            np.subtract(t4, t5, t4)
         if some21 != size:
-            other21 = w5 if some21 else w4
-            np.subtract(a, w0, other21)
-            np.add(a, w0, w6)
-            np.multiply(other21, w6, other21)
+            other21 = t5 if some21 else t4
+            np.subtract(a, t0, other21)
+            np.add(a, t0, t6)
+            np.multiply(other21, t6, other21)
             if some21:
-                np.copyto(w4, other21, where=~m1)
-        np.maximum(w4, f0, out=w4)
-        np.sqrt(w4, w4)
-        np.arctan2(w4, w0, w5)
-        np.square(w0, w6)
-        np.add(w4, a, w7)
-        np.divide(w6, w7, w7)
-        np.add(other47, R, w8)
-        np.divide(w6, w8, w8)
-        np.add(w7, w8, w8)
-        np.add(w4, other47, w4)
-        np.divide(w8, w4, w4)
-        np.log1p(w4, w4)
-        np.multiply(w0, w5, w5)
-        np.divide(w5, other47, other47)
-        np.add(w4, other47, other47)
+                np.copyto(t4, other21, where=~m1)
+        np.maximum(t4, f0, out=t4)
+        np.sqrt(t4, t4)
+        np.arctan2(t4, t0, t5)
+        np.square(t0, t6)
+        np.add(t4, a, t7)
+        np.divide(t6, t7, t7)
+        np.add(other47, R, t8)
+        np.divide(t6, t8, t8)
+        np.add(t7, t8, t8)
+        np.add(t4, other47, t4)
+        np.divide(t8, t4, t4)
+        np.log1p(t4, t4)
+        np.multiply(t0, t5, t5)
+        np.divide(t5, other47, other47)
+        np.add(t4, other47, other47)
         np.multiply(a, other47, other47)
         if some47:
-            np.copyto(w2, other47, where=~m0)
-    np.multiply(out, w2, out)
+            np.copyto(t2, other47, where=~m0)
+    np.multiply(out, t2, out)
 
 
 def tangential_displacement(a, c, R, theta, E_star, G_star, mu):

@@ -28,36 +28,36 @@ def prepare_full_slip_displacement_a(R, b, E_star, G_star, mu):
     return (R, b, v7)
 
 
-def block_full_slip_displacement_a(out, a, R, b, v7, w0):
+def block_full_slip_displacement_a(out, a, R, b, v7, t0):
     np.subtract(a, b, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(a, b, w0)
-    np.multiply(out, w0, w0)
-    np.sqrt(w0, w0)
-    np.multiply(a, w0, w0)
-    np.divide(w0, R, w0)
-    np.multiply(v7, w0, out)
+    np.add(a, b, t0)
+    np.multiply(out, t0, t0)
+    np.sqrt(t0, t0)
+    np.multiply(a, t0, t0)
+    np.divide(t0, R, t0)
+    np.multiply(v7, t0, out)
 
 
 def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R, b, E_star, G_star, mu, w0, w1):
+def block_full_slip_displacement_all(out, a, R, b, E_star, G_star, mu, t0, t1):
     np.divide(E_star, G_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(mu, out, out)
-    np.subtract(a, b, w0)
-    np.add(a, b, w1)
-    np.multiply(w0, w1, w1)
-    np.sqrt(w1, w1)
-    np.multiply(a, w1, w1)
-    np.divide(w1, R, w1)
-    np.multiply(out, w1, out)
+    np.subtract(a, b, t0)
+    np.add(a, b, t1)
+    np.multiply(t0, t1, t1)
+    np.sqrt(t1, t1)
+    np.multiply(a, t1, t1)
+    np.divide(t1, R, t1)
+    np.multiply(out, t1, out)
 
 
 def stick_radius(F_x, a, R, b, E_star, mu):

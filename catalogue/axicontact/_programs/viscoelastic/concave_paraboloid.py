@@ -60,7 +60,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, w0, w1, w2, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, t0, t1, t2, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -71,18 +71,18 @@ def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, w0, w1, w2, m0):
         np.copyto(out, E)
     if some8 != size:
         np.copyto(out, C1, where=~m0)
-    np.multiply(C2, h, w0)
-    np.multiply(w0, C3, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(C2, h, t0)
+    np.multiply(t0, C3, t1)
+    np.less_equal(t1, d, m0)
     some20 = np.count_nonzero(m0)
     if some20:
-        np.multiply(C2, a, w1)
-        np.divide(w0, C4, w2)
-        np.add(d, w2, w2)
-        np.multiply(w1, w2, w1)
+        np.multiply(C2, a, t1)
+        np.divide(t0, C4, t2)
+        np.add(d, t2, t2)
+        np.multiply(t1, t2, t1)
     if some20 != size:
-        np.copyto(w1, C5, where=~m0)
-    np.multiply(out, w1, out)
+        np.copyto(t1, C5, where=~m0)
+    np.multiply(out, t1, out)
 
 
 def step_force_maxwell(t, d, a, h, E, tau):
@@ -125,7 +125,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, a, h, E, tau, w0, w1, w2, m0):
+def block_step_force_maxwell_all(out, t, d, a, h, E, tau, t0, t1, t2, m0):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -134,18 +134,18 @@ def block_step_force_maxwell_all(out, t, d, a, h, E, tau, w0, w1, w2, m0):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C2, h, w0)
-    np.multiply(w0, C3, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(C2, h, t0)
+    np.multiply(t0, C3, t1)
+    np.less_equal(t1, d, m0)
     some21 = np.count_nonzero(m0)
     if some21:
-        np.multiply(C2, a, w1)
-        np.divide(w0, C4, w2)
-        np.add(d, w2, w2)
-        np.multiply(w1, w2, w1)
+        np.multiply(C2, a, t1)
+        np.divide(t0, C4, t2)
+        np.add(d, t2, t2)
+        np.multiply(t1, t2, t1)
     if some21 != size:
-        np.copyto(w1, C5, where=~m0)
-    np.multiply(out, w1, out)
+        np.copyto(t1, C5, where=~m0)
+    np.multiply(out, t1, out)
 
 
 def step_force_power_creep(t, d, a, h, E, alpha, t_0):
@@ -192,7 +192,7 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, w0, w1, w2, m0):
+def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, t0, t1, t2, m0):
     size = out.size
     np.divide(t_0, t, out)
     largest_t = largest(t)
@@ -200,22 +200,22 @@ def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, w0, w1, w2,
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C6, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C2, h, w1)
-    np.multiply(w1, C3, out)
+    np.multiply(C6, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C2, h, t1)
+    np.multiply(t1, C3, out)
     np.less_equal(out, d, m0)
     some26 = np.count_nonzero(m0)
     if some26:
         np.multiply(C2, a, out)
-        np.divide(w1, C4, w2)
-        np.add(d, w2, w2)
-        np.multiply(out, w2, out)
+        np.divide(t1, C4, t2)
+        np.add(d, t2, t2)
+        np.multiply(out, t2, out)
     if some26 != size:
         np.copyto(out, C5, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def step_force_standard_solid(t, d, a, h, E_inf, E_1, tau):
@@ -259,7 +259,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, w0, w1, w2, m0):
+def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, t0, t1, t2, m0):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -269,18 +269,18 @@ def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, w0, w1
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C2, h, w0)
-    np.multiply(w0, C3, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(C2, h, t0)
+    np.multiply(t0, C3, t1)
+    np.less_equal(t1, d, m0)
     some23 = np.count_nonzero(m0)
     if some23:
-        np.multiply(C2, a, w1)
-        np.divide(w0, C4, w2)
-        np.add(d, w2, w2)
-        np.multiply(w1, w2, w1)
+        np.multiply(C2, a, t1)
+        np.divide(t0, C4, t2)
+        np.add(d, t2, t2)
+        np.multiply(t1, t2, t1)
     if some23 != size:
-        np.copyto(w1, C5, where=~m0)
-    np.multiply(out, w1, out)
+        np.copyto(t1, C5, where=~m0)
+    np.multiply(out, t1, out)
 
 
 BLOCKS = {

@@ -64,7 +64,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, w0, w1, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, t0, t1, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -75,20 +75,20 @@ def block_step_force_kelvin_voigt_all(out, t, d, a, h, E, eta, w0, w1, m0):
         np.copyto(out, E)
     if some8 != size:
         np.copyto(out, C1, where=~m0)
-    np.multiply(C2, h, w0)
-    np.divide(w0, C3, w0)
-    np.multiply(w0, C4, w0)
-    np.less_equal(w0, d, m0)
+    np.multiply(C2, h, t0)
+    np.divide(t0, C3, t0)
+    np.multiply(t0, C4, t0)
+    np.less_equal(t0, d, m0)
     some25 = np.count_nonzero(m0)
     if some25:
-        np.multiply(C5, a, w0)
-        np.multiply(C6, h, w1)
-        np.divide(w1, C7, w1)
-        np.add(d, w1, w1)
-        np.multiply(w0, w1, w0)
+        np.multiply(C5, a, t0)
+        np.multiply(C6, h, t1)
+        np.divide(t1, C7, t1)
+        np.add(d, t1, t1)
+        np.multiply(t0, t1, t0)
     if some25 != size:
-        np.copyto(w0, C8, where=~m0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C8, where=~m0)
+    np.multiply(out, t0, out)
 
 
 def step_force_maxwell(t, d, a, h, E, tau):
@@ -132,7 +132,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, a, h, E, tau, w0, w1, m0):
+def block_step_force_maxwell_all(out, t, d, a, h, E, tau, t0, t1, m0):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -141,20 +141,20 @@ def block_step_force_maxwell_all(out, t, d, a, h, E, tau, w0, w1, m0):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C2, h, w0)
-    np.divide(w0, C3, w0)
-    np.multiply(w0, C4, w0)
-    np.less_equal(w0, d, m0)
+    np.multiply(C2, h, t0)
+    np.divide(t0, C3, t0)
+    np.multiply(t0, C4, t0)
+    np.less_equal(t0, d, m0)
     some26 = np.count_nonzero(m0)
     if some26:
-        np.multiply(C5, a, w0)
-        np.multiply(C6, h, w1)
-        np.divide(w1, C7, w1)
-        np.add(d, w1, w1)
-        np.multiply(w0, w1, w0)
+        np.multiply(C5, a, t0)
+        np.multiply(C6, h, t1)
+        np.divide(t1, C7, t1)
+        np.add(d, t1, t1)
+        np.multiply(t0, t1, t0)
     if some26 != size:
-        np.copyto(w0, C8, where=~m0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C8, where=~m0)
+    np.multiply(out, t0, out)
 
 
 def step_force_power_creep(t, d, a, h, E, alpha, t_0):
@@ -202,7 +202,7 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, w0, w1, m0):
+def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, t0, t1, m0):
     size = out.size
     np.divide(t_0, t, out)
     largest_t = largest(t)
@@ -210,24 +210,24 @@ def block_step_force_power_creep_all(out, t, d, a, h, E, alpha, t_0, w0, w1, m0)
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C9, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C2, h, w1)
-    np.divide(w1, C3, w1)
-    np.multiply(w1, C4, w1)
-    np.less_equal(w1, d, m0)
+    np.multiply(C9, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C2, h, t1)
+    np.divide(t1, C3, t1)
+    np.multiply(t1, C4, t1)
+    np.less_equal(t1, d, m0)
     some31 = np.count_nonzero(m0)
     if some31:
-        np.multiply(C5, a, w1)
+        np.multiply(C5, a, t1)
         np.multiply(C6, h, out)
         np.divide(out, C7, out)
         np.add(d, out, out)
-        np.multiply(w1, out, w1)
+        np.multiply(t1, out, t1)
     if some31 != size:
-        np.copyto(w1, C8, where=~m0)
-    np.multiply(w0, w1, out)
+        np.copyto(t1, C8, where=~m0)
+    np.multiply(t0, t1, out)
 
 
 def step_force_standard_solid(t, d, a, h, E_inf, E_1, tau):
@@ -272,7 +272,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, w0, w1, m0):
+def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, t0, t1, m0):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -282,20 +282,20 @@ def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, w0, w1
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C2, h, w0)
-    np.divide(w0, C3, w0)
-    np.multiply(w0, C4, w0)
-    np.less_equal(w0, d, m0)
+    np.multiply(C2, h, t0)
+    np.divide(t0, C3, t0)
+    np.multiply(t0, C4, t0)
+    np.less_equal(t0, d, m0)
     some28 = np.count_nonzero(m0)
     if some28:
-        np.multiply(C5, a, w0)
-        np.multiply(C6, h, w1)
-        np.divide(w1, C7, w1)
-        np.add(d, w1, w1)
-        np.multiply(w0, w1, w0)
+        np.multiply(C5, a, t0)
+        np.multiply(C6, h, t1)
+        np.divide(t1, C7, t1)
+        np.add(d, t1, t1)
+        np.multiply(t0, t1, t0)
     if some28 != size:
-        np.copyto(w0, C8, where=~m0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C8, where=~m0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {

@@ -35,7 +35,7 @@ def prepare_ramp_force_kelvin_voigt_t(theta, v, E, eta):
     return (v, E, v10, v13)
 
 
-def block_ramp_force_kelvin_voigt_t(out, t, v, E, v10, v13, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_t(out, t, v, E, v10, v13, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -45,13 +45,13 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, E, v10, v13, w0, w1, m0):
     if some19:
         np.copyto(out, C0)
     if some19 != size:
-        other19 = w0 if some19 else out
+        other19 = t0 if some19 else out
         np.multiply(v, t, other19)
         np.square(other19, other19)
         np.multiply(v10, other19, other19)
-        np.divide(v13, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other19, w1, other19)
+        np.divide(v13, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other19, t1, other19)
         if some19:
             np.copyto(out, other19, where=~m0)
 
@@ -60,7 +60,7 @@ def prepare_ramp_force_kelvin_voigt_all():
     return ()
 
 
-def block_ramp_force_kelvin_voigt_all(out, t, theta, v, E, eta, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_all(out, t, theta, v, E, eta, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -70,17 +70,17 @@ def block_ramp_force_kelvin_voigt_all(out, t, theta, v, E, eta, w0, w1, m0):
     if some19:
         np.copyto(out, C0)
     if some19 != size:
-        other19 = w0 if some19 else out
+        other19 = t0 if some19 else out
         np.multiply(v, t, other19)
-        np.tan(theta, w1)
-        np.multiply(C2, w1, w1)
-        np.divide(C1, w1, w1)
+        np.tan(theta, t1)
+        np.multiply(C2, t1, t1)
+        np.divide(C1, t1, t1)
         np.square(other19, other19)
-        np.multiply(w1, other19, other19)
-        np.multiply(eta, C1, w1)
-        np.divide(w1, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other19, w1, other19)
+        np.multiply(t1, other19, other19)
+        np.multiply(eta, C1, t1)
+        np.divide(t1, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other19, t1, other19)
         if some19:
             np.copyto(out, other19, where=~m0)
 
@@ -124,7 +124,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, theta, E, eta, w0, w1, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, theta, E, eta, t0, t1, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -135,12 +135,12 @@ def block_step_force_kelvin_voigt_all(out, t, d, theta, E, eta, w0, w1, m0):
         np.copyto(out, E)
     if some7 != size:
         np.copyto(out, C3, where=~m0)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(C1, w0, w0)
-    np.square(d, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(C1, t0, t0)
+    np.square(d, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_maxwell(t, d, theta, E, tau):
@@ -179,7 +179,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, theta, E, tau, w0, w1):
+def block_step_force_maxwell_all(out, t, d, theta, E, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -187,12 +187,12 @@ def block_step_force_maxwell_all(out, t, d, theta, E, tau, w0, w1):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(C1, w0, w0)
-    np.square(d, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(C1, t0, t0)
+    np.square(d, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_power_creep(t, d, theta, E, alpha, t_0):
@@ -235,23 +235,23 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, theta, E, alpha, t_0, w0, w1):
+def block_step_force_power_creep_all(out, t, d, theta, E, alpha, t_0, t0, t1):
     np.divide(t_0, t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C2, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.tan(theta, w1)
-    np.multiply(C2, w1, w1)
-    np.divide(C1, w1, w1)
+    np.multiply(C2, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.tan(theta, t1)
+    np.multiply(C2, t1, t1)
+    np.divide(C1, t1, t1)
     np.square(d, out)
-    np.multiply(w1, out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t1, out, out)
+    np.multiply(t0, out, out)
 
 
 def step_force_standard_solid(t, d, theta, E_inf, E_1, tau):
@@ -291,7 +291,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, theta, E_inf, E_1, tau, w0, w1):
+def block_step_force_standard_solid_all(out, t, d, theta, E_inf, E_1, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -300,12 +300,12 @@ def block_step_force_standard_solid_all(out, t, d, theta, E_inf, E_1, tau, w0, w
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(C1, w0, w0)
-    np.square(d, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(C1, t0, t0)
+    np.square(d, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_load_radius_kelvin_voigt(t, F, theta, E, eta):
@@ -346,7 +346,7 @@ def prepare_step_load_radius_kelvin_voigt_all():
     return ()
 
 
-def block_step_load_radius_kelvin_voigt_all(out, t, F, theta, E, eta, w0):
+def block_step_load_radius_kelvin_voigt_all(out, t, F, theta, E, eta, t0):
     np.negative(E, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -358,10 +358,10 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, theta, E, eta, w0):
     np.divide(out, E, out)
     np.multiply(F, out, out)
     np.multiply(C1, out, out)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(out, w0, w0)
-    np.sqrt(w0, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(out, t0, t0)
+    np.sqrt(t0, out)
 
 
 def step_load_radius_maxwell(t, F, theta, E, tau):
@@ -396,7 +396,7 @@ def prepare_step_load_radius_maxwell_all():
     return ()
 
 
-def block_step_load_radius_maxwell_all(out, t, F, theta, E, tau, w0):
+def block_step_load_radius_maxwell_all(out, t, F, theta, E, tau, t0):
     np.divide(t, tau, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -405,10 +405,10 @@ def block_step_load_radius_maxwell_all(out, t, F, theta, E, tau, w0):
     np.divide(out, E, out)
     np.multiply(F, out, out)
     np.multiply(C1, out, out)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(out, w0, w0)
-    np.sqrt(w0, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(out, t0, t0)
+    np.sqrt(t0, out)
 
 
 def step_load_radius_power_creep(t, F, theta, E, alpha, t_0):
@@ -446,7 +446,7 @@ def prepare_step_load_radius_power_creep_all():
     return ()
 
 
-def block_step_load_radius_power_creep_all(out, t, F, theta, E, alpha, t_0, w0):
+def block_step_load_radius_power_creep_all(out, t, F, theta, E, alpha, t_0, t0):
     np.divide(t, t_0, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -455,10 +455,10 @@ def block_step_load_radius_power_creep_all(out, t, F, theta, E, alpha, t_0, w0):
     np.divide(out, E, out)
     np.multiply(F, out, out)
     np.multiply(C1, out, out)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(out, w0, w0)
-    np.sqrt(w0, out)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(out, t0, t0)
+    np.sqrt(t0, out)
 
 
 def step_load_radius_standard_solid(t, F, theta, E_inf, E_1, tau):
@@ -505,27 +505,27 @@ def prepare_step_load_radius_standard_solid_all():
     return ()
 
 
-def block_step_load_radius_standard_solid_all(out, t, F, theta, E_inf, E_1, tau, w0, w1):
+def block_step_load_radius_standard_solid_all(out, t, F, theta, E_inf, E_1, tau, t0, t1):
     np.add(E_inf, E_1, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(t, tau, w0)
-    np.divide(E_inf, out, w1)
-    np.multiply(w0, w1, w1)
-    np.divide(C4, out, w0)
+    np.divide(t, tau, t0)
+    np.divide(E_inf, out, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(C4, out, t0)
     np.divide(E_1, out, out)
-    np.negative(w1, w1)
-    np.expm1(w1, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, E_inf, w1)
-    np.subtract(w0, w1, w1)
-    np.multiply(F, w1, w1)
-    np.multiply(C1, w1, w1)
-    np.tan(theta, w0)
-    np.multiply(C2, w0, w0)
-    np.divide(w1, w0, w0)
-    np.sqrt(w0, out)
+    np.negative(t1, t1)
+    np.expm1(t1, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, E_inf, t1)
+    np.subtract(t0, t1, t1)
+    np.multiply(F, t1, t1)
+    np.multiply(C1, t1, t1)
+    np.tan(theta, t0)
+    np.multiply(C2, t0, t0)
+    np.divide(t1, t0, t0)
+    np.sqrt(t0, out)
 
 
 BLOCKS = {

@@ -32,7 +32,7 @@ def prepare_ramp_force_kelvin_voigt_t(a, v, E, eta):
     return (v, a, E, eta, v16)
 
 
-def block_ramp_force_kelvin_voigt_t(out, t, v, a, E, eta, v16, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_t(out, t, v, a, E, eta, v16, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -42,13 +42,13 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, a, E, eta, v16, w0, w1, m0):
     if some17:
         np.copyto(out, v16)
     if some17 != size:
-        other17 = w0 if some17 else out
+        other17 = t0 if some17 else out
         np.multiply(v, t, other17)
         np.multiply(C1, other17, other17)
         np.multiply(other17, a, other17)
-        np.divide(eta, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other17, w1, other17)
+        np.divide(eta, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other17, t1, other17)
         if some17:
             np.copyto(out, other17, where=~m0)
 
@@ -57,7 +57,7 @@ def prepare_ramp_force_kelvin_voigt_all():
     return ()
 
 
-def block_ramp_force_kelvin_voigt_all(out, t, a, v, E, eta, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_all(out, t, a, v, E, eta, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -69,13 +69,13 @@ def block_ramp_force_kelvin_voigt_all(out, t, a, v, E, eta, w0, w1, m0):
         np.multiply(out, a, out)
         np.multiply(out, eta, out)
     if some17 != size:
-        other17 = w0 if some17 else out
+        other17 = t0 if some17 else out
         np.multiply(v, t, other17)
         np.multiply(C1, other17, other17)
         np.multiply(other17, a, other17)
-        np.divide(eta, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other17, w1, other17)
+        np.divide(eta, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other17, t1, other17)
         if some17:
             np.copyto(out, other17, where=~m0)
 
@@ -116,7 +116,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, a, E, eta, w0, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, a, E, eta, t0, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -127,9 +127,9 @@ def block_step_force_kelvin_voigt_all(out, t, d, a, E, eta, w0, m0):
         np.copyto(out, E)
     if some7 != size:
         np.copyto(out, C2, where=~m0)
-    np.multiply(C1, d, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C1, d, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(out, t0, out)
 
 
 def step_force_maxwell(t, d, a, E, tau):
@@ -165,7 +165,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, a, E, tau, w0):
+def block_step_force_maxwell_all(out, t, d, a, E, tau, t0):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -173,9 +173,9 @@ def block_step_force_maxwell_all(out, t, d, a, E, tau, w0):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C1, d, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(out, t0, out)
 
 
 def step_force_power_creep(t, d, a, E, alpha, t_0):
@@ -215,20 +215,20 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, a, E, alpha, t_0, w0, w1):
+def block_step_force_power_creep_all(out, t, d, a, E, alpha, t_0, t0, t1):
     np.divide(t_0, t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C3, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C1, d, w1)
-    np.multiply(w1, a, w1)
-    np.multiply(w0, w1, out)
+    np.multiply(C3, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C1, d, t1)
+    np.multiply(t1, a, t1)
+    np.multiply(t0, t1, out)
 
 
 def step_force_standard_solid(t, d, a, E_inf, E_1, tau):
@@ -265,7 +265,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, a, E_inf, E_1, tau, w0):
+def block_step_force_standard_solid_all(out, t, d, a, E_inf, E_1, tau, t0):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -274,9 +274,9 @@ def block_step_force_standard_solid_all(out, t, d, a, E_inf, E_1, tau, w0):
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(w0, a, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C1, d, t0)
+    np.multiply(t0, a, t0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {

@@ -34,7 +34,7 @@ def prepare_ramp_force_kelvin_voigt_t(R, v, E, eta):
     return (v, R, E, v12)
 
 
-def block_ramp_force_kelvin_voigt_t(out, t, v, R, E, v12, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_t(out, t, v, R, E, v12, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -44,15 +44,15 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, R, E, v12, w0, w1, m0):
     if some18:
         np.copyto(out, C0)
     if some18 != size:
-        other18 = w0 if some18 else out
+        other18 = t0 if some18 else out
         np.multiply(v, t, other18)
-        np.multiply(C1, other18, w1)
+        np.multiply(C1, other18, t1)
         np.multiply(R, other18, other18)
         np.sqrt(other18, other18)
-        np.multiply(w1, other18, other18)
-        np.divide(v12, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other18, w1, other18)
+        np.multiply(t1, other18, other18)
+        np.divide(v12, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other18, t1, other18)
         if some18:
             np.copyto(out, other18, where=~m0)
 
@@ -61,7 +61,7 @@ def prepare_ramp_force_kelvin_voigt_all():
     return ()
 
 
-def block_ramp_force_kelvin_voigt_all(out, t, R, v, E, eta, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_all(out, t, R, v, E, eta, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -71,16 +71,16 @@ def block_ramp_force_kelvin_voigt_all(out, t, R, v, E, eta, w0, w1, m0):
     if some18:
         np.copyto(out, C0)
     if some18 != size:
-        other18 = w0 if some18 else out
+        other18 = t0 if some18 else out
         np.multiply(v, t, other18)
-        np.multiply(C1, other18, w1)
+        np.multiply(C1, other18, t1)
         np.multiply(R, other18, other18)
         np.sqrt(other18, other18)
-        np.multiply(w1, other18, other18)
-        np.multiply(eta, C2, w1)
-        np.divide(w1, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other18, w1, other18)
+        np.multiply(t1, other18, other18)
+        np.multiply(eta, C2, t1)
+        np.divide(t1, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other18, t1, other18)
         if some18:
             np.copyto(out, other18, where=~m0)
 
@@ -123,7 +123,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, R, E, eta, w0, w1, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, R, E, eta, t0, t1, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -134,11 +134,11 @@ def block_step_force_kelvin_voigt_all(out, t, d, R, E, eta, w0, w1, m0):
         np.copyto(out, E)
     if some7 != size:
         np.copyto(out, C3, where=~m0)
-    np.multiply(C1, d, w0)
-    np.multiply(R, d, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(R, d, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_maxwell(t, d, R, E, tau):
@@ -176,7 +176,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, R, E, tau, w0, w1):
+def block_step_force_maxwell_all(out, t, d, R, E, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -184,11 +184,11 @@ def block_step_force_maxwell_all(out, t, d, R, E, tau, w0, w1):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(R, d, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(R, d, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_power_creep(t, d, R, E, alpha, t_0):
@@ -230,22 +230,22 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, R, E, alpha, t_0, w0, w1):
+def block_step_force_power_creep_all(out, t, d, R, E, alpha, t_0, t0, t1):
     np.divide(t_0, t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C4, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C1, d, w1)
+    np.multiply(C4, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C1, d, t1)
     np.multiply(R, d, out)
     np.sqrt(out, out)
-    np.multiply(w1, out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t1, out, out)
+    np.multiply(t0, out, out)
 
 
 def step_force_standard_solid(t, d, R, E_inf, E_1, tau):
@@ -284,7 +284,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, R, E_inf, E_1, tau, w0, w1):
+def block_step_force_standard_solid_all(out, t, d, R, E_inf, E_1, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -293,11 +293,11 @@ def block_step_force_standard_solid_all(out, t, d, R, E_inf, E_1, tau, w0, w1):
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(R, d, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(R, d, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_load_radius_kelvin_voigt(t, F, R, E, eta):
@@ -337,7 +337,7 @@ def prepare_step_load_radius_kelvin_voigt_all():
     return ()
 
 
-def block_step_load_radius_kelvin_voigt_all(out, t, F, R, E, eta, w0):
+def block_step_load_radius_kelvin_voigt_all(out, t, F, R, E, eta, t0):
     np.negative(E, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -348,8 +348,8 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, R, E, eta, w0):
     np.negative(out, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, w0)
-    np.multiply(w0, out, out)
+    np.multiply(C5, R, t0)
+    np.multiply(t0, out, out)
     np.cbrt(out, out)
 
 
@@ -384,7 +384,7 @@ def prepare_step_load_radius_maxwell_all():
     return ()
 
 
-def block_step_load_radius_maxwell_all(out, t, F, R, E, tau, w0):
+def block_step_load_radius_maxwell_all(out, t, F, R, E, tau, t0):
     np.divide(t, tau, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -392,8 +392,8 @@ def block_step_load_radius_maxwell_all(out, t, F, R, E, tau, w0):
     np.add(C6, out, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, w0)
-    np.multiply(w0, out, out)
+    np.multiply(C5, R, t0)
+    np.multiply(t0, out, out)
     np.cbrt(out, out)
 
 
@@ -431,7 +431,7 @@ def prepare_step_load_radius_power_creep_all():
     return ()
 
 
-def block_step_load_radius_power_creep_all(out, t, F, R, E, alpha, t_0, w0):
+def block_step_load_radius_power_creep_all(out, t, F, R, E, alpha, t_0, t0):
     np.divide(t, t_0, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -439,8 +439,8 @@ def block_step_load_radius_power_creep_all(out, t, F, R, E, alpha, t_0, w0):
     np.power(out, alpha, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, w0)
-    np.multiply(w0, out, out)
+    np.multiply(C5, R, t0)
+    np.multiply(t0, out, out)
     np.cbrt(out, out)
 
 
@@ -487,25 +487,25 @@ def prepare_step_load_radius_standard_solid_all():
     return ()
 
 
-def block_step_load_radius_standard_solid_all(out, t, F, R, E_inf, E_1, tau, w0, w1):
+def block_step_load_radius_standard_solid_all(out, t, F, R, E_inf, E_1, tau, t0, t1):
     np.add(E_inf, E_1, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(t, tau, w0)
-    np.divide(E_inf, out, w1)
-    np.multiply(w0, w1, w1)
-    np.divide(C6, out, w0)
+    np.divide(t, tau, t0)
+    np.divide(E_inf, out, t1)
+    np.multiply(t0, t1, t1)
+    np.divide(C6, out, t0)
     np.divide(E_1, out, out)
-    np.negative(w1, w1)
-    np.expm1(w1, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, E_inf, w1)
-    np.subtract(w0, w1, w1)
-    np.multiply(F, w1, w1)
-    np.multiply(C5, R, w0)
-    np.multiply(w0, w1, w1)
-    np.cbrt(w1, out)
+    np.negative(t1, t1)
+    np.expm1(t1, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, E_inf, t1)
+    np.subtract(t0, t1, t1)
+    np.multiply(F, t1, t1)
+    np.multiply(C5, R, t0)
+    np.multiply(t0, t1, t1)
+    np.cbrt(t1, out)
 
 
 BLOCKS = {

@@ -38,7 +38,7 @@ def prepare_ramp_force_kelvin_voigt_t(A, v, E, eta):
     return (v, A, E, v15)
 
 
-def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v15, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v15, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -48,17 +48,17 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v15, w0, w1, m0):
     if some21:
         np.copyto(out, C0)
     if some21 != size:
-        other21 = w0 if some21 else out
+        other21 = t0 if some21 else out
         np.multiply(v, t, other21)
-        np.multiply(C1, other21, w1)
+        np.multiply(C1, other21, t1)
         np.multiply(C2, other21, other21)
         np.divide(other21, A, other21)
         np.sqrt(other21, other21)
         np.sqrt(other21, other21)
-        np.multiply(w1, other21, other21)
-        np.divide(v15, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other21, w1, other21)
+        np.multiply(t1, other21, other21)
+        np.divide(v15, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other21, t1, other21)
         if some21:
             np.copyto(out, other21, where=~m0)
 
@@ -67,7 +67,7 @@ def prepare_ramp_force_kelvin_voigt_all():
     return ()
 
 
-def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, w0, w1, m0):
+def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, m0):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -77,18 +77,18 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, w0, w1, m0):
     if some21:
         np.copyto(out, C0)
     if some21 != size:
-        other21 = w0 if some21 else out
+        other21 = t0 if some21 else out
         np.multiply(v, t, other21)
-        np.multiply(C1, other21, w1)
+        np.multiply(C1, other21, t1)
         np.multiply(C2, other21, other21)
         np.divide(other21, A, other21)
         np.sqrt(other21, other21)
         np.sqrt(other21, other21)
-        np.multiply(w1, other21, other21)
-        np.multiply(eta, C3, w1)
-        np.divide(w1, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(other21, w1, other21)
+        np.multiply(t1, other21, other21)
+        np.multiply(eta, C3, t1)
+        np.divide(t1, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(other21, t1, other21)
         if some21:
             np.copyto(out, other21, where=~m0)
 
@@ -133,7 +133,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, w0, w1, m0):
+def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, m0):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -144,13 +144,13 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, w0, w1, m0):
         np.copyto(out, E)
     if some7 != size:
         np.copyto(out, C4, where=~m0)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.sqrt(w1, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.sqrt(t1, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_maxwell(t, d, A, E, tau):
@@ -190,7 +190,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, A, E, tau, w0, w1):
+def block_step_force_maxwell_all(out, t, d, A, E, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -198,13 +198,13 @@ def block_step_force_maxwell_all(out, t, d, A, E, tau, w0, w1):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.sqrt(w1, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.sqrt(t1, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_force_power_creep(t, d, A, E, alpha, t_0):
@@ -248,24 +248,24 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, w0, w1):
+def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, t0, t1):
     np.divide(t_0, t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C5, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C1, d, w1)
+    np.multiply(C5, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C1, d, t1)
     np.multiply(C2, d, out)
     np.divide(out, A, out)
     np.sqrt(out, out)
     np.sqrt(out, out)
-    np.multiply(w1, out, out)
-    np.multiply(w0, out, out)
+    np.multiply(t1, out, out)
+    np.multiply(t0, out, out)
 
 
 def step_force_standard_solid(t, d, A, E_inf, E_1, tau):
@@ -306,7 +306,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, w0, w1):
+def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, t0, t1):
     np.negative(t, out)
     largest_t = largest(t)
     if largest_t == np.inf:
@@ -315,13 +315,13 @@ def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, w0, w1):
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.sqrt(w1, w1)
-    np.sqrt(w1, w1)
-    np.multiply(w0, w1, w1)
-    np.multiply(out, w1, out)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.sqrt(t1, t1)
+    np.sqrt(t1, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(out, t1, out)
 
 
 def step_load_radius_kelvin_voigt(t, F, A, E, eta):
@@ -349,72 +349,72 @@ def prepare_step_load_radius_kelvin_voigt_t(F, A, E, eta):
     return (F, E, eta, v5, v15)
 
 
-def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, w0, w1, w2, m0, m1):
+def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(v5, t, w0)
+    np.multiply(v5, t, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(w0, eta, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.divide(w0, v15, w0)
-    np.power(w0, C7, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.divide(t0, eta, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.divide(t0, v15, t0)
+    np.power(t0, C7, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
-        np.power(w1, C8, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C8, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some34 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_kelvin_voigt_all():
     return ()
 
 
-def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, w0, w1, w2, m0, m1):
+def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, t0, t1, t2, m0, m1):
     size = out.size
-    np.negative(E, w0)
+    np.negative(E, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.multiply(w0, t, w0)
-    np.divide(w0, eta, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.multiply(C10, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C7, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.multiply(t0, t, t0)
+    np.divide(t0, eta, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.multiply(C10, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C7, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
-        np.power(w0, C8, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C8, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some34 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_maxwell(t, F, A, E, tau):
@@ -438,67 +438,67 @@ def prepare_step_load_radius_maxwell_t(F, A, E, tau):
     return (F, E, tau, v13)
 
 
-def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, w0, w1, w2, m0, m1):
+def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C9, w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.divide(w0, v13, w0)
-    np.power(w0, C7, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.add(C9, t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.divide(t0, v13, t0)
+    np.power(t0, C7, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
-        np.power(w1, C8, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C8, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some31 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_maxwell_all():
     return ()
 
 
-def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, w0, w1, w2, m0, m1):
+def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C9, w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.multiply(C10, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C7, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.add(C9, t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.multiply(C10, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C7, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
-        np.power(w0, C8, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C8, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some31 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_power_creep(t, F, A, E, alpha, t_0):
@@ -525,67 +525,67 @@ def prepare_step_load_radius_power_creep_t(F, A, E, alpha, t_0):
     return (F, E, alpha, t_0, v13)
 
 
-def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, w0, w1, w2, m0, m1):
+def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, t_0, w0)
+    np.divide(t, t_0, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.power(w0, alpha, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.divide(w0, v13, w0)
-    np.power(w0, C7, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.power(t0, alpha, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.divide(t0, v13, t0)
+    np.power(t0, C7, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
-        np.power(w1, C8, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C8, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some32 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_power_creep_all():
     return ()
 
 
-def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, w0, w1, w2, m0, m1):
+def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, t_0, w0)
+    np.divide(t, t_0, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.power(w0, alpha, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.multiply(C10, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C7, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.power(t0, alpha, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.multiply(C10, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C7, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
-        np.power(w0, C8, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C8, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some32 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_standard_solid(t, F, A, E_inf, E_1, tau):
@@ -617,79 +617,79 @@ def prepare_step_load_radius_standard_solid_t(F, A, E_inf, E_1, tau):
     return (F, E_inf, tau, v8, v11, v12, v22)
 
 
-def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12, v22, w0, w1, w2, m0, m1):
+def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12, v22, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.multiply(w0, v8, w0)
-    np.negative(w0, w0)
-    np.expm1(w0, w0)
-    np.multiply(v12, w0, w0)
-    np.divide(w0, E_inf, w0)
-    np.subtract(v11, w0, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C6, w0, w0)
-    np.divide(w0, v22, w0)
-    np.power(w0, C7, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.multiply(t0, v8, t0)
+    np.negative(t0, t0)
+    np.expm1(t0, t0)
+    np.multiply(v12, t0, t0)
+    np.divide(t0, E_inf, t0)
+    np.subtract(v11, t0, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C6, t0, t0)
+    np.divide(t0, v22, t0)
+    np.power(t0, C7, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
-        np.power(w1, C8, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C9, w2)
-        np.divide(w2, C8, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C8, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C9, t2)
+        np.divide(t2, C8, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some40 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_standard_solid_all():
     return ()
 
 
-def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, w0, w1, w2, m0, m1):
+def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0, t1, t2, m0, m1):
     size = out.size
-    np.add(E_inf, E_1, w0)
+    np.add(E_inf, E_1, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(t, tau, w1)
-    np.divide(E_inf, w0, w2)
-    np.multiply(w1, w2, w2)
-    np.divide(C9, w0, w1)
-    np.divide(E_1, w0, w0)
-    np.negative(w2, w2)
-    np.expm1(w2, w2)
-    np.multiply(w0, w2, w2)
-    np.divide(w2, E_inf, w2)
-    np.subtract(w1, w2, w2)
-    np.multiply(F, w2, w2)
-    np.multiply(C6, w2, w2)
-    np.multiply(C10, A, w1)
-    np.divide(w2, w1, w1)
-    np.power(w1, C7, w2)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.divide(t, tau, t1)
+    np.divide(E_inf, t0, t2)
+    np.multiply(t1, t2, t2)
+    np.divide(C9, t0, t1)
+    np.divide(E_1, t0, t0)
+    np.negative(t2, t2)
+    np.expm1(t2, t2)
+    np.multiply(t0, t2, t2)
+    np.divide(t2, E_inf, t2)
+    np.subtract(t1, t2, t2)
+    np.multiply(F, t2, t2)
+    np.multiply(C6, t2, t2)
+    np.multiply(C10, A, t1)
+    np.divide(t2, t1, t1)
+    np.power(t1, C7, t2)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
-        np.power(w2, C8, out)
-        np.power(w2, C0, w0)
-        np.multiply(out, w0, w0)
-        np.divide(w1, w0, w0)
-        np.subtract(w0, C9, w0)
-        np.divide(w0, C8, w0)
-        np.multiply(w2, w0, w0)
-        np.add(w2, w0, out)
+        np.power(t2, C8, out)
+        np.power(t2, C0, t0)
+        np.multiply(out, t0, t0)
+        np.divide(t1, t0, t0)
+        np.subtract(t0, C9, t0)
+        np.divide(t0, C8, t0)
+        np.multiply(t2, t0, t0)
+        np.add(t2, t0, out)
     if some40 != size:
-        np.copyto(out, w2, where=~m1)
+        np.copyto(out, t2, where=~m1)
 
 
 BLOCKS = {

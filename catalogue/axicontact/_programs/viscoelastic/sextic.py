@@ -45,7 +45,7 @@ def prepare_ramp_force_kelvin_voigt_t(A, v, E, eta):
     return (v, A, E, v31)
 
 
-def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, w0, w1, w2, w3, w4, m0, m1, m2):
+def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -55,31 +55,31 @@ def block_ramp_force_kelvin_voigt_t(out, t, v, A, E, v31, w0, w1, w2, w3, w4, m0
     if some36:
         np.copyto(out, C0)
     if some36 != size:
-        other36 = w0 if some36 else out
+        other36 = t0 if some36 else out
         np.multiply(v, t, other36)
-        np.multiply(C1, other36, w1)
+        np.multiply(C1, other36, t1)
         np.multiply(C2, other36, other36)
         np.divide(other36, A, other36)
-        np.power(other36, C3, w2)
+        np.power(other36, C3, t2)
         np.greater(other36, C0, m1)
         np.less(other36, C4, m2)
         np.bitwise_and(m1, m2, m2)
         some28 = np.count_nonzero(m2)
         if some28:
-            np.power(w2, C5, w3)
-            np.power(w2, C0, w4)
-            np.multiply(w3, w4, w4)
-            np.divide(other36, w4, w4)
-            np.subtract(w4, C6, w4)
-            np.divide(w4, C5, w4)
-            np.multiply(w2, w4, w4)
-            np.add(w2, w4, w3)
+            np.power(t2, C5, t3)
+            np.power(t2, C0, t4)
+            np.multiply(t3, t4, t4)
+            np.divide(other36, t4, t4)
+            np.subtract(t4, C6, t4)
+            np.divide(t4, C5, t4)
+            np.multiply(t2, t4, t4)
+            np.add(t2, t4, t3)
         if some28 != size:
-            np.copyto(w3, w2, where=~m2)
-        np.multiply(w1, w3, w3)
-        np.divide(v31, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(w3, w1, other36)
+            np.copyto(t3, t2, where=~m2)
+        np.multiply(t1, t3, t3)
+        np.divide(v31, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(t3, t1, other36)
         if some36:
             np.copyto(out, other36, where=~m0)
 
@@ -88,7 +88,7 @@ def prepare_ramp_force_kelvin_voigt_all():
     return ()
 
 
-def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, w0, w1, w2, w3, w4, m0, m1, m2):
+def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
     np.equal(t, C0, m0)
     largest_t = largest(t)
@@ -98,32 +98,32 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, w0, w1, w2, w3, w4, 
     if some36:
         np.copyto(out, C0)
     if some36 != size:
-        other36 = w0 if some36 else out
+        other36 = t0 if some36 else out
         np.multiply(v, t, other36)
-        np.multiply(C1, other36, w1)
+        np.multiply(C1, other36, t1)
         np.multiply(C2, other36, other36)
         np.divide(other36, A, other36)
-        np.power(other36, C3, w2)
+        np.power(other36, C3, t2)
         np.greater(other36, C0, m1)
         np.less(other36, C4, m2)
         np.bitwise_and(m1, m2, m2)
         some28 = np.count_nonzero(m2)
         if some28:
-            np.power(w2, C5, w3)
-            np.power(w2, C0, w4)
-            np.multiply(w3, w4, w4)
-            np.divide(other36, w4, w4)
-            np.subtract(w4, C6, w4)
-            np.divide(w4, C5, w4)
-            np.multiply(w2, w4, w4)
-            np.add(w2, w4, w3)
+            np.power(t2, C5, t3)
+            np.power(t2, C0, t4)
+            np.multiply(t3, t4, t4)
+            np.divide(other36, t4, t4)
+            np.subtract(t4, C6, t4)
+            np.divide(t4, C5, t4)
+            np.multiply(t2, t4, t4)
+            np.add(t2, t4, t3)
         if some28 != size:
-            np.copyto(w3, w2, where=~m2)
-        np.multiply(w1, w3, w3)
-        np.multiply(eta, C7, w1)
-        np.divide(w1, t, w1)
-        np.add(E, w1, w1)
-        np.multiply(w3, w1, other36)
+            np.copyto(t3, t2, where=~m2)
+        np.multiply(t1, t3, t3)
+        np.multiply(eta, C7, t1)
+        np.divide(t1, t, t1)
+        np.add(E, t1, t1)
+        np.multiply(t3, t1, other36)
         if some36:
             np.copyto(out, other36, where=~m0)
 
@@ -181,7 +181,7 @@ def prepare_step_force_kelvin_voigt_all():
     return ()
 
 
-def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, w0, w1, w2, w3, w4, m0, m1):
+def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
     np.greater(t, C0, m0)
     largest_t = largest(t)
@@ -192,27 +192,27 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, E, eta, w0, w1, w2, w3, w4, 
         np.copyto(out, E)
     if some7 != size:
         np.copyto(out, C4, where=~m0)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.power(w1, C3, w2)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.power(t1, C3, t2)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some28 = np.count_nonzero(m1)
     if some28:
-        np.power(w2, C5, w3)
-        np.power(w2, C0, w4)
-        np.multiply(w3, w4, w4)
-        np.divide(w1, w4, w4)
-        np.subtract(w4, C6, w4)
-        np.divide(w4, C5, w4)
-        np.multiply(w2, w4, w4)
-        np.add(w2, w4, w3)
+        np.power(t2, C5, t3)
+        np.power(t2, C0, t4)
+        np.multiply(t3, t4, t4)
+        np.divide(t1, t4, t4)
+        np.subtract(t4, C6, t4)
+        np.divide(t4, C5, t4)
+        np.multiply(t2, t4, t4)
+        np.add(t2, t4, t3)
     if some28 != size:
-        np.copyto(w3, w2, where=~m1)
-    np.multiply(w0, w3, w3)
-    np.multiply(out, w3, out)
+        np.copyto(t3, t2, where=~m1)
+    np.multiply(t0, t3, t3)
+    np.multiply(out, t3, out)
 
 
 def step_force_maxwell(t, d, A, E, tau):
@@ -265,7 +265,7 @@ def prepare_step_force_maxwell_all():
     return ()
 
 
-def block_step_force_maxwell_all(out, t, d, A, E, tau, w0, w1, w2, w3, w4, m0, m1):
+def block_step_force_maxwell_all(out, t, d, A, E, tau, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -274,27 +274,27 @@ def block_step_force_maxwell_all(out, t, d, A, E, tau, w0, w1, w2, w3, w4, m0, m
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.power(w1, C3, w2)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.power(t1, C3, t2)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
-        np.power(w2, C5, w3)
-        np.power(w2, C0, w4)
-        np.multiply(w3, w4, w4)
-        np.divide(w1, w4, w4)
-        np.subtract(w4, C6, w4)
-        np.divide(w4, C5, w4)
-        np.multiply(w2, w4, w4)
-        np.add(w2, w4, w3)
+        np.power(t2, C5, t3)
+        np.power(t2, C0, t4)
+        np.multiply(t3, t4, t4)
+        np.divide(t1, t4, t4)
+        np.subtract(t4, C6, t4)
+        np.divide(t4, C5, t4)
+        np.multiply(t2, t4, t4)
+        np.add(t2, t4, t3)
     if some31 != size:
-        np.copyto(w3, w2, where=~m1)
-    np.multiply(w0, w3, w3)
-    np.multiply(out, w3, out)
+        np.copyto(t3, t2, where=~m1)
+    np.multiply(t0, t3, t3)
+    np.multiply(out, t3, out)
 
 
 def step_force_power_creep(t, d, A, E, alpha, t_0):
@@ -351,7 +351,7 @@ def prepare_step_force_power_creep_all():
     return ()
 
 
-def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, w0, w1, w2, w3, w4, m0, m1):
+def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
     np.divide(t_0, t, out)
     largest_t = largest(t)
@@ -359,31 +359,31 @@ def block_step_force_power_creep_all(out, t, d, A, E, alpha, t_0, w0, w1, w2, w3
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C8, alpha, w0)
-    np.sin(w0, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w1, w0, w0)
-    np.multiply(C1, d, w1)
+    np.multiply(C8, alpha, t0)
+    np.sin(t0, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t1, t0, t0)
+    np.multiply(C1, d, t1)
     np.multiply(C2, d, out)
     np.divide(out, A, out)
-    np.power(out, C3, w2)
+    np.power(out, C3, t2)
     np.greater(out, C0, m0)
     np.less(out, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some36 = np.count_nonzero(m1)
     if some36:
-        np.power(w2, C5, w3)
-        np.power(w2, C0, w4)
-        np.multiply(w3, w4, w4)
-        np.divide(out, w4, w4)
-        np.subtract(w4, C6, w4)
-        np.divide(w4, C5, w4)
-        np.multiply(w2, w4, w4)
-        np.add(w2, w4, w3)
+        np.power(t2, C5, t3)
+        np.power(t2, C0, t4)
+        np.multiply(t3, t4, t4)
+        np.divide(out, t4, t4)
+        np.subtract(t4, C6, t4)
+        np.divide(t4, C5, t4)
+        np.multiply(t2, t4, t4)
+        np.add(t2, t4, t3)
     if some36 != size:
-        np.copyto(w3, w2, where=~m1)
-    np.multiply(w1, w3, w3)
-    np.multiply(w0, w3, out)
+        np.copyto(t3, t2, where=~m1)
+    np.multiply(t1, t3, t3)
+    np.multiply(t0, t3, out)
 
 
 def step_force_standard_solid(t, d, A, E_inf, E_1, tau):
@@ -437,7 +437,7 @@ def prepare_step_force_standard_solid_all():
     return ()
 
 
-def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, w0, w1, w2, w3, w4, m0, m1):
+def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, t0, t1, t2, t3, t4, m0, m1):
     size = out.size
     np.negative(t, out)
     largest_t = largest(t)
@@ -447,27 +447,27 @@ def block_step_force_standard_solid_all(out, t, d, A, E_inf, E_1, tau, w0, w1, w
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C1, d, w0)
-    np.multiply(C2, d, w1)
-    np.divide(w1, A, w1)
-    np.power(w1, C3, w2)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.multiply(C1, d, t0)
+    np.multiply(C2, d, t1)
+    np.divide(t1, A, t1)
+    np.power(t1, C3, t2)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some33 = np.count_nonzero(m1)
     if some33:
-        np.power(w2, C5, w3)
-        np.power(w2, C0, w4)
-        np.multiply(w3, w4, w4)
-        np.divide(w1, w4, w4)
-        np.subtract(w4, C6, w4)
-        np.divide(w4, C5, w4)
-        np.multiply(w2, w4, w4)
-        np.add(w2, w4, w3)
+        np.power(t2, C5, t3)
+        np.power(t2, C0, t4)
+        np.multiply(t3, t4, t4)
+        np.divide(t1, t4, t4)
+        np.subtract(t4, C6, t4)
+        np.divide(t4, C5, t4)
+        np.multiply(t2, t4, t4)
+        np.add(t2, t4, t3)
     if some33 != size:
-        np.copyto(w3, w2, where=~m1)
-    np.multiply(w0, w3, w3)
-    np.multiply(out, w3, out)
+        np.copyto(t3, t2, where=~m1)
+    np.multiply(t0, t3, t3)
+    np.multiply(out, t3, out)
 
 
 def step_load_radius_kelvin_voigt(t, F, A, E, eta):
@@ -495,72 +495,72 @@ def prepare_step_load_radius_kelvin_voigt_t(F, A, E, eta):
     return (F, E, eta, v5, v15)
 
 
-def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, w0, w1, w2, m0, m1):
+def block_step_load_radius_kelvin_voigt_t(out, t, F, E, eta, v5, v15, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(v5, t, w0)
+    np.multiply(v5, t, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(w0, eta, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.divide(w0, v15, w0)
-    np.power(w0, C10, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.divide(t0, eta, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.divide(t0, v15, t0)
+    np.power(t0, C10, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
-        np.power(w1, C11, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C11, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some34 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_kelvin_voigt_all():
     return ()
 
 
-def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, w0, w1, w2, m0, m1):
+def block_step_load_radius_kelvin_voigt_all(out, t, F, A, E, eta, t0, t1, t2, m0, m1):
     size = out.size
-    np.negative(E, w0)
+    np.negative(E, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.multiply(w0, t, w0)
-    np.divide(w0, eta, w0)
-    np.expm1(w0, w0)
-    np.negative(w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.multiply(C12, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C10, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.multiply(t0, t, t0)
+    np.divide(t0, eta, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.multiply(C12, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C10, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some34 = np.count_nonzero(m1)
     if some34:
-        np.power(w0, C11, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C11, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some34 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_maxwell(t, F, A, E, tau):
@@ -584,67 +584,67 @@ def prepare_step_load_radius_maxwell_t(F, A, E, tau):
     return (F, E, tau, v13)
 
 
-def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, w0, w1, w2, m0, m1):
+def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C6, w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.divide(w0, v13, w0)
-    np.power(w0, C10, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.add(C6, t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.divide(t0, v13, t0)
+    np.power(t0, C10, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
-        np.power(w1, C11, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C11, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some31 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_maxwell_all():
     return ()
 
 
-def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, w0, w1, w2, m0, m1):
+def block_step_load_radius_maxwell_all(out, t, F, A, E, tau, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C6, w0, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.multiply(C12, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C10, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.add(C6, t0, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.multiply(C12, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C10, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some31 = np.count_nonzero(m1)
     if some31:
-        np.power(w0, C11, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C11, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some31 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_power_creep(t, F, A, E, alpha, t_0):
@@ -671,67 +671,67 @@ def prepare_step_load_radius_power_creep_t(F, A, E, alpha, t_0):
     return (F, E, alpha, t_0, v13)
 
 
-def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, w0, w1, w2, m0, m1):
+def block_step_load_radius_power_creep_t(out, t, F, E, alpha, t_0, v13, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, t_0, w0)
+    np.divide(t, t_0, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.power(w0, alpha, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.divide(w0, v13, w0)
-    np.power(w0, C10, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.power(t0, alpha, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.divide(t0, v13, t0)
+    np.power(t0, C10, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
-        np.power(w1, C11, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C11, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some32 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_power_creep_all():
     return ()
 
 
-def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, w0, w1, w2, m0, m1):
+def block_step_load_radius_power_creep_all(out, t, F, A, E, alpha, t_0, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, t_0, w0)
+    np.divide(t, t_0, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.power(w0, alpha, w0)
-    np.divide(w0, E, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.multiply(C12, A, w1)
-    np.divide(w0, w1, w1)
-    np.power(w1, C10, w0)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.power(t0, alpha, t0)
+    np.divide(t0, E, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.multiply(C12, A, t1)
+    np.divide(t0, t1, t1)
+    np.power(t1, C10, t0)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some32 = np.count_nonzero(m1)
     if some32:
-        np.power(w0, C11, out)
-        np.power(w0, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w1, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w0, w2, w2)
-        np.add(w0, w2, out)
+        np.power(t0, C11, out)
+        np.power(t0, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t1, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t0, t2, t2)
+        np.add(t0, t2, out)
     if some32 != size:
-        np.copyto(out, w0, where=~m1)
+        np.copyto(out, t0, where=~m1)
 
 
 def step_load_radius_standard_solid(t, F, A, E_inf, E_1, tau):
@@ -763,79 +763,79 @@ def prepare_step_load_radius_standard_solid_t(F, A, E_inf, E_1, tau):
     return (F, E_inf, tau, v8, v11, v12, v22)
 
 
-def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12, v22, w0, w1, w2, m0, m1):
+def block_step_load_radius_standard_solid_t(out, t, F, E_inf, tau, v8, v11, v12, v22, t0, t1, t2, m0, m1):
     size = out.size
-    np.divide(t, tau, w0)
+    np.divide(t, tau, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.multiply(w0, v8, w0)
-    np.negative(w0, w0)
-    np.expm1(w0, w0)
-    np.multiply(v12, w0, w0)
-    np.divide(w0, E_inf, w0)
-    np.subtract(v11, w0, w0)
-    np.multiply(F, w0, w0)
-    np.multiply(C9, w0, w0)
-    np.divide(w0, v22, w0)
-    np.power(w0, C10, w1)
-    np.greater(w0, C0, m0)
-    np.less(w0, C4, m1)
+    np.multiply(t0, v8, t0)
+    np.negative(t0, t0)
+    np.expm1(t0, t0)
+    np.multiply(v12, t0, t0)
+    np.divide(t0, E_inf, t0)
+    np.subtract(v11, t0, t0)
+    np.multiply(F, t0, t0)
+    np.multiply(C9, t0, t0)
+    np.divide(t0, v22, t0)
+    np.power(t0, C10, t1)
+    np.greater(t0, C0, m0)
+    np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
-        np.power(w1, C11, out)
-        np.power(w1, C0, w2)
-        np.multiply(out, w2, w2)
-        np.divide(w0, w2, w2)
-        np.subtract(w2, C6, w2)
-        np.divide(w2, C11, w2)
-        np.multiply(w1, w2, w2)
-        np.add(w1, w2, out)
+        np.power(t1, C11, out)
+        np.power(t1, C0, t2)
+        np.multiply(out, t2, t2)
+        np.divide(t0, t2, t2)
+        np.subtract(t2, C6, t2)
+        np.divide(t2, C11, t2)
+        np.multiply(t1, t2, t2)
+        np.add(t1, t2, out)
     if some40 != size:
-        np.copyto(out, w1, where=~m1)
+        np.copyto(out, t1, where=~m1)
 
 
 def prepare_step_load_radius_standard_solid_all():
     return ()
 
 
-def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, w0, w1, w2, m0, m1):
+def block_step_load_radius_standard_solid_all(out, t, F, A, E_inf, E_1, tau, t0, t1, t2, m0, m1):
     size = out.size
-    np.add(E_inf, E_1, w0)
+    np.add(E_inf, E_1, t0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.divide(t, tau, w1)
-    np.divide(E_inf, w0, w2)
-    np.multiply(w1, w2, w2)
-    np.divide(C6, w0, w1)
-    np.divide(E_1, w0, w0)
-    np.negative(w2, w2)
-    np.expm1(w2, w2)
-    np.multiply(w0, w2, w2)
-    np.divide(w2, E_inf, w2)
-    np.subtract(w1, w2, w2)
-    np.multiply(F, w2, w2)
-    np.multiply(C9, w2, w2)
-    np.multiply(C12, A, w1)
-    np.divide(w2, w1, w1)
-    np.power(w1, C10, w2)
-    np.greater(w1, C0, m0)
-    np.less(w1, C4, m1)
+    np.divide(t, tau, t1)
+    np.divide(E_inf, t0, t2)
+    np.multiply(t1, t2, t2)
+    np.divide(C6, t0, t1)
+    np.divide(E_1, t0, t0)
+    np.negative(t2, t2)
+    np.expm1(t2, t2)
+    np.multiply(t0, t2, t2)
+    np.divide(t2, E_inf, t2)
+    np.subtract(t1, t2, t2)
+    np.multiply(F, t2, t2)
+    np.multiply(C9, t2, t2)
+    np.multiply(C12, A, t1)
+    np.divide(t2, t1, t1)
+    np.power(t1, C10, t2)
+    np.greater(t1, C0, m0)
+    np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
     some40 = np.count_nonzero(m1)
     if some40:
-        np.power(w2, C11, out)
-        np.power(w2, C0, w0)
-        np.multiply(out, w0, w0)
-        np.divide(w1, w0, w0)
-        np.subtract(w0, C6, w0)
-        np.divide(w0, C11, w0)
-        np.multiply(w2, w0, w0)
-        np.add(w2, w0, out)
+        np.power(t2, C11, out)
+        np.power(t2, C0, t0)
+        np.multiply(out, t0, t0)
+        np.divide(t1, t0, t0)
+        np.subtract(t0, C6, t0)
+        np.divide(t0, C11, t0)
+        np.multiply(t2, t0, t0)
+        np.add(t2, t0, out)
     if some40 != size:
-        np.copyto(out, w2, where=~m1)
+        np.copyto(out, t2, where=~m1)
 
 
 BLOCKS = {

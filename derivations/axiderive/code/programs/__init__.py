@@ -75,7 +75,7 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
     return dict(sorted((files | {f"{PACKAGE}/{FOLDER}/__init__.py": README}).items()))
 
 
-README = '''"""What is evaluated for plain numbers, for blocks of arrays, and over other array libraries; the build writes it.
+README = '''"""What is evaluated for plain numbers, blocks of arrays and other array libraries, written by the build.
 
 For `_pressure` of `axicontact/normal/cone.py` there are in `normal/cone.py` of this folder `pressure` for plain
 numbers, `prepare_...` and `block_...` for arrays, and below `expressions` the same for any array library.  What
@@ -161,9 +161,10 @@ class _Module:
         for name, calls in self.calls.items():
             arguments = _arguments(calls[0].formula)
             result = trace(calls[0].formula, arguments, ())
-            self._plain(name, calls, arguments, result)
-            over = result and expression(name.removeprefix("_"), arguments, result)
+            whole = result or trace(calls[0].formula, arguments, (), roots=True)
+            over = whole and expression(name.removeprefix("_"), arguments, whole)
             self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
+            self._plain(name, calls, arguments, result)
             if result is not None and not any(map(is_sum, needed(result))):
                 for fields, keywords in dict.fromkeys((call.fields, call.keywords) for call in calls):
                     self._blocks(name, fields, (*fields, *keywords), result)

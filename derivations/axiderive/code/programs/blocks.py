@@ -175,7 +175,7 @@ class Blocks:
         reaching = {x for user in self.arrays for x in user.operands} | {result, self.refused}
         results = [self.of(x) for x in numbers if x in reaching]
         lines.append(f"    return ({', '.join(results)}{',' if len(results) == 1 else ''})")
-        scratch = [f"w{i}" for i in range(self.count)] + [f"m{i}" for i in range(self.mask_count)]
+        scratch = [f"t{i}" for i in range(self.count)] + [f"m{i}" for i in range(self.mask_count)]
         scratch += self.filled.values()
         arguments = ", ".join(["out", *self.given, *results, *scratch])
         text = self._with_checks()
@@ -313,7 +313,7 @@ class Blocks:
         if self.free:
             return self.free.pop()
         self.count += 1
-        return f"w{self.count - 1}"
+        return f"t{self.count - 1}"
 
     def _new_mask(self) -> str:
         if self.idle:

@@ -3,7 +3,7 @@
 NumPy's functions find the objects by its protocols `__array_ufunc__` and `__array_function__`.  A body that
 decides by its data or asks for shapes has no such graph; where it asks once whether a rare branch is needed at
 all, the graph is that without this branch, and says when it holds.  A rule is one operation, `integral`, on the
-length of the interval, its unit, a variable and what is summed over that.
+length of the interval, its unit, a variable and what is summed over that; the search for a root is one, `root`.
 """
 
 from __future__ import annotations
@@ -39,6 +39,7 @@ class Node:
 
     @property
     def logical(self) -> bool:
+        """Whether it is true or false, and no number."""
         if self.name == "number":
             return isinstance(self.value, bool)
         return self.name in RELATIONS or self.name in CONNECTIVES
@@ -57,15 +58,18 @@ class UntraceableError(TypeError):
 class Graph:
     """Operations in the order of the body; what occurs twice is one node."""
 
-    def __init__(self) -> None:
+    def __init__(self, roots: bool = False) -> None:
         self._known: dict[Any, Node] = {}
+        self.roots = roots
         self.refused: Node | None = None
         self.summing = False
 
     def argument(self, name: str) -> Node:
+        """An argument of the body."""
         return self._node("argument", (), name)
 
     def number(self, value: float | bool) -> Node:
+        """A number that stands in the body."""
         return self._node("number", (), value if isinstance(value, bool) else float(value))
 
     def copied(self, node: Node) -> Node:
@@ -73,6 +77,7 @@ class Graph:
         return self._node(node.name, (), node.value)
 
     def operation(self, name: str, *operands: Node) -> Node:
+        """One of NumPy's functions of earlier nodes; of numbers alone its value."""
         if len(self._known) > LONGEST or any(x.logical for x in operands) != (name in CONNECTIVES):
             raise UntraceableError
         if all(x.name == "number" for x in operands):
@@ -94,6 +99,7 @@ class Graph:
         return self._node("multiply", (x, square)) if exponent == 3.0 else self._node("power", (square, two))
 
     def choice(self, condition: Node, x: Node, y: Node) -> Node:
+        """x where the condition holds, else y."""
         if not condition.logical or x.logical or y.logical:
             raise UntraceableError
         if condition.name == "number":
@@ -116,6 +122,19 @@ class Graph:
         operands = (stop, width, variable, summand(variable))
         self.summing = False
         return self._node("integral", operands, lengths)
+
+    def root(self, curve: Callable[[Node], tuple[Node, Node]], *given: Node) -> Node:
+        """The root of an increasing curve, which gives its value and its logarithmic slope.
+
+        The value, a first guess, the largest and the bounds of that slope are `given`.
+        """
+        if self.summing or not self.roots:
+            raise UntraceableError
+        variable = self._node("variable", (), len(self._known))
+        self.summing = True
+        found = curve(variable)
+        self.summing = False
+        return self._node("root", (*given, variable, *found))
 
     def unless(self, condition: Node, result: Node) -> Node:
         """The result, which is another one where the condition holds anywhere."""
@@ -170,7 +189,21 @@ class Traced(NDArrayOperatorsMixin):
         )
         return Traced(graph, node)
 
+    def root(
+        self, curve: Callable[[Any], tuple[Any, Any]], value: Any, largest: Any, exponents: tuple[Any, Any]
+    ) -> Traced:
+        """What the search for a root calls in the place of its iteration; this is the first guess."""
+        graph = self.graph
+
+        def traced(variable: Node) -> tuple[Node, Node]:
+            y, slope = curve(Traced(graph, variable))
+            return self.of(y), self.of(slope)
+
+        given = (self.of(value), self.node, self.of(largest), *map(self.of, exponents))
+        return Traced(graph, graph.root(traced, *given))
+
     def of(self, x: Any) -> Node:
+        """The node behind an object or a number."""
         if isinstance(x, Traced):
             return x.node
         if not isinstance(x, (bool, int, float, np.bool_, np.number)):
@@ -178,9 +211,14 @@ class Traced(NDArrayOperatorsMixin):
         return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
 
-def trace(function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str]) -> Node | None:
-    """What `function` returns for fields and keywords of these names, or None if it has no graph."""
-    graph = Graph()
+def trace(
+    function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str], roots: bool = False
+) -> Node | None:
+    """What `function` returns for fields and keywords of these names, or None if it has no graph.
+
+    With `roots` the search for a root is an operation; otherwise what iterates has none.
+    """
+    graph = Graph(roots)
     try:
         result = function(
             *(Traced(graph, graph.argument(name)) for name in fields),

@@ -204,6 +204,7 @@ def _proved(nodes: list[Node], found: Mapping[Node, Bound | None]) -> set[Node]:
 
 
 def is_sum(node: Node) -> bool:
+    """Whether a node is a rule, which is a loop."""
     return node.name == "integral"
 
 

@@ -30,7 +30,7 @@ def prepare_graded_retraction_all_signed():
     return ()
 
 
-def block_graded_retraction_all_signed(out, a, H, k, dgamma, w0, m0):
+def block_graded_retraction_all_signed(out, a, H, k, dgamma, t0, m0):
     size = out.size
     np.greater(a, C0, m0)
     some16 = np.count_nonzero(m0)
@@ -38,12 +38,12 @@ def block_graded_retraction_all_signed(out, a, H, k, dgamma, w0, m0):
         np.multiply(C1, dgamma, out)
         np.divide(out, H, out)
         np.sqrt(out, out)
-        np.sqrt(a, w0)
-        np.multiply(out, w0, w0)
+        np.sqrt(a, t0)
+        np.multiply(out, t0, t0)
         np.negative(k, out)
         np.power(a, out, out)
         np.sqrt(out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
     if some16 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -56,7 +56,7 @@ def prepare_graded_retraction_a(H, k, dgamma):
     return (v9, v12)
 
 
-def block_graded_retraction_a(out, a, v9, v12, w0, m0):
+def block_graded_retraction_a(out, a, v9, v12, t0, m0):
     size = out.size
     np.greater(a, C0, m0)
     largest_a = largest(a)
@@ -66,9 +66,9 @@ def block_graded_retraction_a(out, a, v9, v12, w0, m0):
     if some16:
         np.sqrt(a, out)
         np.multiply(v9, out, out)
-        np.power(a, v12, w0)
-        np.sqrt(w0, w0)
-        np.multiply(out, w0, out)
+        np.power(a, v12, t0)
+        np.sqrt(t0, t0)
+        np.multiply(out, t0, out)
     if some16 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -77,7 +77,7 @@ def prepare_graded_retraction_all():
     return ()
 
 
-def block_graded_retraction_all(out, a, H, k, dgamma, w0, m0):
+def block_graded_retraction_all(out, a, H, k, dgamma, t0, m0):
     size = out.size
     np.greater(a, C0, m0)
     largest_a = largest(a)
@@ -88,12 +88,12 @@ def block_graded_retraction_all(out, a, H, k, dgamma, w0, m0):
         np.multiply(C1, dgamma, out)
         np.divide(out, H, out)
         np.sqrt(out, out)
-        np.sqrt(a, w0)
-        np.multiply(out, w0, w0)
+        np.sqrt(a, t0)
+        np.multiply(out, t0, t0)
         np.negative(k, out)
         np.power(a, out, out)
         np.sqrt(out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
     if some16 != size:
         np.copyto(out, C0, where=~m0)
 

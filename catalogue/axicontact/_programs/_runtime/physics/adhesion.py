@@ -24,12 +24,12 @@ def prepare_hess_retraction_all_signed():
     return ()
 
 
-def block_hess_retraction_all_signed(out, a, E_star, dgamma, w0):
+def block_hess_retraction_all_signed(out, a, E_star, dgamma, t0):
     np.sqrt(a, out)
-    np.multiply(C0, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C0, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, out)
 
 
 def prepare_hess_retraction_a(E_star, dgamma):
@@ -51,15 +51,15 @@ def prepare_hess_retraction_all():
     return ()
 
 
-def block_hess_retraction_all(out, a, E_star, dgamma, w0):
+def block_hess_retraction_all(out, a, E_star, dgamma, t0):
     np.sqrt(a, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C0, dgamma, w0)
-    np.divide(w0, E_star, w0)
-    np.sqrt(w0, w0)
-    np.multiply(out, w0, out)
+    np.multiply(C0, dgamma, t0)
+    np.divide(t0, E_star, t0)
+    np.sqrt(t0, t0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {

@@ -29,6 +29,8 @@ def inverse(
     share of that of t.  What is left then is removed by a step that is linear in t.  Where the curve may have kinks
     and is not `smooth`, it is looked at again after that step.
     """
+    if hasattr(start, "root"):
+        return start.root(curve, value, largest, exponents)
     t = np.minimum(start, largest)
     position = np.log(t)
     y, slope = curve(t)

@@ -10,6 +10,128 @@ def depth(xp, a, theta, b):
     return v4
 
 
+def depth_from_force(xp, F, theta, b, E_star):
+    v0 = xp.tan(theta)
+    v1 = b / 1000.0
+    v2 = xp.where(F > 0.0, F, 1.0)
+    v3 = xp.minimum(v1, xp.inf)
+    for _ in range(12):
+        v5 = xp.tan(theta)
+        v6 = E_star * v5
+        v7 = v3 ** 2.0
+        v8 = xp.arctan2(v3, b)
+        v9 = v7 * v8
+        v10 = b ** 2.0
+        v11 = v3 / b
+        v12 = v11 < 1.0
+        v13 = xp.minimum(v11, 1.0)
+        v14 = v13 * v13
+        v15 = v13 * v14
+        v16 = 2.229767813968649e-06 * v14
+        v17 = v16 + 0.0021043873129700233
+        v18 = v17 * v14
+        v19 = v18 + 0.04325113828415611
+        v20 = v19 * v14
+        v21 = v20 + 0.2725778671008127
+        v22 = v21 * v14
+        v23 = v22 + 0.7123414383945195
+        v24 = v23 * v14
+        v25 = v24 + 0.8116412201960678
+        v26 = v25 * v14
+        v27 = v26 + 0.3333333333333333
+        v28 = 0.002445452808893491 * v14
+        v29 = v28 + 0.06453295925870227
+        v30 = v29 * v14
+        v31 = v30 + 0.5368820963772863
+        v32 = v31 * v14
+        v33 = v32 + 1.9680296155712274
+        v34 = v33 * v14
+        v35 = v34 + 3.5294070829658954
+        v36 = v35 * v14
+        v37 = v36 + 3.034923660588189
+        v38 = v37 * v14
+        v39 = v38 + 1.0
+        v40 = v27 / v39
+        v41 = v15 * v40
+        v42 = xp.arctan(v11)
+        v43 = v11 - v42
+        v44 = xp.where(v12, v41, v43)
+        v45 = v10 * v44
+        v46 = v9 + v45
+        v47 = v6 * v46
+        v48 = 2.0 * E_star
+        v49 = v48 * v7
+        v50 = v5 * v42
+        v51 = b * v5
+        v52 = v51 * v3
+        v53 = v7 + v10
+        v54 = v52 / v53
+        v55 = v50 + v54
+        v56 = v49 * v55
+        v57 = v56 / v47
+        v58 = xp.log(v2 / v47)
+        v59 = v58 / 2.0
+        v60 = v58 / 3.0
+        v61 = xp.minimum(xp.maximum(v58 / v57, xp.minimum(v59, v60)), xp.maximum(v59, v60))
+        v62 = xp.where(v47 < xp.inf, v61, 0.0)
+        v3 = xp.minimum(v3 * xp.exp(v62), xp.inf)
+    v64 = xp.where(F > 0.0, v3, 0.0 * F)
+    v65 = v0 * v64
+    v66 = v64 / b
+    v67 = xp.arctan(v66)
+    v68 = v65 * v67
+    v69 = v64 > 0.0
+    v70 = v64 < xp.inf
+    v71 = v69 & v70
+    v72 = E_star * v0
+    v73 = v64 ** 2.0
+    v74 = xp.arctan2(v64, b)
+    v75 = v73 * v74
+    v76 = b ** 2.0
+    v77 = v66 < 1.0
+    v78 = xp.minimum(v66, 1.0)
+    v79 = v78 * v78
+    v80 = v78 * v79
+    v81 = 2.229767813968649e-06 * v79
+    v82 = v81 + 0.0021043873129700233
+    v83 = v82 * v79
+    v84 = v83 + 0.04325113828415611
+    v85 = v84 * v79
+    v86 = v85 + 0.2725778671008127
+    v87 = v86 * v79
+    v88 = v87 + 0.7123414383945195
+    v89 = v88 * v79
+    v90 = v89 + 0.8116412201960678
+    v91 = v90 * v79
+    v92 = v91 + 0.3333333333333333
+    v93 = 0.002445452808893491 * v79
+    v94 = v93 + 0.06453295925870227
+    v95 = v94 * v79
+    v96 = v95 + 0.5368820963772863
+    v97 = v96 * v79
+    v98 = v97 + 1.9680296155712274
+    v99 = v98 * v79
+    v100 = v99 + 3.5294070829658954
+    v101 = v100 * v79
+    v102 = v101 + 3.034923660588189
+    v103 = v102 * v79
+    v104 = v103 + 1.0
+    v105 = v92 / v104
+    v106 = v80 * v105
+    v107 = v66 - v67
+    v108 = xp.where(v77, v106, v107)
+    v109 = v76 * v108
+    v110 = v75 + v109
+    v111 = v72 * v110
+    v112 = F - v111
+    v113 = 2.0 * E_star
+    v114 = v113 * v64
+    v115 = v112 / v114
+    v116 = xp.where(v71, v115, 0.0)
+    v117 = v68 + v116
+    return v117
+
+
 def force(xp, a, theta, b, E_star):
     v0 = xp.tan(theta)
     v1 = E_star * v0
@@ -55,6 +177,90 @@ def force(xp, a, theta, b, E_star):
     v41 = v4 + v40
     v42 = v1 * v41
     return v42
+
+
+def force_from_depth(xp, d, theta, b, E_star):
+    v0 = xp.tan(theta)
+    v1 = E_star * v0
+    v2 = b / 1000.0
+    v3 = xp.where(d > 0.0, d, 1.0)
+    v4 = xp.minimum(v2, xp.inf)
+    for _ in range(12):
+        v6 = xp.tan(theta)
+        v7 = v6 * v4
+        v8 = v4 / b
+        v9 = xp.arctan(v8)
+        v10 = v7 * v9
+        v11 = v6 * v9
+        v12 = b * v6
+        v13 = v12 * v4
+        v14 = v4 ** 2.0
+        v15 = b ** 2.0
+        v16 = v14 + v15
+        v17 = v13 / v16
+        v18 = v11 + v17
+        v19 = v4 * v18
+        v20 = v19 / v10
+        v21 = xp.log(v3 / v10)
+        v22 = v21 / 1.0
+        v23 = v21 / 2.0
+        v24 = xp.minimum(xp.maximum(v21 / v20, xp.minimum(v22, v23)), xp.maximum(v22, v23))
+        v25 = xp.where(v10 < xp.inf, v24, 0.0)
+        v4 = xp.minimum(v4 * xp.exp(v25), xp.inf)
+    v27 = xp.where(d > 0.0, v4, 0.0 * d)
+    v28 = v27 ** 2.0
+    v29 = xp.arctan2(v27, b)
+    v30 = v28 * v29
+    v31 = b ** 2.0
+    v32 = v27 / b
+    v33 = v32 < 1.0
+    v34 = xp.minimum(v32, 1.0)
+    v35 = v34 * v34
+    v36 = v34 * v35
+    v37 = 2.229767813968649e-06 * v35
+    v38 = v37 + 0.0021043873129700233
+    v39 = v38 * v35
+    v40 = v39 + 0.04325113828415611
+    v41 = v40 * v35
+    v42 = v41 + 0.2725778671008127
+    v43 = v42 * v35
+    v44 = v43 + 0.7123414383945195
+    v45 = v44 * v35
+    v46 = v45 + 0.8116412201960678
+    v47 = v46 * v35
+    v48 = v47 + 0.3333333333333333
+    v49 = 0.002445452808893491 * v35
+    v50 = v49 + 0.06453295925870227
+    v51 = v50 * v35
+    v52 = v51 + 0.5368820963772863
+    v53 = v52 * v35
+    v54 = v53 + 1.9680296155712274
+    v55 = v54 * v35
+    v56 = v55 + 3.5294070829658954
+    v57 = v56 * v35
+    v58 = v57 + 3.034923660588189
+    v59 = v58 * v35
+    v60 = v59 + 1.0
+    v61 = v48 / v60
+    v62 = v36 * v61
+    v63 = xp.arctan(v32)
+    v64 = v32 - v63
+    v65 = xp.where(v33, v62, v64)
+    v66 = v31 * v65
+    v67 = v30 + v66
+    v68 = v1 * v67
+    v69 = v27 > 0.0
+    v70 = v27 < xp.inf
+    v71 = v69 & v70
+    v72 = 2.0 * E_star
+    v73 = v72 * v27
+    v74 = v0 * v27
+    v75 = v74 * v63
+    v76 = d - v75
+    v77 = v73 * v76
+    v78 = xp.where(v71, v77, 0.0)
+    v79 = v68 + v78
+    return v79
 
 
 def mean_pressure(xp, a, theta, b, E_star):
@@ -118,6 +324,104 @@ def profile(xp, r, theta, b):
     v6 = v5 + b
     v7 = v2 / v6
     return v7
+
+
+def radius_from_depth(xp, d, theta, b):
+    v0 = b / 1000.0
+    v1 = xp.where(d > 0.0, d, 1.0)
+    v2 = xp.minimum(v0, xp.inf)
+    for _ in range(12):
+        v4 = xp.tan(theta)
+        v5 = v4 * v2
+        v6 = v2 / b
+        v7 = xp.arctan(v6)
+        v8 = v5 * v7
+        v9 = v4 * v7
+        v10 = b * v4
+        v11 = v10 * v2
+        v12 = v2 ** 2.0
+        v13 = b ** 2.0
+        v14 = v12 + v13
+        v15 = v11 / v14
+        v16 = v9 + v15
+        v17 = v2 * v16
+        v18 = v17 / v8
+        v19 = xp.log(v1 / v8)
+        v20 = v19 / 1.0
+        v21 = v19 / 2.0
+        v22 = xp.minimum(xp.maximum(v19 / v18, xp.minimum(v20, v21)), xp.maximum(v20, v21))
+        v23 = xp.where(v8 < xp.inf, v22, 0.0)
+        v2 = xp.minimum(v2 * xp.exp(v23), xp.inf)
+    v25 = xp.where(d > 0.0, v2, 0.0 * d)
+    return v25
+
+
+def radius_from_force(xp, F, theta, b, E_star):
+    v0 = b / 1000.0
+    v1 = xp.where(F > 0.0, F, 1.0)
+    v2 = xp.minimum(v0, xp.inf)
+    for _ in range(12):
+        v4 = xp.tan(theta)
+        v5 = E_star * v4
+        v6 = v2 ** 2.0
+        v7 = xp.arctan2(v2, b)
+        v8 = v6 * v7
+        v9 = b ** 2.0
+        v10 = v2 / b
+        v11 = v10 < 1.0
+        v12 = xp.minimum(v10, 1.0)
+        v13 = v12 * v12
+        v14 = v12 * v13
+        v15 = 2.229767813968649e-06 * v13
+        v16 = v15 + 0.0021043873129700233
+        v17 = v16 * v13
+        v18 = v17 + 0.04325113828415611
+        v19 = v18 * v13
+        v20 = v19 + 0.2725778671008127
+        v21 = v20 * v13
+        v22 = v21 + 0.7123414383945195
+        v23 = v22 * v13
+        v24 = v23 + 0.8116412201960678
+        v25 = v24 * v13
+        v26 = v25 + 0.3333333333333333
+        v27 = 0.002445452808893491 * v13
+        v28 = v27 + 0.06453295925870227
+        v29 = v28 * v13
+        v30 = v29 + 0.5368820963772863
+        v31 = v30 * v13
+        v32 = v31 + 1.9680296155712274
+        v33 = v32 * v13
+        v34 = v33 + 3.5294070829658954
+        v35 = v34 * v13
+        v36 = v35 + 3.034923660588189
+        v37 = v36 * v13
+        v38 = v37 + 1.0
+        v39 = v26 / v38
+        v40 = v14 * v39
+        v41 = xp.arctan(v10)
+        v42 = v10 - v41
+        v43 = xp.where(v11, v40, v42)
+        v44 = v9 * v43
+        v45 = v8 + v44
+        v46 = v5 * v45
+        v47 = 2.0 * E_star
+        v48 = v47 * v6
+        v49 = v4 * v41
+        v50 = b * v4
+        v51 = v50 * v2
+        v52 = v6 + v9
+        v53 = v51 / v52
+        v54 = v49 + v53
+        v55 = v48 * v54
+        v56 = v55 / v46
+        v57 = xp.log(v1 / v46)
+        v58 = v57 / 2.0
+        v59 = v57 / 3.0
+        v60 = xp.minimum(xp.maximum(v57 / v56, xp.minimum(v58, v59)), xp.maximum(v58, v59))
+        v61 = xp.where(v46 < xp.inf, v60, 0.0)
+        v2 = xp.minimum(v2 * xp.exp(v61), xp.inf)
+    v63 = xp.where(F > 0.0, v2, 0.0 * F)
+    return v63
 
 
 def stiffness(xp, a, E_star):

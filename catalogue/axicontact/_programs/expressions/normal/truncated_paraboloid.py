@@ -11,6 +11,106 @@ def depth(xp, a, R, b):
     return v5
 
 
+def depth_from_force(xp, F, R, b, E_star):
+    v0 = 2.0 * E_star
+    v1 = 3.0 * R
+    v2 = v0 / v1
+    v3 = b * 1.4142135623730951
+    v4 = v3 ** 2.0
+    v5 = 2.0 * v4
+    v6 = b ** 2.0
+    v7 = v5 + v6
+    v8 = v2 * v7
+    v9 = v8 * b
+    v10 = F / v9
+    v11 = xp.log(v10)
+    v12 = v11 - (-0.5108256237659907)
+    v13 = (-1.75) * v12
+    v14 = v11 - (-0.916290731874155)
+    v15 = (-0.5833333333333334) * v14
+    v16 = xp.maximum(v13, v15)
+    v17 = v13 - v15
+    v18 = xp.absolute(v17)
+    v19 = -v18
+    v20 = xp.exp(v19)
+    v21 = xp.log1p(v20)
+    v22 = v16 + v21
+    v23 = v22 / (-1.75)
+    v24 = xp.exp(v23)
+    v25 = 1.0 + v24
+    v26 = 1.0 / v25
+    v27 = 1.0 - v26
+    v28 = 19.09787 * v27
+    v29 = v28 + (-63.48232)
+    v30 = v29 * v27
+    v31 = v30 + 76.63965
+    v32 = v31 * v27
+    v33 = v32 + (-39.30687)
+    v34 = v33 * v27
+    v35 = v34 + 7.512052
+    v36 = v35 * v27
+    v37 = v36 + (-0.7678073)
+    v38 = v37 * v27
+    v39 = v38 + 0.3089073
+    v40 = v39 * v27
+    v41 = v40 + 0.9990587
+    v42 = v24 * v41
+    v43 = xp.where(F > 0.0, F, 1.0)
+    v44 = xp.minimum(v42, xp.inf)
+    for _ in range(12):
+        v46 = 2.0 * E_star
+        v47 = 3.0 * R
+        v48 = v46 / v47
+        v49 = v44 * v44
+        v50 = 1.0 + v49
+        v51 = xp.sqrt(v50)
+        v52 = b * v51
+        v53 = v52 ** 2.0
+        v54 = 2.0 * v53
+        v55 = b ** 2.0
+        v56 = v54 + v55
+        v57 = v48 * v56
+        v58 = b * v44
+        v59 = v57 * v58
+        v60 = v46 * v58
+        v61 = v60 * v58
+        v62 = 2.0 * v58
+        v63 = v62 / R
+        v64 = R * v58
+        v65 = v55 / v64
+        v66 = v63 + v65
+        v67 = v61 * v66
+        v68 = v67 / v59
+        v69 = xp.log(v43 / v59)
+        v70 = v69 / 1.0
+        v71 = v69 / 3.0
+        v72 = xp.minimum(xp.maximum(v69 / v68, xp.minimum(v70, v71)), xp.maximum(v70, v71))
+        v73 = xp.where(v59 < xp.inf, v72, 0.0)
+        v44 = xp.minimum(v44 * xp.exp(v73), xp.inf)
+    v75 = xp.where(F > 0.0, v44, 0.0 * F)
+    v76 = v75 * v75
+    v77 = 1.0 + v76
+    v78 = xp.sqrt(v77)
+    v79 = b * v78
+    v80 = b * v75
+    v81 = v79 * v80
+    v82 = v81 / R
+    v83 = v79 > 0.0
+    v84 = v79 < xp.inf
+    v85 = v83 & v84
+    v86 = v79 ** 2.0
+    v87 = 2.0 * v86
+    v88 = v87 + v6
+    v89 = v2 * v88
+    v90 = v89 * v80
+    v91 = F - v90
+    v92 = v0 * v79
+    v93 = v91 / v92
+    v94 = xp.where(v85, v93, 0.0)
+    v95 = v82 + v94
+    return v95
+
+
 def force(xp, a, R, b, E_star):
     v0 = 2.0 * E_star
     v1 = 3.0 * R
@@ -26,6 +126,96 @@ def force(xp, a, R, b, E_star):
     v11 = xp.sqrt(v10)
     v12 = v7 * v11
     return v12
+
+
+def force_from_depth(xp, d, R, b, E_star):
+    v0 = 2.0 * E_star
+    v1 = 3.0 * R
+    v2 = v0 / v1
+    v3 = b * 1.4142135623730951
+    v4 = v3 * b
+    v5 = v4 / R
+    v6 = d / v5
+    v7 = xp.log(v6)
+    v8 = v7 - (-0.346583180371942)
+    v9 = (-3.0) * v8
+    v10 = (-1.5) * v8
+    v11 = xp.maximum(v9, v10)
+    v12 = v9 - v10
+    v13 = xp.absolute(v12)
+    v14 = -v13
+    v15 = xp.exp(v14)
+    v16 = xp.log1p(v15)
+    v17 = v11 + v16
+    v18 = v17 / (-3.0)
+    v19 = xp.exp(v18)
+    v20 = 1.0 + v19
+    v21 = 1.0 / v20
+    v22 = 1.0 - v21
+    v23 = 8.200478 * v22
+    v24 = v23 + (-25.52146)
+    v25 = v24 * v22
+    v26 = v25 + 28.05264
+    v27 = v26 * v22
+    v28 = v27 + (-12.15272)
+    v29 = v28 * v22
+    v30 = v29 + 1.353675
+    v31 = v30 * v22
+    v32 = v31 + 0.009062067
+    v33 = v32 * v22
+    v34 = v33 + 0.05914493
+    v35 = v34 * v22
+    v36 = v35 + 0.9996917
+    v37 = v19 * v36
+    v38 = xp.where(d > 0.0, d, 1.0)
+    v39 = xp.minimum(v37, xp.inf)
+    for _ in range(12):
+        v41 = v39 * v39
+        v42 = 1.0 + v41
+        v43 = xp.sqrt(v42)
+        v44 = b * v43
+        v45 = b * v39
+        v46 = v44 * v45
+        v47 = v46 / R
+        v48 = v45 * v45
+        v49 = v48 / v44
+        v50 = 2.0 * v45
+        v51 = v50 / R
+        v52 = b ** 2.0
+        v53 = R * v45
+        v54 = v52 / v53
+        v55 = v51 + v54
+        v56 = v49 * v55
+        v57 = v56 / v47
+        v58 = xp.log(v38 / v47)
+        v59 = v58 / 1.0
+        v60 = v58 / 2.0
+        v61 = xp.minimum(xp.maximum(v58 / v57, xp.minimum(v59, v60)), xp.maximum(v59, v60))
+        v62 = xp.where(v47 < xp.inf, v61, 0.0)
+        v39 = xp.minimum(v39 * xp.exp(v62), xp.inf)
+    v64 = xp.where(d > 0.0, v39, 0.0 * d)
+    v65 = v64 * v64
+    v66 = 1.0 + v65
+    v67 = xp.sqrt(v66)
+    v68 = b * v67
+    v69 = v68 ** 2.0
+    v70 = 2.0 * v69
+    v71 = b ** 2.0
+    v72 = v70 + v71
+    v73 = v2 * v72
+    v74 = b * v64
+    v75 = v73 * v74
+    v76 = v68 > 0.0
+    v77 = v68 < xp.inf
+    v78 = v76 & v77
+    v79 = v0 * v68
+    v80 = v68 * v74
+    v81 = v80 / R
+    v82 = d - v81
+    v83 = v79 * v82
+    v84 = xp.where(v78, v83, 0.0)
+    v85 = v75 + v84
+    return v85
 
 
 def mean_pressure(xp, a, R, b, E_star):
@@ -80,6 +270,90 @@ def radius_from_depth(xp, d, R, b):
     v14 = v11 * v13
     v15 = v14 / 2.0
     return v15
+
+
+def radius_from_force(xp, F, R, b, E_star):
+    v0 = 2.0 * E_star
+    v1 = 3.0 * R
+    v2 = v0 / v1
+    v3 = b * 1.4142135623730951
+    v4 = v3 ** 2.0
+    v5 = 2.0 * v4
+    v6 = b ** 2.0
+    v7 = v5 + v6
+    v8 = v2 * v7
+    v9 = v8 * b
+    v10 = F / v9
+    v11 = xp.log(v10)
+    v12 = v11 - (-0.5108256237659907)
+    v13 = (-1.75) * v12
+    v14 = v11 - (-0.916290731874155)
+    v15 = (-0.5833333333333334) * v14
+    v16 = xp.maximum(v13, v15)
+    v17 = v13 - v15
+    v18 = xp.absolute(v17)
+    v19 = -v18
+    v20 = xp.exp(v19)
+    v21 = xp.log1p(v20)
+    v22 = v16 + v21
+    v23 = v22 / (-1.75)
+    v24 = xp.exp(v23)
+    v25 = 1.0 + v24
+    v26 = 1.0 / v25
+    v27 = 1.0 - v26
+    v28 = 19.09787 * v27
+    v29 = v28 + (-63.48232)
+    v30 = v29 * v27
+    v31 = v30 + 76.63965
+    v32 = v31 * v27
+    v33 = v32 + (-39.30687)
+    v34 = v33 * v27
+    v35 = v34 + 7.512052
+    v36 = v35 * v27
+    v37 = v36 + (-0.7678073)
+    v38 = v37 * v27
+    v39 = v38 + 0.3089073
+    v40 = v39 * v27
+    v41 = v40 + 0.9990587
+    v42 = v24 * v41
+    v43 = xp.where(F > 0.0, F, 1.0)
+    v44 = xp.minimum(v42, xp.inf)
+    for _ in range(12):
+        v46 = 2.0 * E_star
+        v47 = 3.0 * R
+        v48 = v46 / v47
+        v49 = v44 * v44
+        v50 = 1.0 + v49
+        v51 = xp.sqrt(v50)
+        v52 = b * v51
+        v53 = v52 ** 2.0
+        v54 = 2.0 * v53
+        v55 = b ** 2.0
+        v56 = v54 + v55
+        v57 = v48 * v56
+        v58 = b * v44
+        v59 = v57 * v58
+        v60 = v46 * v58
+        v61 = v60 * v58
+        v62 = 2.0 * v58
+        v63 = v62 / R
+        v64 = R * v58
+        v65 = v55 / v64
+        v66 = v63 + v65
+        v67 = v61 * v66
+        v68 = v67 / v59
+        v69 = xp.log(v43 / v59)
+        v70 = v69 / 1.0
+        v71 = v69 / 3.0
+        v72 = xp.minimum(xp.maximum(v69 / v68, xp.minimum(v70, v71)), xp.maximum(v70, v71))
+        v73 = xp.where(v59 < xp.inf, v72, 0.0)
+        v44 = xp.minimum(v44 * xp.exp(v73), xp.inf)
+    v75 = xp.where(F > 0.0, v44, 0.0 * F)
+    v76 = v75 * v75
+    v77 = 1.0 + v76
+    v78 = xp.sqrt(v77)
+    v79 = b * v78
+    return v79
 
 
 def stiffness(xp, a, E_star):

@@ -30,7 +30,7 @@ def prepare_pull_off_depth_all_signed():
     return ()
 
 
-def block_pull_off_depth_all_signed(out, a, H, k, dgamma, w0, m0):
+def block_pull_off_depth_all_signed(out, a, H, k, dgamma, t0, m0):
     size = out.size
     np.greater(a, C0, m0)
     some16 = np.count_nonzero(m0)
@@ -38,12 +38,12 @@ def block_pull_off_depth_all_signed(out, a, H, k, dgamma, w0, m0):
         np.multiply(C1, dgamma, out)
         np.divide(out, H, out)
         np.sqrt(out, out)
-        np.sqrt(a, w0)
-        np.multiply(out, w0, w0)
+        np.sqrt(a, t0)
+        np.multiply(out, t0, t0)
         np.negative(k, out)
         np.power(a, out, out)
         np.sqrt(out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
     if some16 != size:
         np.copyto(out, C0, where=~m0)
     np.negative(out, out)
@@ -66,11 +66,11 @@ def prepare_pull_off_force_all_signed():
     return ()
 
 
-def block_pull_off_force_all_signed(out, a, H, k, dgamma, w0, w1, m0):
+def block_pull_off_force_all_signed(out, a, H, k, dgamma, t0, t1, m0):
     size = out.size
     np.multiply(C2, H, out)
-    np.add(C3, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C3, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C0, m0)
     some13 = np.count_nonzero(m0)
     if some13:
@@ -78,22 +78,22 @@ def block_pull_off_force_all_signed(out, a, H, k, dgamma, w0, w1, m0):
         np.multiply(a, out, out)
     if some13 != size:
         np.copyto(out, C0, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.negative(out, out)
     some26 = np.count_nonzero(m0)
     if some26:
-        np.multiply(C1, dgamma, w0)
-        np.divide(w0, H, w0)
-        np.sqrt(w0, w0)
-        np.sqrt(a, w1)
-        np.multiply(w0, w1, w1)
-        np.negative(k, w0)
-        np.power(a, w0, w0)
-        np.sqrt(w0, w0)
-        np.multiply(w1, w0, w0)
+        np.multiply(C1, dgamma, t0)
+        np.divide(t0, H, t0)
+        np.sqrt(t0, t0)
+        np.sqrt(a, t1)
+        np.multiply(t0, t1, t1)
+        np.negative(k, t0)
+        np.power(a, t0, t0)
+        np.sqrt(t0, t0)
+        np.multiply(t1, t0, t0)
     if some26 != size:
-        np.copyto(w0, C0, where=~m0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C0, where=~m0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {

@@ -33,15 +33,15 @@ def prepare_minimum_depth_all_signed():
     return ()
 
 
-def block_minimum_depth_all_signed(out, a, h, k, w0):
+def block_minimum_depth_all_signed(out, a, h, k, t0):
     np.multiply(C0, h, out)
-    np.subtract(k, C1, w0)
-    np.multiply(out, w0, w0)
+    np.subtract(k, C1, t0)
+    np.multiply(out, t0, t0)
     np.add(k, C1, out)
     np.square(out, out)
-    np.divide(w0, out, out)
-    np.multiply(C3, a, w0)
-    np.add(out, w0, out)
+    np.divide(t0, out, out)
+    np.multiply(C3, a, t0)
+    np.add(out, t0, out)
 
 
 def pressure(r, d, a, h, H, k):
@@ -86,7 +86,7 @@ def prepare_pressure_r(d, a, h, H, k):
     return (a, k, v19, v23, v25, v34, v45)
 
 
-def block_pressure_r(out, r, a, k, v19, v23, v25, v34, v45, w0, w1, m0, m1, f0):
+def block_pressure_r(out, r, a, k, v19, v23, v25, v34, v45, t0, t1, m0, m1, f0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
@@ -99,16 +99,16 @@ def block_pressure_r(out, r, a, k, v19, v23, v25, v34, v45, w0, w1, m0, m1, f0):
         np.less(r, a, m0)
         some41 = np.count_nonzero(m0)
         if some41:
-            np.subtract(a, r, w0)
-            np.maximum(w0, f0, out=w0)
-            np.add(a, r, w1)
-            np.multiply(w0, w1, w1)
-            np.sqrt(w1, w1)
-            np.power(w1, k, w0)
-            np.multiply(v34, w0, w0)
-            np.divide(w0, w1, w0)
+            np.subtract(a, r, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(a, r, t1)
+            np.multiply(t0, t1, t1)
+            np.sqrt(t1, t1)
+            np.power(t1, k, t0)
+            np.multiply(v34, t0, t0)
+            np.divide(t0, t1, t0)
         if some41 != size:
-            other41 = w1 if some41 else w0
+            other41 = t1 if some41 else t0
             np.greater(r, a, m1)
             some40 = np.count_nonzero(m1)
             if some40:
@@ -116,8 +116,8 @@ def block_pressure_r(out, r, a, k, v19, v23, v25, v34, v45, w0, w1, m0, m1, f0):
             if some40 != size:
                 np.copyto(other41, C4, where=~m1)
             if some41:
-                np.copyto(w0, other41, where=~m0)
-        np.multiply(out, w0, out)
+                np.copyto(t0, other41, where=~m0)
+        np.multiply(out, t0, out)
     else:
         np.copyto(out, C5)
 
@@ -139,7 +139,7 @@ def prepare_pressure_r_d(a, h, H, k):
     return (a, k, v17, v19, v23, v34, v44)
 
 
-def block_pressure_r_d(out, r, d, a, k, v17, v19, v23, v34, v44, w0, w1, m0, m1, m2, f0):
+def block_pressure_r_d(out, r, d, a, k, v17, v19, v23, v34, v44, t0, t1, m0, m1, m2, f0):
     size = out.size
     np.less_equal(v44, d, m0)
     largest_r = largest(r)
@@ -153,21 +153,21 @@ def block_pressure_r_d(out, r, d, a, k, v17, v19, v23, v34, v44, w0, w1, m0, m1,
         np.square(r, out)
         np.multiply(v19, out, out)
         np.divide(out, v23, out)
-        np.subtract(d, v17, w0)
-        np.add(w0, out, out)
+        np.subtract(d, v17, t0)
+        np.add(t0, out, out)
         np.less(r, a, m1)
         some41 = np.count_nonzero(m1)
         if some41:
-            np.subtract(a, r, w0)
-            np.maximum(w0, f0, out=w0)
-            np.add(a, r, w1)
-            np.multiply(w0, w1, w1)
-            np.sqrt(w1, w1)
-            np.power(w1, k, w0)
-            np.multiply(v34, w0, w0)
-            np.divide(w0, w1, w0)
+            np.subtract(a, r, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(a, r, t1)
+            np.multiply(t0, t1, t1)
+            np.sqrt(t1, t1)
+            np.power(t1, k, t0)
+            np.multiply(v34, t0, t0)
+            np.divide(t0, t1, t0)
         if some41 != size:
-            other41 = w1 if some41 else w0
+            other41 = t1 if some41 else t0
             np.greater(r, a, m2)
             some40 = np.count_nonzero(m2)
             if some40:
@@ -175,8 +175,8 @@ def block_pressure_r_d(out, r, d, a, k, v17, v19, v23, v34, v44, w0, w1, m0, m1,
             if some40 != size:
                 np.copyto(other41, C4, where=~m2)
             if some41:
-                np.copyto(w0, other41, where=~m1)
-        np.multiply(out, w0, out)
+                np.copyto(t0, other41, where=~m1)
+        np.multiply(out, t0, out)
     if some47 != size:
         np.copyto(out, C5, where=~m0)
 
@@ -185,48 +185,48 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, h, H, k, w0, w1, w2, w3, w4, m0, m1, m2, f0):
+def block_pressure_all(out, r, d, a, h, H, k, t0, t1, t2, t3, t4, m0, m1, m2, f0):
     size = out.size
-    np.multiply(C0, h, w0)
+    np.multiply(C0, h, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.subtract(k, C1, w1)
-    np.multiply(w0, w1, w1)
-    np.add(k, C1, w0)
-    np.square(w0, w0)
-    np.divide(w1, w0, w1)
-    np.multiply(C3, a, w2)
-    np.add(w1, w2, w2)
-    np.multiply(w2, C6, w1)
-    np.less_equal(w1, d, m0)
+    np.subtract(k, C1, t1)
+    np.multiply(t0, t1, t1)
+    np.add(k, C1, t0)
+    np.square(t0, t0)
+    np.divide(t1, t0, t1)
+    np.multiply(C3, a, t2)
+    np.add(t1, t2, t2)
+    np.multiply(t2, C6, t1)
+    np.less_equal(t1, d, m0)
     some47 = np.count_nonzero(m0)
     if some47:
         np.multiply(C7, h, out)
-        np.square(r, w1)
-        np.multiply(out, w1, w1)
+        np.square(r, t1)
+        np.multiply(out, t1, t1)
         np.square(a, out)
-        np.multiply(out, w0, out)
-        np.divide(w1, out, out)
-        np.subtract(d, w2, w1)
-        np.add(w1, out, out)
+        np.multiply(out, t0, out)
+        np.divide(t1, out, out)
+        np.subtract(d, t2, t1)
+        np.add(t1, out, out)
         np.less(r, a, m1)
         some41 = np.count_nonzero(m1)
         if some41:
-            np.subtract(a, r, w1)
-            np.maximum(w1, f0, out=w1)
-            np.add(a, r, w3)
-            np.multiply(w1, w3, w3)
-            np.sqrt(w3, w3)
-            np.divide(H, C8, w1)
-            np.power(w3, k, w4)
-            np.multiply(w1, w4, w4)
-            np.divide(w4, w3, w1)
+            np.subtract(a, r, t1)
+            np.maximum(t1, f0, out=t1)
+            np.add(a, r, t3)
+            np.multiply(t1, t3, t3)
+            np.sqrt(t3, t3)
+            np.divide(H, C8, t1)
+            np.power(t3, k, t4)
+            np.multiply(t1, t4, t4)
+            np.divide(t4, t3, t1)
         if some41 != size:
-            other41 = w3 if some41 else w1
+            other41 = t3 if some41 else t1
             np.greater(r, a, m2)
             some40 = np.count_nonzero(m2)
             if some40:
@@ -234,8 +234,8 @@ def block_pressure_all(out, r, d, a, h, H, k, w0, w1, w2, w3, w4, m0, m1, m2, f0
             if some40 != size:
                 np.copyto(other41, C4, where=~m2)
             if some41:
-                np.copyto(w1, other41, where=~m1)
-        np.multiply(out, w1, out)
+                np.copyto(t1, other41, where=~m1)
+        np.multiply(out, t1, out)
     if some47 != size:
         np.copyto(out, C5, where=~m0)
 
@@ -256,11 +256,11 @@ def prepare_stiffness_all_signed():
     return ()
 
 
-def block_stiffness_all_signed(out, a, H, k, w0, m0):
+def block_stiffness_all_signed(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C2, H, out)
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C3, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -268,7 +268,7 @@ def block_stiffness_all_signed(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C3, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def zero_radius(a, h, k):
@@ -284,10 +284,10 @@ def prepare_zero_radius_all_signed():
     return ()
 
 
-def block_zero_radius_all_signed(out, a, h, k, w0):
+def block_zero_radius_all_signed(out, a, h, k, t0):
     np.multiply(C3, a, out)
-    np.multiply(C3, h, w0)
-    np.add(out, w0, out)
+    np.multiply(C3, h, t0)
+    np.add(out, t0, out)
 
 
 BLOCKS = {

@@ -31,11 +31,11 @@ def prepare_stiffness_all_signed():
     return ()
 
 
-def block_stiffness_all_signed(out, a, H, k, w0, m0):
+def block_stiffness_all_signed(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C0, H, out)
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C2, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -43,7 +43,7 @@ def block_stiffness_all_signed(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C2, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def zero_radius(a, h, n, k):

@@ -35,17 +35,17 @@ def prepare_minimum_depth_all_signed():
     return ()
 
 
-def block_minimum_depth_all_signed(out, a, h, k, w0, w1):
+def block_minimum_depth_all_signed(out, a, h, k, t0, t1):
     np.multiply(C0, h, out)
-    np.subtract(k, C1, w0)
-    np.multiply(out, w0, w0)
+    np.subtract(k, C1, t0)
+    np.multiply(out, t0, t0)
     np.add(k, C1, out)
     np.square(out, out)
-    np.add(k, C3, w1)
-    np.multiply(out, w1, w1)
-    np.divide(w0, w1, w1)
-    np.multiply(C4, a, w0)
-    np.add(w1, w0, out)
+    np.add(k, C3, t1)
+    np.multiply(out, t1, t1)
+    np.divide(t0, t1, t1)
+    np.multiply(C4, a, t0)
+    np.add(t1, t0, out)
 
 
 def pressure(r, d, a, h, H, k):
@@ -99,7 +99,7 @@ def prepare_pressure_r(d, a, h, H, k):
     return (a, k, v22, v23, v24, v34, v36, v45, v56)
 
 
-def block_pressure_r(out, r, a, k, v22, v23, v24, v34, v36, v45, v56, w0, w1, m0, m1, f0):
+def block_pressure_r(out, r, a, k, v22, v23, v24, v34, v36, v45, v56, t0, t1, m0, m1, f0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
@@ -116,16 +116,16 @@ def block_pressure_r(out, r, a, k, v22, v23, v24, v34, v36, v45, v56, w0, w1, m0
         np.less(r, a, m0)
         some52 = np.count_nonzero(m0)
         if some52:
-            np.subtract(a, r, w0)
-            np.maximum(w0, f0, out=w0)
-            np.add(a, r, w1)
-            np.multiply(w0, w1, w1)
-            np.sqrt(w1, w1)
-            np.power(w1, k, w0)
-            np.multiply(v45, w0, w0)
-            np.divide(w0, w1, w0)
+            np.subtract(a, r, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(a, r, t1)
+            np.multiply(t0, t1, t1)
+            np.sqrt(t1, t1)
+            np.power(t1, k, t0)
+            np.multiply(v45, t0, t0)
+            np.divide(t0, t1, t0)
         if some52 != size:
-            other52 = w1 if some52 else w0
+            other52 = t1 if some52 else t0
             np.greater(r, a, m1)
             some51 = np.count_nonzero(m1)
             if some51:
@@ -133,8 +133,8 @@ def block_pressure_r(out, r, a, k, v22, v23, v24, v34, v36, v45, v56, w0, w1, m0
             if some51 != size:
                 np.copyto(other52, C6, where=~m1)
             if some52:
-                np.copyto(w0, other52, where=~m0)
-        np.multiply(out, w0, out)
+                np.copyto(t0, other52, where=~m0)
+        np.multiply(out, t0, out)
     else:
         np.copyto(out, C7)
 
@@ -162,7 +162,7 @@ def prepare_pressure_r_d(a, h, H, k):
     return (a, k, v20, v22, v23, v24, v34, v45, v55)
 
 
-def block_pressure_r_d(out, r, d, a, k, v20, v22, v23, v24, v34, v45, v55, w0, w1, m0, m1, m2, f0):
+def block_pressure_r_d(out, r, d, a, k, v20, v22, v23, v24, v34, v45, v55, t0, t1, m0, m1, m2, f0):
     size = out.size
     np.less_equal(v55, d, m0)
     largest_r = largest(r)
@@ -180,21 +180,21 @@ def block_pressure_r_d(out, r, d, a, k, v20, v22, v23, v24, v34, v45, v55, w0, w
         np.square(out, out)
         np.multiply(v22, out, out)
         np.divide(out, v34, out)
-        np.subtract(d, v20, w0)
-        np.add(w0, out, out)
+        np.subtract(d, v20, t0)
+        np.add(t0, out, out)
         np.less(r, a, m1)
         some52 = np.count_nonzero(m1)
         if some52:
-            np.subtract(a, r, w0)
-            np.maximum(w0, f0, out=w0)
-            np.add(a, r, w1)
-            np.multiply(w0, w1, w1)
-            np.sqrt(w1, w1)
-            np.power(w1, k, w0)
-            np.multiply(v45, w0, w0)
-            np.divide(w0, w1, w0)
+            np.subtract(a, r, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(a, r, t1)
+            np.multiply(t0, t1, t1)
+            np.sqrt(t1, t1)
+            np.power(t1, k, t0)
+            np.multiply(v45, t0, t0)
+            np.divide(t0, t1, t0)
         if some52 != size:
-            other52 = w1 if some52 else w0
+            other52 = t1 if some52 else t0
             np.greater(r, a, m2)
             some51 = np.count_nonzero(m2)
             if some51:
@@ -202,8 +202,8 @@ def block_pressure_r_d(out, r, d, a, k, v20, v22, v23, v24, v34, v45, v55, w0, w
             if some51 != size:
                 np.copyto(other52, C6, where=~m2)
             if some52:
-                np.copyto(w0, other52, where=~m1)
-        np.multiply(out, w0, out)
+                np.copyto(t0, other52, where=~m1)
+        np.multiply(out, t0, out)
     if some58 != size:
         np.copyto(out, C7, where=~m0)
 
@@ -212,58 +212,58 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, h, H, k, w0, w1, w2, w3, w4, w5, m0, m1, m2, f0):
+def block_pressure_all(out, r, d, a, h, H, k, t0, t1, t2, t3, t4, t5, m0, m1, m2, f0):
     size = out.size
-    np.multiply(C0, h, w0)
+    np.multiply(C0, h, t0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.subtract(k, C1, w1)
-    np.multiply(w0, w1, w1)
-    np.add(k, C1, w0)
-    np.square(w0, w0)
-    np.add(k, C3, w2)
-    np.multiply(w0, w2, w3)
-    np.divide(w1, w3, w3)
-    np.multiply(C4, a, w1)
-    np.add(w3, w1, w1)
-    np.multiply(w1, C8, w3)
-    np.less_equal(w3, d, m0)
+    np.subtract(k, C1, t1)
+    np.multiply(t0, t1, t1)
+    np.add(k, C1, t0)
+    np.square(t0, t0)
+    np.add(k, C3, t2)
+    np.multiply(t0, t2, t3)
+    np.divide(t1, t3, t3)
+    np.multiply(C4, a, t1)
+    np.add(t3, t1, t1)
+    np.multiply(t1, C8, t3)
+    np.less_equal(t3, d, m0)
     some58 = np.count_nonzero(m0)
     if some58:
         np.multiply(C5, h, out)
-        np.square(a, w3)
-        np.multiply(k, w3, w4)
-        np.square(r, w5)
-        np.multiply(C5, w5, w5)
-        np.add(w4, w5, w5)
-        np.subtract(w5, w3, w5)
-        np.square(w5, w5)
-        np.multiply(out, w5, w5)
-        np.square(w3, w3)
-        np.multiply(w3, w0, w3)
-        np.square(w2, out)
-        np.multiply(w3, out, out)
-        np.divide(w5, out, out)
-        np.subtract(d, w1, w5)
-        np.add(w5, out, out)
+        np.square(a, t3)
+        np.multiply(k, t3, t4)
+        np.square(r, t5)
+        np.multiply(C5, t5, t5)
+        np.add(t4, t5, t5)
+        np.subtract(t5, t3, t5)
+        np.square(t5, t5)
+        np.multiply(out, t5, t5)
+        np.square(t3, t3)
+        np.multiply(t3, t0, t3)
+        np.square(t2, out)
+        np.multiply(t3, out, out)
+        np.divide(t5, out, out)
+        np.subtract(d, t1, t5)
+        np.add(t5, out, out)
         np.less(r, a, m1)
         some52 = np.count_nonzero(m1)
         if some52:
-            np.subtract(a, r, w5)
-            np.maximum(w5, f0, out=w5)
-            np.add(a, r, w3)
-            np.multiply(w5, w3, w3)
-            np.sqrt(w3, w3)
-            np.divide(H, C9, w5)
-            np.power(w3, k, w4)
-            np.multiply(w5, w4, w4)
-            np.divide(w4, w3, w5)
+            np.subtract(a, r, t5)
+            np.maximum(t5, f0, out=t5)
+            np.add(a, r, t3)
+            np.multiply(t5, t3, t3)
+            np.sqrt(t3, t3)
+            np.divide(H, C9, t5)
+            np.power(t3, k, t4)
+            np.multiply(t5, t4, t4)
+            np.divide(t4, t3, t5)
         if some52 != size:
-            other52 = w3 if some52 else w5
+            other52 = t3 if some52 else t5
             np.greater(r, a, m2)
             some51 = np.count_nonzero(m2)
             if some51:
@@ -271,8 +271,8 @@ def block_pressure_all(out, r, d, a, h, H, k, w0, w1, w2, w3, w4, w5, m0, m1, m2
             if some51 != size:
                 np.copyto(other52, C6, where=~m2)
             if some52:
-                np.copyto(w5, other52, where=~m1)
-        np.multiply(out, w5, out)
+                np.copyto(t5, other52, where=~m1)
+        np.multiply(out, t5, out)
     if some58 != size:
         np.copyto(out, C7, where=~m0)
 
@@ -293,11 +293,11 @@ def prepare_stiffness_all_signed():
     return ()
 
 
-def block_stiffness_all_signed(out, a, H, k, w0, m0):
+def block_stiffness_all_signed(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C2, H, out)
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C4, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -305,7 +305,7 @@ def block_stiffness_all_signed(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C4, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 def zero_radius(a, h, k):
@@ -321,13 +321,13 @@ def prepare_zero_radius_all_signed():
     return ()
 
 
-def block_zero_radius_all_signed(out, a, h, k, w0):
+def block_zero_radius_all_signed(out, a, h, k, t0):
     np.subtract(C1, k, out)
     np.sqrt(out, out)
     np.multiply(a, out, out)
     np.multiply(out, C10, out)
-    np.multiply(C4, h, w0)
-    np.add(out, w0, out)
+    np.multiply(C4, h, t0)
+    np.add(out, t0, out)
 
 
 BLOCKS = {

@@ -50,14 +50,14 @@ def prepare_depth_from_force_all():
     return ()
 
 
-def block_depth_from_force_all(out, F, a, H, k, w0, m0):
+def block_depth_from_force_all(out, F, a, H, k, t0, m0):
     size = out.size
     np.multiply(C0, H, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C2, m0)
     some13 = np.count_nonzero(m0)
     if some13:
@@ -65,7 +65,7 @@ def block_depth_from_force_all(out, F, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some13 != size:
         np.copyto(out, C2, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.divide(F, out, out)
 
 
@@ -104,14 +104,14 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, d, a, H, k, w0, m0):
+def block_force_all(out, d, a, H, k, t0, m0):
     size = out.size
     np.multiply(C0, H, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C2, m0)
     some13 = np.count_nonzero(m0)
     if some13:
@@ -119,7 +119,7 @@ def block_force_all(out, d, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some13 != size:
         np.copyto(out, C2, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
     np.multiply(out, d, out)
 
 
@@ -149,7 +149,7 @@ def prepare_pressure_r(d, a, H, k):
     return (d, a, k, v6, v14)
 
 
-def block_pressure_r(out, r, d, a, k, v6, v14, w0, m0, m1, f0):
+def block_pressure_r(out, r, d, a, k, v6, v14, t0, m0, m1, f0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
@@ -160,14 +160,14 @@ def block_pressure_r(out, r, d, a, k, v6, v14, w0, m0, m1, f0):
         if some21:
             np.subtract(a, r, out)
             np.maximum(out, f0, out=out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.power(w0, k, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.power(t0, k, out)
             np.multiply(v14, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some21 != size:
-            other21 = w0 if some21 else out
+            other21 = t0 if some21 else out
             np.greater(r, a, m1)
             some20 = np.count_nonzero(m1)
             if some20:
@@ -186,7 +186,7 @@ def prepare_pressure_r_d(a, H, k):
     return (a, k, v14)
 
 
-def block_pressure_r_d(out, r, d, a, k, v14, w0, m0, m1, m2, f0):
+def block_pressure_r_d(out, r, d, a, k, v14, t0, m0, m1, m2, f0):
     size = out.size
     np.greater(d, C2, m0)
     largest_r = largest(r)
@@ -202,14 +202,14 @@ def block_pressure_r_d(out, r, d, a, k, v14, w0, m0, m1, m2, f0):
         if some21:
             np.subtract(a, r, out)
             np.maximum(out, f0, out=out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
-            np.power(w0, k, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.power(t0, k, out)
             np.multiply(v14, out, out)
-            np.divide(out, w0, out)
+            np.divide(out, t0, out)
         if some21 != size:
-            other21 = w0 if some21 else out
+            other21 = t0 if some21 else out
             np.greater(r, a, m2)
             some20 = np.count_nonzero(m2)
             if some20:
@@ -227,7 +227,7 @@ def prepare_pressure_all():
     return ()
 
 
-def block_pressure_all(out, r, d, a, H, k, w0, w1, m0, m1, m2, f0):
+def block_pressure_all(out, r, d, a, H, k, t0, t1, m0, m1, m2, f0):
     size = out.size
     np.greater(d, C2, m0)
     largest_r = largest(r)
@@ -243,15 +243,15 @@ def block_pressure_all(out, r, d, a, H, k, w0, w1, m0, m1, m2, f0):
         if some21:
             np.subtract(a, r, out)
             np.maximum(out, f0, out=out)
-            np.add(a, r, w0)
-            np.multiply(out, w0, w0)
-            np.sqrt(w0, w0)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
             np.divide(H, C4, out)
-            np.power(w0, k, w1)
-            np.multiply(out, w1, w1)
-            np.divide(w1, w0, out)
+            np.power(t0, k, t1)
+            np.multiply(out, t1, t1)
+            np.divide(t1, t0, out)
         if some21 != size:
-            other21 = w0 if some21 else out
+            other21 = t0 if some21 else out
             np.greater(r, a, m2)
             some20 = np.count_nonzero(m2)
             if some20:
@@ -281,11 +281,11 @@ def prepare_stiffness_all_signed():
     return ()
 
 
-def block_stiffness_all_signed(out, a, H, k, w0, m0):
+def block_stiffness_all_signed(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C0, H, out)
-    np.add(C1, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C1, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C2, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -293,7 +293,7 @@ def block_stiffness_all_signed(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C2, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 BLOCKS = {

@@ -51,14 +51,14 @@ def prepare_stiffness_all():
     return ()
 
 
-def block_stiffness_all(out, a, H, k, w0, m0):
+def block_stiffness_all(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C1, H, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(C2, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C2, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C0, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -66,7 +66,7 @@ def block_stiffness_all(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C0, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 BLOCKS = {

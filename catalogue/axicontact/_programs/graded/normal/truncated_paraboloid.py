@@ -38,7 +38,7 @@ def prepare_depth_a(R, b, k):
     return (R, b, k, v19, v21)
 
 
-def block_depth_a(out, a, R, b, k, v19, v21, w0, w1, m0, m1, f0):
+def block_depth_a(out, a, R, b, k, v19, v21, t0, t1, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -48,22 +48,22 @@ def block_depth_a(out, a, R, b, k, v19, v21, w0, w1, m0, m1, f0):
     if some25:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(w0, a, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(t0, a, t0)
         np.multiply(a, a, out)
-        np.greater(w0, C0, m1)
+        np.greater(t0, C0, m1)
         some16 = np.count_nonzero(m1)
         if some16:
-            np.power(w0, k, w1)
-            np.multiply(w0, w1, w1)
+            np.power(t0, k, t1)
+            np.multiply(t0, t1, t1)
         if some16 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(out, w1, w1)
-        np.divide(w1, v19, w1)
-        np.add(w1, v21, w1)
-        np.divide(w1, R, out)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(out, t1, t1)
+        np.divide(t1, v19, t1)
+        np.add(t1, v21, t1)
+        np.divide(t1, R, out)
     if some25 != size:
         np.copyto(out, C1, where=~m0)
 
@@ -72,7 +72,7 @@ def prepare_depth_all():
     return ()
 
 
-def block_depth_all(out, a, R, b, k, w0, w1, m0, m1, f0):
+def block_depth_all(out, a, R, b, k, t0, t1, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -82,24 +82,24 @@ def block_depth_all(out, a, R, b, k, w0, w1, m0, m1, f0):
     if some25:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(w0, a, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(t0, a, t0)
         np.multiply(a, a, out)
-        np.greater(w0, C0, m1)
+        np.greater(t0, C0, m1)
         some16 = np.count_nonzero(m1)
         if some16:
-            np.power(w0, k, w1)
-            np.multiply(w0, w1, w1)
+            np.power(t0, k, t1)
+            np.multiply(t0, t1, t1)
         if some16 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(out, w1, w1)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(out, t1, t1)
         np.add(C2, k, out)
-        np.divide(w1, out, out)
-        np.multiply(C0, b, w1)
-        np.add(out, w1, w1)
-        np.divide(w1, R, out)
+        np.divide(t1, out, out)
+        np.multiply(C0, b, t1)
+        np.add(out, t1, t1)
+        np.divide(t1, R, out)
     if some25 != size:
         np.copyto(out, C1, where=~m0)
 
@@ -132,7 +132,7 @@ def prepare_force_a(R, b, H, k):
     return (R, b, k, v26, v28, v34, v36, v40)
 
 
-def block_force_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, m1, f0):
+def block_force_a(out, a, R, b, k, v26, v28, v34, v36, v40, t0, t1, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -142,32 +142,32 @@ def block_force_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, m1, f0):
     if some43:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.maximum(a, b, out=out)
-        np.divide(w0, out, out)
-        np.multiply(a, a, w0)
+        np.divide(t0, out, out)
+        np.multiply(a, a, t0)
         np.greater(a, C0, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.power(a, k, w1)
-            np.multiply(a, w1, w1)
+            np.power(a, k, t1)
+            np.multiply(a, t1, t1)
         if some18 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(w0, w1, w1)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(t0, t1, t1)
         np.greater(out, C0, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.power(out, k, w0)
-            np.multiply(out, w0, w0)
+            np.power(out, k, t0)
+            np.multiply(out, t0, t0)
         if some23 != size:
-            np.copyto(w0, C0, where=~m1)
-        np.multiply(w1, w0, w0)
+            np.copyto(t0, C0, where=~m1)
+        np.multiply(t1, t0, t0)
         np.square(out, out)
         np.multiply(v28, out, out)
         np.subtract(v26, out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
         np.divide(out, v34, out)
         np.add(out, v36, out)
         np.divide(out, R, out)
@@ -180,7 +180,7 @@ def prepare_force_all():
     return ()
 
 
-def block_force_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
+def block_force_all(out, a, R, b, H, k, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -190,42 +190,42 @@ def block_force_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
     if some43:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.maximum(a, b, out=out)
-        np.divide(w0, out, out)
-        np.multiply(a, a, w0)
+        np.divide(t0, out, out)
+        np.multiply(a, a, t0)
         np.greater(a, C0, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.power(a, k, w1)
-            np.multiply(a, w1, w1)
+            np.power(a, k, t1)
+            np.multiply(a, t1, t1)
         if some18 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(w0, w1, w1)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(t0, t1, t1)
         np.greater(out, C0, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.power(out, k, w0)
-            np.multiply(out, w0, w0)
+            np.power(out, k, t0)
+            np.multiply(out, t0, t0)
         if some23 != size:
-            np.copyto(w0, C0, where=~m1)
-        np.multiply(w1, w0, w0)
-        np.add(C4, k, w1)
-        np.add(C2, k, w2)
+            np.copyto(t0, C0, where=~m1)
+        np.multiply(t1, t0, t0)
+        np.add(C4, k, t1)
+        np.add(C2, k, t2)
         np.square(out, out)
-        np.multiply(w2, out, out)
-        np.subtract(w1, out, out)
-        np.multiply(w0, out, out)
-        np.multiply(w2, w1, w1)
-        np.divide(out, w1, w1)
+        np.multiply(t2, out, out)
+        np.subtract(t1, out, out)
+        np.multiply(t0, out, out)
+        np.multiply(t2, t1, t1)
+        np.divide(out, t1, t1)
         np.multiply(C0, b, out)
-        np.add(w1, out, out)
+        np.add(t1, out, out)
         np.divide(out, R, out)
-        np.multiply(C3, H, w1)
-        np.divide(w1, w2, w2)
-        np.multiply(w2, out, out)
+        np.multiply(C3, H, t1)
+        np.divide(t1, t2, t2)
+        np.multiply(t2, out, out)
     if some43 != size:
         np.copyto(out, C1, where=~m0)
 
@@ -260,7 +260,7 @@ def prepare_mean_pressure_a(R, b, H, k):
     return (R, b, k, v26, v28, v34, v36, v40)
 
 
-def block_mean_pressure_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, m1, f0):
+def block_mean_pressure_a(out, a, R, b, k, v26, v28, v34, v36, v40, t0, t1, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -270,48 +270,48 @@ def block_mean_pressure_a(out, a, R, b, k, v26, v28, v34, v36, v40, w0, w1, m0, 
     if some43:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.maximum(a, b, out=out)
-        np.divide(w0, out, out)
-        np.multiply(a, a, w0)
+        np.divide(t0, out, out)
+        np.multiply(a, a, t0)
         np.greater(a, C0, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.power(a, k, w1)
-            np.multiply(a, w1, w1)
+            np.power(a, k, t1)
+            np.multiply(a, t1, t1)
         if some18 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(w0, w1, w1)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(t0, t1, t1)
         np.greater(out, C0, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.power(out, k, w0)
-            np.multiply(out, w0, w0)
+            np.power(out, k, t0)
+            np.multiply(out, t0, t0)
         if some23 != size:
-            np.copyto(w0, C0, where=~m1)
-        np.multiply(w1, w0, w0)
+            np.copyto(t0, C0, where=~m1)
+        np.multiply(t1, t0, t0)
         np.square(out, out)
         np.multiply(v28, out, out)
         np.subtract(v26, out, out)
-        np.multiply(w0, out, out)
+        np.multiply(t0, out, out)
         np.divide(out, v34, out)
         np.add(out, v36, out)
         np.divide(out, R, out)
         np.multiply(v40, out, out)
     if some43 != size:
         np.copyto(out, C1, where=~m0)
-    np.multiply(C5, a, w0)
-    np.multiply(w0, a, w0)
-    np.divide(out, w0, out)
+    np.multiply(C5, a, t0)
+    np.multiply(t0, a, t0)
+    np.divide(out, t0, out)
 
 
 def prepare_mean_pressure_all():
     return ()
 
 
-def block_mean_pressure_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
+def block_mean_pressure_all(out, a, R, b, H, k, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -321,47 +321,47 @@ def block_mean_pressure_all(out, a, R, b, H, k, w0, w1, w2, m0, m1, f0):
     if some43:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
         np.maximum(a, b, out=out)
-        np.divide(w0, out, out)
-        np.multiply(a, a, w0)
+        np.divide(t0, out, out)
+        np.multiply(a, a, t0)
         np.greater(a, C0, m1)
         some18 = np.count_nonzero(m1)
         if some18:
-            np.power(a, k, w1)
-            np.multiply(a, w1, w1)
+            np.power(a, k, t1)
+            np.multiply(a, t1, t1)
         if some18 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(w0, w1, w1)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(t0, t1, t1)
         np.greater(out, C0, m1)
         some23 = np.count_nonzero(m1)
         if some23:
-            np.power(out, k, w0)
-            np.multiply(out, w0, w0)
+            np.power(out, k, t0)
+            np.multiply(out, t0, t0)
         if some23 != size:
-            np.copyto(w0, C0, where=~m1)
-        np.multiply(w1, w0, w0)
-        np.add(C4, k, w1)
-        np.add(C2, k, w2)
+            np.copyto(t0, C0, where=~m1)
+        np.multiply(t1, t0, t0)
+        np.add(C4, k, t1)
+        np.add(C2, k, t2)
         np.square(out, out)
-        np.multiply(w2, out, out)
-        np.subtract(w1, out, out)
-        np.multiply(w0, out, out)
-        np.multiply(w2, w1, w1)
-        np.divide(out, w1, w1)
+        np.multiply(t2, out, out)
+        np.subtract(t1, out, out)
+        np.multiply(t0, out, out)
+        np.multiply(t2, t1, t1)
+        np.divide(out, t1, t1)
         np.multiply(C0, b, out)
-        np.add(w1, out, out)
+        np.add(t1, out, out)
         np.divide(out, R, out)
-        np.multiply(C3, H, w1)
-        np.divide(w1, w2, w2)
-        np.multiply(w2, out, out)
+        np.multiply(C3, H, t1)
+        np.divide(t1, t2, t2)
+        np.multiply(t2, out, out)
     if some43 != size:
         np.copyto(out, C1, where=~m0)
-    np.multiply(C5, a, w2)
-    np.multiply(w2, a, w2)
-    np.divide(out, w2, out)
+    np.multiply(C5, a, t2)
+    np.multiply(t2, a, t2)
+    np.divide(out, t2, out)
 
 
 def stiffness(a, H, k, R=1.0, b=1.0):
@@ -402,14 +402,14 @@ def prepare_stiffness_all():
     return ()
 
 
-def block_stiffness_all(out, a, H, k, w0, m0):
+def block_stiffness_all(out, a, H, k, t0, m0):
     size = out.size
     np.multiply(C3, H, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.add(C2, k, w0)
-    np.divide(out, w0, w0)
+    np.add(C2, k, t0)
+    np.divide(out, t0, t0)
     np.greater(a, C0, m0)
     some12 = np.count_nonzero(m0)
     if some12:
@@ -417,7 +417,7 @@ def block_stiffness_all(out, a, H, k, w0, m0):
         np.multiply(a, out, out)
     if some12 != size:
         np.copyto(out, C0, where=~m0)
-    np.multiply(w0, out, out)
+    np.multiply(t0, out, out)
 
 
 BLOCKS = {

@@ -39,7 +39,7 @@ def prepare_full_slip_displacement_a(R, b, H, H_x, k, mu):
     return (R, b, k, v8, v24, v26)
 
 
-def block_full_slip_displacement_a(out, a, R, b, k, v8, v24, v26, w0, w1, m0, m1, f0):
+def block_full_slip_displacement_a(out, a, R, b, k, v8, v24, v26, t0, t1, m0, m1, f0):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
@@ -49,22 +49,22 @@ def block_full_slip_displacement_a(out, a, R, b, k, v8, v24, v26, w0, w1, m0, m1
     if some30:
         np.subtract(a, b, out)
         np.maximum(out, f0, out=out)
-        np.add(a, b, w0)
-        np.multiply(out, w0, w0)
-        np.sqrt(w0, w0)
-        np.divide(w0, a, w0)
+        np.add(a, b, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.divide(t0, a, t0)
         np.multiply(a, a, out)
-        np.greater(w0, C0, m1)
+        np.greater(t0, C0, m1)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.power(w0, k, w1)
-            np.multiply(w0, w1, w1)
+            np.power(t0, k, t1)
+            np.multiply(t0, t1, t1)
         if some21 != size:
-            np.copyto(w1, C0, where=~m1)
-        np.multiply(out, w1, w1)
-        np.divide(w1, v24, w1)
-        np.add(w1, v26, w1)
-        np.divide(w1, R, out)
+            np.copyto(t1, C0, where=~m1)
+        np.multiply(out, t1, t1)
+        np.divide(t1, v24, t1)
+        np.add(t1, v26, t1)
+        np.divide(t1, R, out)
     if some30 != size:
         np.copyto(out, C1, where=~m0)
     np.multiply(v8, out, out)
@@ -74,7 +74,7 @@ def prepare_full_slip_displacement_all():
     return ()
 
 
-def block_full_slip_displacement_all(out, a, R, b, H, H_x, k, mu, w0, w1, w2, m0, m1, f0):
+def block_full_slip_displacement_all(out, a, R, b, H, H_x, k, mu, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.divide(H, H_x, out)
     largest_a = largest(a)
@@ -84,29 +84,29 @@ def block_full_slip_displacement_all(out, a, R, b, H, H_x, k, mu, w0, w1, w2, m0
     np.greater_equal(a, b, m0)
     some30 = np.count_nonzero(m0)
     if some30:
-        np.subtract(a, b, w0)
-        np.maximum(w0, f0, out=w0)
-        np.add(a, b, w1)
-        np.multiply(w0, w1, w1)
-        np.sqrt(w1, w1)
-        np.divide(w1, a, w1)
-        np.multiply(a, a, w0)
-        np.greater(w1, C0, m1)
+        np.subtract(a, b, t0)
+        np.maximum(t0, f0, out=t0)
+        np.add(a, b, t1)
+        np.multiply(t0, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, a, t1)
+        np.multiply(a, a, t0)
+        np.greater(t1, C0, m1)
         some21 = np.count_nonzero(m1)
         if some21:
-            np.power(w1, k, w2)
-            np.multiply(w1, w2, w2)
+            np.power(t1, k, t2)
+            np.multiply(t1, t2, t2)
         if some21 != size:
-            np.copyto(w2, C0, where=~m1)
-        np.multiply(w0, w2, w2)
-        np.add(C2, k, w0)
-        np.divide(w2, w0, w0)
-        np.multiply(C0, b, w2)
-        np.add(w0, w2, w2)
-        np.divide(w2, R, w0)
+            np.copyto(t2, C0, where=~m1)
+        np.multiply(t0, t2, t2)
+        np.add(C2, k, t0)
+        np.divide(t2, t0, t0)
+        np.multiply(C0, b, t2)
+        np.add(t0, t2, t2)
+        np.divide(t2, R, t0)
     if some30 != size:
-        np.copyto(w0, C1, where=~m0)
-    np.multiply(out, w0, out)
+        np.copyto(t0, C1, where=~m0)
+    np.multiply(out, t0, out)
 
 
 BLOCKS = {
