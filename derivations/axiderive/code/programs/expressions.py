@@ -14,8 +14,8 @@ from .plain import OPERATORS
 
 LEFT = frozenset(("integral", "unless"))
 """Operations of a graph that are rules of the package, or hold in the branch that is mostly met alone."""
-STEPS = 12
-"""Newton's steps of a root: with the bounds of the slope six were enough in all functions and samples."""
+STEPS = 6
+"""Newton's steps of a root. Over 24 decades six leave 7e-16 in all functions; four would leave 6e-10."""
 ASIDE = {"less": (0.5, 2.0), "less_equal": (0.5, 2.0), "greater": (2.0, 0.5), "greater_equal": (2.0, 0.5)}
 """x over y where the relation holds, and where it does not."""
 SIGNS = {name: sign for name, sign in OPERATORS.items() if sign not in ("and", "or")} | {

@@ -91,7 +91,7 @@ def depth_from_force(xp, F, h, b, E_star):
     v74 = v56 * v73
     v75 = xp.where(F > 0.0, F, 1.0)
     v76 = xp.minimum(v74, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v78 = E_star * h
         v79 = xp.tanh(v76)
         v80 = b * v79
@@ -301,7 +301,7 @@ def force_from_depth(xp, d, h, b, E_star):
     v39 = v21 * v38
     v40 = xp.where(d > 0.0, d, 1.0)
     v41 = xp.minimum(v39, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v43 = h / b
         v44 = xp.tanh(v41)
         v45 = b * v44
@@ -491,7 +491,7 @@ def radius_from_depth(xp, d, h, b):
     v38 = v20 * v37
     v39 = xp.where(d > 0.0, d, 1.0)
     v40 = xp.minimum(v38, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v42 = h / b
         v43 = xp.tanh(v40)
         v44 = b * v43
@@ -600,7 +600,7 @@ def radius_from_force(xp, F, h, b, E_star):
     v73 = v55 * v72
     v74 = xp.where(F > 0.0, F, 1.0)
     v75 = xp.minimum(v73, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v77 = E_star * h
         v78 = xp.tanh(v75)
         v79 = b * v78

@@ -147,7 +147,7 @@ def radius_from_depth(xp, d, h, s):
     v82 = v64 * v81
     v83 = xp.where(v49 > 0.0, v49, 1.0)
     v84 = xp.minimum(v82, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v86 = 1.5019752682686114 * s
         v87 = v86 <= v86
         v88 = 2.0 * h

@@ -15,7 +15,7 @@ def depth_from_force(xp, F, theta, b, E_star):
     v1 = b / 1000.0
     v2 = xp.where(F > 0.0, F, 1.0)
     v3 = xp.minimum(v1, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v5 = xp.tan(theta)
         v6 = E_star * v5
         v7 = v3 ** 2.0
@@ -185,7 +185,7 @@ def force_from_depth(xp, d, theta, b, E_star):
     v2 = b / 1000.0
     v3 = xp.where(d > 0.0, d, 1.0)
     v4 = xp.minimum(v2, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v6 = xp.tan(theta)
         v7 = v6 * v4
         v8 = v4 / b
@@ -330,7 +330,7 @@ def radius_from_depth(xp, d, theta, b):
     v0 = b / 1000.0
     v1 = xp.where(d > 0.0, d, 1.0)
     v2 = xp.minimum(v0, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v4 = xp.tan(theta)
         v5 = v4 * v2
         v6 = v2 / b
@@ -360,7 +360,7 @@ def radius_from_force(xp, F, theta, b, E_star):
     v0 = b / 1000.0
     v1 = xp.where(F > 0.0, F, 1.0)
     v2 = xp.minimum(v0, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v4 = xp.tan(theta)
         v5 = E_star * v4
         v6 = v2 ** 2.0

@@ -124,7 +124,7 @@ def depth_from_force(xp, F, R, b, E_star):
     v77 = v59 * v76
     v78 = xp.where(F > 0.0, F, 1.0)
     v79 = xp.minimum(v77, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v81 = E_star / R
         v82 = b * v79
         v83 = v82 ** 2.0
@@ -374,7 +374,7 @@ def force_from_depth(xp, d, R, b, E_star):
     v71 = v53 * v70
     v72 = xp.where(d > 0.0, d, 1.0)
     v73 = xp.minimum(v71, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v75 = b / R
         v76 = v73 * v73
         v77 = 1.0 + v76
@@ -721,7 +721,7 @@ def radius_from_depth(xp, d, R, b):
     v70 = v52 * v69
     v71 = xp.where(d > 0.0, d, 1.0)
     v72 = xp.minimum(v70, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v74 = b / R
         v75 = v72 * v72
         v76 = 1.0 + v75
@@ -867,7 +867,7 @@ def radius_from_force(xp, F, R, b, E_star):
     v76 = v58 * v75
     v77 = xp.where(F > 0.0, F, 1.0)
     v78 = xp.minimum(v76, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v80 = E_star / R
         v81 = b * v78
         v82 = v81 ** 2.0

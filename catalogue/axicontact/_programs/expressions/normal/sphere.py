@@ -87,7 +87,7 @@ def depth_from_force(xp, F, R, E_star):
     v72 = v54 * v71
     v73 = xp.where(F > 0.0, F, 1.0)
     v74 = xp.minimum(v72, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v76 = xp.tanh(v74)
         v77 = R * v76
         v78 = v77 ** 2.0
@@ -288,7 +288,7 @@ def force_from_depth(xp, d, R, E_star):
     v36 = v18 * v35
     v37 = xp.where(d > 0.0, d, 1.0)
     v38 = xp.minimum(v36, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v40 = xp.tanh(v38)
         v41 = R * v40
         v42 = xp.cosh(v38)
@@ -467,7 +467,7 @@ def radius_from_depth(xp, d, R):
     v36 = v18 * v35
     v37 = xp.where(d > 0.0, d, 1.0)
     v38 = xp.minimum(v36, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v40 = xp.tanh(v38)
         v41 = R * v40
         v42 = xp.cosh(v38)
@@ -572,7 +572,7 @@ def radius_from_force(xp, F, R, E_star):
     v72 = v54 * v71
     v73 = xp.where(F > 0.0, F, 1.0)
     v74 = xp.minimum(v72, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v76 = xp.tanh(v74)
         v77 = R * v76
         v78 = v77 ** 2.0

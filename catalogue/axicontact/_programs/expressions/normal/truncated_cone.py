@@ -60,7 +60,7 @@ def depth_from_force(xp, F, theta, b, E_star):
     v42 = v24 * v41
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = xp.tan(theta)
         v47 = E_star * v46
         v48 = v44 * v44
@@ -177,7 +177,7 @@ def force_from_depth(xp, d, theta, b, E_star):
     v39 = v21 * v38
     v40 = xp.where(d > 0.0, d, 1.0)
     v41 = xp.minimum(v39, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v43 = xp.tan(theta)
         v44 = v41 * v41
         v45 = 1.0 + v44
@@ -300,7 +300,7 @@ def radius_from_depth(xp, d, theta, b):
     v38 = v20 * v37
     v39 = xp.where(d > 0.0, d, 1.0)
     v40 = xp.minimum(v38, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v42 = xp.tan(theta)
         v43 = v40 * v40
         v44 = 1.0 + v43
@@ -379,7 +379,7 @@ def radius_from_force(xp, F, theta, b, E_star):
     v42 = v24 * v41
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = xp.tan(theta)
         v47 = E_star * v46
         v48 = v44 * v44

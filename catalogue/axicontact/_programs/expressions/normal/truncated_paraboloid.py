@@ -57,7 +57,7 @@ def depth_from_force(xp, F, R, b, E_star):
     v42 = v24 * v41
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = 2.0 * E_star
         v47 = 3.0 * R
         v48 = v46 / v47
@@ -169,7 +169,7 @@ def force_from_depth(xp, d, R, b, E_star):
     v37 = v19 * v36
     v38 = xp.where(d > 0.0, d, 1.0)
     v39 = xp.minimum(v37, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v41 = v39 * v39
         v42 = 1.0 + v41
         v43 = xp.sqrt(v42)
@@ -318,7 +318,7 @@ def radius_from_force(xp, F, R, b, E_star):
     v42 = v24 * v41
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = 2.0 * E_star
         v47 = 3.0 * R
         v48 = v46 / v47

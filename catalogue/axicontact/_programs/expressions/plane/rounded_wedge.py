@@ -4,7 +4,7 @@
 def half_width_from_load(xp, P, theta, b, E_star):
     v0 = xp.where(P > 0.0, P, 1.0)
     v1 = xp.minimum(b, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v3 = v1 < b
         v4 = xp.where(v3, v1, 0.5 * b)
         v5 = 3.141592653589793 * E_star

@@ -145,7 +145,7 @@ def stick_radius(xp, F_x, a, h, b, E_star, mu):
     v125 = v107 * v124
     v126 = xp.where(v52 > 0.0, v52, 1.0)
     v127 = xp.minimum(v125, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v129 = E_star * h
         v130 = xp.tanh(v127)
         v131 = b * v130

@@ -71,7 +71,7 @@ def stick_radius(xp, F_x, a, theta, b, E_star, mu):
     v54 = b / 1000.0
     v55 = xp.where(v53 > 0.0, v53, 1.0)
     v56 = xp.minimum(v54, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v58 = xp.tan(theta)
         v59 = E_star * v58
         v60 = v56 ** 2.0

@@ -179,7 +179,7 @@ def stick_radius(xp, F_x, a, R, b, E_star, mu):
     v129 = v111 * v128
     v130 = xp.where(v53 > 0.0, v53, 1.0)
     v131 = xp.minimum(v129, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v133 = E_star / R
         v134 = b * v131
         v135 = v134 ** 2.0

@@ -141,7 +141,7 @@ def stick_radius(xp, F_x, a, R, E_star, mu):
     v123 = v105 * v122
     v124 = xp.where(v51 > 0.0, v51, 1.0)
     v125 = xp.minimum(v123, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v127 = xp.tanh(v125)
         v128 = R * v127
         v129 = v128 ** 2.0

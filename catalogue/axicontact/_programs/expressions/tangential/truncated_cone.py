@@ -85,7 +85,7 @@ def stick_radius(xp, F_x, a, theta, b, E_star, mu):
     v64 = v46 * v63
     v65 = xp.where(v23 > 0.0, v23, 1.0)
     v66 = xp.minimum(v64, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v68 = xp.tan(theta)
         v69 = E_star * v68
         v70 = v66 * v66

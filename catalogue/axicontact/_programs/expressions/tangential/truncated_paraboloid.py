@@ -80,7 +80,7 @@ def stick_radius(xp, F_x, a, R, b, E_star, mu):
     v62 = v44 * v61
     v63 = xp.where(v23 > 0.0, v23, 1.0)
     v64 = xp.minimum(v62, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v66 = 2.0 * E_star
         v67 = 3.0 * R
         v68 = v66 / v67

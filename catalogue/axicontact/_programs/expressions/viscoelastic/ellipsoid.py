@@ -45,7 +45,7 @@ def step_force_kelvin_voigt(xp, t, d, h, b, E, eta):
     v40 = v22 * v39
     v41 = xp.where(d > 0.0, d, 1.0)
     v42 = xp.minimum(v40, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v44 = h / b
         v45 = xp.tanh(v42)
         v46 = b * v45
@@ -174,7 +174,7 @@ def step_force_maxwell(xp, t, d, h, b, E, tau):
     v42 = v24 * v41
     v43 = xp.where(d > 0.0, d, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = h / b
         v47 = xp.tanh(v44)
         v48 = b * v47
@@ -306,7 +306,7 @@ def step_force_power_creep(xp, t, d, h, b, E, alpha, t_0):
     v45 = v27 * v44
     v46 = xp.where(d > 0.0, d, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = h / b
         v50 = xp.tanh(v47)
         v51 = b * v50
@@ -436,7 +436,7 @@ def step_force_standard_solid(xp, t, d, h, b, E_inf, E_1, tau):
     v43 = v25 * v42
     v44 = xp.where(d > 0.0, d, 1.0)
     v45 = xp.minimum(v43, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v47 = h / b
         v48 = xp.tanh(v45)
         v49 = b * v48
@@ -602,7 +602,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, h, b, E, eta):
     v79 = v61 * v78
     v80 = xp.where(v6 > 0.0, v6, 1.0)
     v81 = xp.minimum(v79, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v83 = xp.tanh(v81)
         v84 = b * v83
         v85 = xp.cosh(v81)
@@ -750,7 +750,7 @@ def step_load_radius_maxwell(xp, t, F, h, b, E, tau):
     v76 = v58 * v75
     v77 = xp.where(v3 > 0.0, v3, 1.0)
     v78 = xp.minimum(v76, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v80 = xp.tanh(v78)
         v81 = b * v80
         v82 = xp.cosh(v78)
@@ -898,7 +898,7 @@ def step_load_radius_power_creep(xp, t, F, h, b, E, alpha, t_0):
     v76 = v58 * v75
     v77 = xp.where(v3 > 0.0, v3, 1.0)
     v78 = xp.minimum(v76, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v80 = xp.tanh(v78)
         v81 = b * v80
         v82 = xp.cosh(v78)
@@ -1054,7 +1054,7 @@ def step_load_radius_standard_solid(xp, t, F, h, b, E_inf, E_1, tau):
     v84 = v66 * v83
     v85 = xp.where(v11 > 0.0, v11, 1.0)
     v86 = xp.minimum(v84, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v88 = xp.tanh(v86)
         v89 = b * v88
         v90 = xp.cosh(v86)

@@ -8,7 +8,7 @@ def step_force_kelvin_voigt(xp, t, d, theta, b, E, eta):
     v3 = b / 1000.0
     v4 = xp.where(d > 0.0, d, 1.0)
     v5 = xp.minimum(v3, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v7 = xp.tan(theta)
         v8 = v7 * v5
         v9 = v5 / b
@@ -95,7 +95,7 @@ def step_force_maxwell(xp, t, d, theta, b, E, tau):
     v5 = b / 1000.0
     v6 = xp.where(d > 0.0, d, 1.0)
     v7 = xp.minimum(v5, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v9 = xp.tan(theta)
         v10 = v9 * v7
         v11 = v7 / b
@@ -185,7 +185,7 @@ def step_force_power_creep(xp, t, d, theta, b, E, alpha, t_0):
     v8 = b / 1000.0
     v9 = xp.where(d > 0.0, d, 1.0)
     v10 = xp.minimum(v8, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v12 = xp.tan(theta)
         v13 = v12 * v10
         v14 = v10 / b
@@ -273,7 +273,7 @@ def step_force_standard_solid(xp, t, d, theta, b, E_inf, E_1, tau):
     v6 = b / 1000.0
     v7 = xp.where(d > 0.0, d, 1.0)
     v8 = xp.minimum(v6, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v10 = xp.tan(theta)
         v11 = v10 * v8
         v12 = v8 / b
@@ -362,7 +362,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, theta, b, E, eta):
     v7 = b / 1000.0
     v8 = xp.where(v6 > 0.0, v6, 1.0)
     v9 = xp.minimum(v7, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v11 = xp.tan(theta)
         v12 = v9 ** 2.0
         v13 = xp.arctan2(v9, b)
@@ -432,7 +432,7 @@ def step_load_radius_maxwell(xp, t, F, theta, b, E, tau):
     v4 = b / 1000.0
     v5 = xp.where(v3 > 0.0, v3, 1.0)
     v6 = xp.minimum(v4, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v8 = xp.tan(theta)
         v9 = v6 ** 2.0
         v10 = xp.arctan2(v6, b)
@@ -502,7 +502,7 @@ def step_load_radius_power_creep(xp, t, F, theta, b, E, alpha, t_0):
     v4 = b / 1000.0
     v5 = xp.where(v3 > 0.0, v3, 1.0)
     v6 = xp.minimum(v4, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v8 = xp.tan(theta)
         v9 = v6 ** 2.0
         v10 = xp.arctan2(v6, b)
@@ -580,7 +580,7 @@ def step_load_radius_standard_solid(xp, t, F, theta, b, E_inf, E_1, tau):
     v12 = b / 1000.0
     v13 = xp.where(v11 > 0.0, v11, 1.0)
     v14 = xp.minimum(v12, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v16 = xp.tan(theta)
         v17 = v14 ** 2.0
         v18 = xp.arctan2(v14, b)

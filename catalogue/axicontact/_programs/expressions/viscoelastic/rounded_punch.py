@@ -78,7 +78,7 @@ def step_force_kelvin_voigt(xp, t, d, R, b, E, eta):
     v73 = v55 * v72
     v74 = xp.where(d > 0.0, d, 1.0)
     v75 = xp.minimum(v73, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v77 = b / R
         v78 = v75 * v75
         v79 = 1.0 + v78
@@ -277,7 +277,7 @@ def step_force_maxwell(xp, t, d, R, b, E, tau):
     v75 = v57 * v74
     v76 = xp.where(d > 0.0, d, 1.0)
     v77 = xp.minimum(v75, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v79 = b / R
         v80 = v77 * v77
         v81 = 1.0 + v80
@@ -479,7 +479,7 @@ def step_force_power_creep(xp, t, d, R, b, E, alpha, t_0):
     v78 = v60 * v77
     v79 = xp.where(d > 0.0, d, 1.0)
     v80 = xp.minimum(v78, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v82 = b / R
         v83 = v80 * v80
         v84 = 1.0 + v83
@@ -679,7 +679,7 @@ def step_force_standard_solid(xp, t, d, R, b, E_inf, E_1, tau):
     v76 = v58 * v75
     v77 = xp.where(d > 0.0, d, 1.0)
     v78 = xp.minimum(v76, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v80 = b / R
         v81 = v78 * v78
         v82 = 1.0 + v81
@@ -886,7 +886,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, R, b, E, eta):
     v83 = v65 * v82
     v84 = xp.where(v6 > 0.0, v6, 1.0)
     v85 = xp.minimum(v83, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v87 = 1.0 / R
         v88 = b * v85
         v89 = v88 ** 2.0
@@ -1042,7 +1042,7 @@ def step_load_radius_maxwell(xp, t, F, R, b, E, tau):
     v80 = v62 * v79
     v81 = xp.where(v3 > 0.0, v3, 1.0)
     v82 = xp.minimum(v80, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v84 = 1.0 / R
         v85 = b * v82
         v86 = v85 ** 2.0
@@ -1198,7 +1198,7 @@ def step_load_radius_power_creep(xp, t, F, R, b, E, alpha, t_0):
     v80 = v62 * v79
     v81 = xp.where(v3 > 0.0, v3, 1.0)
     v82 = xp.minimum(v80, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v84 = 1.0 / R
         v85 = b * v82
         v86 = v85 ** 2.0
@@ -1362,7 +1362,7 @@ def step_load_radius_standard_solid(xp, t, F, R, b, E_inf, E_1, tau):
     v88 = v70 * v87
     v89 = xp.where(v11 > 0.0, v11, 1.0)
     v90 = xp.minimum(v88, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v92 = 1.0 / R
         v93 = b * v90
         v94 = v93 ** 2.0

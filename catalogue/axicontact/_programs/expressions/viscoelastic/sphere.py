@@ -43,7 +43,7 @@ def step_force_kelvin_voigt(xp, t, d, R, E, eta):
     v38 = v20 * v37
     v39 = xp.where(d > 0.0, d, 1.0)
     v40 = xp.minimum(v38, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v42 = xp.tanh(v40)
         v43 = R * v42
         v44 = xp.cosh(v40)
@@ -165,7 +165,7 @@ def step_force_maxwell(xp, t, d, R, E, tau):
     v40 = v22 * v39
     v41 = xp.where(d > 0.0, d, 1.0)
     v42 = xp.minimum(v40, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v44 = xp.tanh(v42)
         v45 = R * v44
         v46 = xp.cosh(v42)
@@ -290,7 +290,7 @@ def step_force_power_creep(xp, t, d, R, E, alpha, t_0):
     v43 = v25 * v42
     v44 = xp.where(d > 0.0, d, 1.0)
     v45 = xp.minimum(v43, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v47 = xp.tanh(v45)
         v48 = R * v47
         v49 = xp.cosh(v45)
@@ -413,7 +413,7 @@ def step_force_standard_solid(xp, t, d, R, E_inf, E_1, tau):
     v41 = v23 * v40
     v42 = xp.where(d > 0.0, d, 1.0)
     v43 = xp.minimum(v41, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v45 = xp.tanh(v43)
         v46 = R * v45
         v47 = xp.cosh(v43)
@@ -573,7 +573,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, R, E, eta):
     v78 = v60 * v77
     v79 = xp.where(v6 > 0.0, v6, 1.0)
     v80 = xp.minimum(v78, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v82 = xp.tanh(v80)
         v83 = R * v82
         v84 = v83 ** 2.0
@@ -717,7 +717,7 @@ def step_load_radius_maxwell(xp, t, F, R, E, tau):
     v75 = v57 * v74
     v76 = xp.where(v3 > 0.0, v3, 1.0)
     v77 = xp.minimum(v75, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v79 = xp.tanh(v77)
         v80 = R * v79
         v81 = v80 ** 2.0
@@ -861,7 +861,7 @@ def step_load_radius_power_creep(xp, t, F, R, E, alpha, t_0):
     v75 = v57 * v74
     v76 = xp.where(v3 > 0.0, v3, 1.0)
     v77 = xp.minimum(v75, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v79 = xp.tanh(v77)
         v80 = R * v79
         v81 = v80 ** 2.0
@@ -1013,7 +1013,7 @@ def step_load_radius_standard_solid(xp, t, F, R, E_inf, E_1, tau):
     v83 = v65 * v82
     v84 = xp.where(v11 > 0.0, v11, 1.0)
     v85 = xp.minimum(v83, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v87 = xp.tanh(v85)
         v88 = R * v87
         v89 = v88 ** 2.0

@@ -45,7 +45,7 @@ def step_force_kelvin_voigt(xp, t, d, theta, b, E, eta):
     v40 = v22 * v39
     v41 = xp.where(d > 0.0, d, 1.0)
     v42 = xp.minimum(v40, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v44 = xp.tan(theta)
         v45 = v42 * v42
         v46 = 1.0 + v45
@@ -143,7 +143,7 @@ def step_force_maxwell(xp, t, d, theta, b, E, tau):
     v42 = v24 * v41
     v43 = xp.where(d > 0.0, d, 1.0)
     v44 = xp.minimum(v42, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v46 = xp.tan(theta)
         v47 = v44 * v44
         v48 = 1.0 + v47
@@ -244,7 +244,7 @@ def step_force_power_creep(xp, t, d, theta, b, E, alpha, t_0):
     v45 = v27 * v44
     v46 = xp.where(d > 0.0, d, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = xp.tan(theta)
         v50 = v47 * v47
         v51 = 1.0 + v50
@@ -343,7 +343,7 @@ def step_force_standard_solid(xp, t, d, theta, b, E_inf, E_1, tau):
     v43 = v25 * v42
     v44 = xp.where(d > 0.0, d, 1.0)
     v45 = xp.minimum(v43, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v47 = xp.tan(theta)
         v48 = v45 * v45
         v49 = 1.0 + v48
@@ -447,7 +447,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, theta, b, E, eta):
     v48 = v30 * v47
     v49 = xp.where(v6 > 0.0, v6, 1.0)
     v50 = xp.minimum(v48, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v52 = xp.tan(theta)
         v53 = v50 * v50
         v54 = 1.0 + v53
@@ -532,7 +532,7 @@ def step_load_radius_maxwell(xp, t, F, theta, b, E, tau):
     v45 = v27 * v44
     v46 = xp.where(v3 > 0.0, v3, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = xp.tan(theta)
         v50 = v47 * v47
         v51 = 1.0 + v50
@@ -617,7 +617,7 @@ def step_load_radius_power_creep(xp, t, F, theta, b, E, alpha, t_0):
     v45 = v27 * v44
     v46 = xp.where(v3 > 0.0, v3, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = xp.tan(theta)
         v50 = v47 * v47
         v51 = 1.0 + v50
@@ -710,7 +710,7 @@ def step_load_radius_standard_solid(xp, t, F, theta, b, E_inf, E_1, tau):
     v53 = v35 * v52
     v54 = xp.where(v11 > 0.0, v11, 1.0)
     v55 = xp.minimum(v53, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v57 = xp.tan(theta)
         v58 = v55 * v55
         v59 = 1.0 + v58

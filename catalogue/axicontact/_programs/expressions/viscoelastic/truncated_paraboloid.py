@@ -43,7 +43,7 @@ def step_force_kelvin_voigt(xp, t, d, R, b, E, eta):
     v38 = v20 * v37
     v39 = xp.where(d > 0.0, d, 1.0)
     v40 = xp.minimum(v38, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v42 = v40 * v40
         v43 = 1.0 + v42
         v44 = xp.sqrt(v43)
@@ -137,7 +137,7 @@ def step_force_maxwell(xp, t, d, R, b, E, tau):
     v40 = v22 * v39
     v41 = xp.where(d > 0.0, d, 1.0)
     v42 = xp.minimum(v40, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v44 = v42 * v42
         v45 = 1.0 + v44
         v46 = xp.sqrt(v45)
@@ -234,7 +234,7 @@ def step_force_power_creep(xp, t, d, R, b, E, alpha, t_0):
     v43 = v25 * v42
     v44 = xp.where(d > 0.0, d, 1.0)
     v45 = xp.minimum(v43, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v47 = v45 * v45
         v48 = 1.0 + v47
         v49 = xp.sqrt(v48)
@@ -329,7 +329,7 @@ def step_force_standard_solid(xp, t, d, R, b, E_inf, E_1, tau):
     v41 = v23 * v40
     v42 = xp.where(d > 0.0, d, 1.0)
     v43 = xp.minimum(v41, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v45 = v43 * v43
         v46 = 1.0 + v45
         v47 = xp.sqrt(v46)
@@ -431,7 +431,7 @@ def step_load_radius_kelvin_voigt(xp, t, F, R, b, E, eta):
     v48 = v30 * v47
     v49 = xp.where(v6 > 0.0, v6, 1.0)
     v50 = xp.minimum(v48, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v52 = 3.0 * R
         v53 = 2.0 / v52
         v54 = v50 * v50
@@ -516,7 +516,7 @@ def step_load_radius_maxwell(xp, t, F, R, b, E, tau):
     v45 = v27 * v44
     v46 = xp.where(v3 > 0.0, v3, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = 3.0 * R
         v50 = 2.0 / v49
         v51 = v47 * v47
@@ -601,7 +601,7 @@ def step_load_radius_power_creep(xp, t, F, R, b, E, alpha, t_0):
     v45 = v27 * v44
     v46 = xp.where(v3 > 0.0, v3, 1.0)
     v47 = xp.minimum(v45, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v49 = 3.0 * R
         v50 = 2.0 / v49
         v51 = v47 * v47
@@ -694,7 +694,7 @@ def step_load_radius_standard_solid(xp, t, F, R, b, E_inf, E_1, tau):
     v53 = v35 * v52
     v54 = xp.where(v11 > 0.0, v11, 1.0)
     v55 = xp.minimum(v53, xp.inf)
-    for _ in range(12):
+    for _ in range(6):
         v57 = 3.0 * R
         v58 = 2.0 / v57
         v59 = v55 * v55
