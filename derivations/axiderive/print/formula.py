@@ -20,7 +20,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from .height import bracket
+from .box import bracket
 from .terms import (
     RAISED,
     TRIGONOMETRIC,

@@ -17,9 +17,9 @@ from ..entry import Entry
 from ..notation import E_star, a, d, time, v
 from ..physics import adhesive, viscoelastic
 from ..physics.medium import GRADED, Medium
+from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
-from ..print.width import width
 from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)

@@ -18,9 +18,9 @@ from ..entry import Case, Entry
 from ..notation import R1, R2, R, a, b, h, n, r
 from ..physics import complete, normal, plane
 from ..physics.normal import derive
+from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
-from ..print.width import width
 from ..profiles import load
 from ..profiles import plane as flat
 from ..profiles.profile import Limit, Profile
