@@ -18,10 +18,10 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive import notation as nt
 from axiderive.oracle.evaluate import case_at, evaluate
-from axiderive.readback.further import Further, wrong
+from axiderive.readback.compare import wrong
 from axiderive.readback.grammar import read
 from axiderive.readback.printed import named
-from axiderive.readback.source import formulas
+from axiderive.readback.source import Further, formulas
 from axiderive.rows.points import points_of
 from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, hosted, sum_rows
 

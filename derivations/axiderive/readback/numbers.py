@@ -1,9 +1,4 @@
-"""Numbers in print, computed anew.
-
-What the numbers in print have to be where there is no profile: prescribed pressures, and an eccentric load.
-
-Numbers in print: check values and worked examples, computed anew from the printed formulas and parameters.
-"""
+"""Numbers in print, and what they have to be: values of the printed formulas at the parameters that are printed too."""
 
 from __future__ import annotations
 
@@ -20,6 +15,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient
 from ..profiles.loads import Load
+from .claims import DIGITS, Line
 from .grammar import read
 from .printed import Printed, name_in_print
 
@@ -28,7 +24,6 @@ Wanted = dict[str, Callable[[], Any]]
 """What the numbers of a table or an example have to be, by their names in print."""
 Columns = dict[str, Callable[[Any], Any]]
 """What the entries of a table have to be at a place, by the key of their column."""
-DIGITS = 30
 BESIDE = "1e-20"
 """How far beside its place a field is evaluated: the place may be a border, which no printed range contains."""
 EXTENT = {"": 1, "G": 10**9, "M": 10**6, "k": 10**3, "m": "1e-3", r"\textmu{}": "1e-6", "n": "1e-9", "p": "1e-12"}
@@ -45,20 +40,6 @@ class Number:
 
     value: Any
     half: Any
-
-
-@dataclass(frozen=True)
-class Printout:
-    """A number of the book: where it stands, its LaTeX, and what it has to be."""
-
-    place: str
-    tex: str
-    want: Any
-
-    def wrong(self, tex: str) -> bool:
-        """Whether a number in its place is not what the formulas give, rounded."""
-        found = number(tex)
-        return bool(abs(found.value - self.want) > found.half * (1 + mp.mpf(10) ** -6))
 
 
 def number(tex: str) -> Number:
@@ -79,6 +60,22 @@ def number(tex: str) -> Number:
         scale *= mp.mpf(10) ** int(match["power"][4:-1])
     decimals = len(digits.partition(".")[2])
     return Number(mp.mpf(digits) * scale, scale * mp.mpf(10) ** -decimals / 2)
+
+
+def rounded(place: str, tex: str, want: Any) -> Line:
+    """A printed number that has to be this one, rounded to its last digit."""
+
+    def wrong(text: str) -> bool:
+        found = number(text)
+        return bool(abs(found.value - want) > found.half * (1 + mp.mpf(10) ** -6))
+
+    return Line(place, tex, wrong)
+
+
+def near(tex: str, excess: Callable[[Any], Any]) -> Any:
+    """The root next to a printed number."""
+    start = number(tex).value
+    return mp.findroot(excess, (start, start * mp.mpf("1.0001")), solver="secant")
 
 
 @cache
@@ -103,7 +100,7 @@ class Contact:
 
     def __init__(self, entries: Entries, given: Mapping[str, Any]) -> None:
         profile = next(iter(entries.values())).profile
-        self.entries, self.plane = entries, "w" not in entries
+        self.profile, self.entries, self.plane = profile, entries, "w" not in entries
         values: dict[Any, Any] = {}
         for name, value in given.items():
             index = re.fullmatch(r"A_(\d)", name)
@@ -123,6 +120,18 @@ class Contact:
         place = {nt.r: known["r"]} if "r" in known else {}
         env = self.printed.environment(self.values | place) | self.given | known
         return self.printed.at(suffix, env)
+
+    @property
+    def free(self) -> bool:
+        """Whether the edge is fixed, so that the depth follows from the load and not from the radius."""
+        return "d" not in self.entries
+
+    def under(self, load: Any, shown: Mapping[str, str]) -> dict[str, Any]:
+        """Contact radius and depth at which the printed force carries a load, near the printed ones."""
+        if self.free:
+            return {"a": self.given["a"], "d": near(shown["d"], lambda d: self.load(d=d) / load - 1)}
+        known = self.given["a"] if "a" in self.given else near(shown["a"], lambda a: self.load(a=a) / load - 1)
+        return {"a": known, "d": self.at("d", a=known)}
 
     def load(self, **known: Any) -> Any:
         """The normal force, or line load of a plane contact: by its formula, else as given."""
@@ -155,15 +164,15 @@ SHARES = {"0": BESIDE, "a/2": "0.5", "-a/2": "-0.5", "2a": "2", "10a": "10"}
 """Places of a worked example over the contact radius; at zero a formula may be a quotient of zeros."""
 
 
-def prescribed(contact: Contact) -> tuple[Wanted, Columns]:
-    """Numbers by name and columns of the table of a prescribed pressure."""
-    scale = contact.given["p_0"] * contact.given["a"] / contact.given["E*"]
-    wanted = _at_places("w", "r", contact) | {name: lambda: _force(contact) for name in ("F", r"F_{\mathrm N}")}
-    return wanted, {"w": lambda place: contact.at("w", r=place) / scale}
-
-
-def eccentric(contact: Contact) -> tuple[Wanted, Columns]:
-    """The same of a punch that its load tilts."""
+def without_profile(contact: Contact) -> tuple[Wanted, Columns] | None:
+    """Numbers by name and columns of a prescribed pressure and of a punch that its load tilts; None of all others."""
+    given, load = contact.given, contact.profile
+    if isinstance(load, Load):
+        scale = given["p_0"] * given["a"] / given["E*"]
+        wanted = _at_places("w", "r", contact) | dict.fromkeys(("F", r"F_{\mathrm N}"), lambda: _force(contact, load))
+        return wanted, {"w": lambda place: contact.at("w", r=place) / scale}
+    if nt.e not in load.parameters:
+        return None
     wanted = _at_places("p", "x", contact)
     wanted |= {r"\varphi": lambda: contact.at("phi"), r"\ell": lambda: contact.at("cw"), r"\bar p": contact.mean}
     return wanted, {"p": lambda place: contact.at("p", x=place) / contact.mean()}
@@ -176,10 +185,8 @@ def _at_places(suffix: str, axis: str, contact: Contact) -> Wanted:
     return {f"{suffix}({place})": lambda share=share: at(share) for place, share in SHARES.items()}  # type: ignore[misc]
 
 
-def _force(contact: Contact) -> Any:
+def _force(contact: Contact, load: Load) -> Any:
     """The force of a prescribed pressure, as the integral of p_0 (1 - r**2/a**2)**s."""
-    load = next(iter(contact.entries.values())).profile
-    assert isinstance(load, Load)
     power = mp.mpf(str(sp.sympify(load.exponent).xreplace(contact.values)))
     inside = mp.quad(lambda u: (1 - u) ** power, [0, 1])
     return mp.pi * contact.given["a"] ** 2 * contact.given["p_0"] * inside

@@ -1,9 +1,11 @@
-"""Printed ranges against the regions of an entry, on both sides of every border between two lengths."""
+"""Printed ranges against what holds: beside a row the cases of its entry, in words the profiles and the notation."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+import random
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -13,17 +15,113 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
+from ..oracle.evaluate import evaluate
 from ..oracle.shape import coefficient, number, numeric_symbols
+from ..profiles.profile import Profile
 from ..rows.points import points_of
 from ..rows.ranges import positive_parts
-from .printed import holds, name_in_print
+from .claims import DIGITS, Claim, Line
+from .grammar import read
+from .printed import holds, name_in_print, named
+
+Truth = Callable[[Mapping[str, Any]], bool]
+DRAWS = 200
+PAIRS, HALVINGS = 16, 40
+GAP = mp.mpf(10) ** -5
+"""How far beside a border a range is tried, over the distance of the draws: it shows a changed fifth digit."""
+SPREAD = (-70, -20, -7, -3, 3, 7, 13, 17, 20, 45, 90, 140)
+"""Twentieths from which the values are drawn at which a printed range and its meaning are compared."""
+
+
+def in_order(members: Sequence[sp.Expr], called: Callable[[sp.Symbol], str] = name_in_print) -> Callable[[str], bool]:
+    """Whether a printed range differs anywhere from the order of these members, the least of them first.
+
+    Borders, where it may be either, are not met.
+    """
+    symbols = sorted({s for member in members for s in member.free_symbols}, key=str)
+    names = [called(symbol) for symbol in symbols]
+    gaps = sp.lambdify(symbols, [high - low for low, high in itertools.pairwise(members)], "mpmath")
+
+    def truth(env: Mapping[str, Any]) -> bool:
+        return all(gap > 0 for gap in gaps(*(env[name] for name in names)))
+
+    rng = random.Random(" ".join(names))
+    draws = [
+        {name: mp.mpf(rng.choice(SPREAD) * 10**6 + rng.randint(1, 10**6)) / (20 * 10**6) for name in names}
+        for _ in range(DRAWS)
+    ]
+    draws += list(_beside_borders(truth, draws))
+    return lambda tex: any(holds(tex, env) != truth(env) for env in draws)
+
+
+def _beside_borders(truth: Truth, draws: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """Points on both sides of where the condition changes between draws inside and outside."""
+    inside, outside = ([env for env in draws if truth(env) == side] for side in (True, False))
+    for one, other in list(zip(inside, outside, strict=False))[:PAIRS]:
+        low, high = mp.mpf(0), mp.mpf(1)
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if truth(_between(one, other, middle)) else (low, middle)
+        yield _between(one, other, low - GAP)
+        yield _between(one, other, high + GAP)
+
+
+def _between(one: Mapping[str, Any], other: Mapping[str, Any], share: Any) -> dict[str, Any]:
+    return {name: value + share * (other[name] - value) for name, value in one.items()}
+
+
+def domains() -> Iterator[Line]:
+    """The domains of the symbols as the notation states them, `-1 < nu <= 1/2`, in its table and in the panels."""
+    for record in nt.all_notation():
+        text = record.domain
+        if not text or isinstance(record.symbol, sp.IndexedBase):
+            continue
+        names = set(re.findall(r"[A-Za-z]\w*", text)) - {"pi"}
+        symbols = {name: nt.describe(name).symbol if nt.known(name) else record.symbol for name in names}
+        members = [sp.sympify(part, symbols) for part in re.split(r"<=?|>=?", text)]
+        yield Line("domain", text, in_order(members[::-1] if ">" in text else members))
+
+
+def rules(profile: Profile, plane: bool = False) -> Iterator[Line]:
+    """What a profile demands of its parameters, the order of its lengths, its shorthands and its limits."""
+    pairs = [(rule.left, rule.right) for rule in profile.rules]
+    pairs += list(itertools.pairwise(profile.chain))
+    if profile.truncated:
+        pairs.append((profile.breaks[0], nt.a))
+    if profile.largest is not None:
+        pairs.append((nt.a, profile.largest))
+    place = nt.x if plane else nt.r
+    pairs += [side for b in profile.breaks for side in ((place, b), (b, place))]
+    for low, high in pairs:
+        yield Line(profile.name, f"{low} < {high}", in_order([sp.sympify(low), sp.sympify(high)]))
+    for symbol, expr in profile.abbreviations:
+        values = {s: sp.Rational(3 + 2 * i, 7 + i) for i, s in enumerate(sorted(expr.free_symbols, key=str))}
+        with mp.workdps(2 * DIGITS):
+            shorthand = Claim(named(values), evaluate(expr, values, DIGITS), name_in_print(symbol))
+        yield shorthand.line(profile.name, f"{symbol} = {expr}")
+    for limit in profile.limits:
+        wrong = approach(limit.symbol, sp.sympify(limit.value))
+        yield Line(profile.name, f"{limit.symbol} -> {limit.value}", wrong)
+
+
+def approach(symbol: sp.Symbol, value: sp.Expr) -> Callable[[str], bool]:
+    """A test of printed texts, true for those that do not say that the symbol goes to this value."""
+
+    def wrong(tex: str) -> bool:
+        left, arrow, right = tex.partition(r"\to ")
+        if not arrow or read(left)[0].members[0].name != name_in_print(symbol):
+            return True
+        aim = r"\infty" if value is sp.oo else None
+        return right.strip() != aim if aim else read(right)[0].members[0]({}) != value
+
+    return wrong
+
 
 Numbers = dict[sp.Symbol, float]
-GAP = 1e-3
+BESIDE = 1e-3
 """How far a point lies from the border beside it."""
 WIDEST = 64.0
 """Factor within which a length is moved to reach a border."""
-HALVINGS = 40
 PLACES = (nt.r, nt.x, nt.L)
 
 
@@ -91,7 +189,7 @@ def _moved(entry: Entry, meeting: list[tuple[sp.Expr, ...]], values: Numbers) ->
         for pair in meeting:
             factor = _crossing(entry, pair, symbol, values)
             if factor:
-                yield from (_with(entry, symbol, values, factor * side) for side in (1 - GAP, 1 + GAP))
+                yield from (_with(entry, symbol, values, factor * side) for side in (1 - BESIDE, 1 + BESIDE))
 
 
 def _with(entry: Entry, symbol: sp.Symbol, values: Numbers, factor: float) -> Numbers:
