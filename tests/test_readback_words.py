@@ -17,10 +17,9 @@ from axiderive.readback import ranges, sentences
 from axiderive.readback.claims import Line
 from axiderive.readback.compare import ENDS, KINDS, wrong
 from axiderive.readback.examples import body_constants, further_examples, worked_example
-from axiderive.readback.numbers import number
+from axiderive.readback.numbers import Proved, check_values, number, proved
 from axiderive.readback.sentences import LISTED
 from axiderive.readback.source import Inline, further, inline
-from axiderive.readback.tables import Proved, check_values, proved
 
 SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PRINTED))
 SPREADS = ("cone", "ellipsoid", "capped_cylinder", "polynomial", "plane.rounded_punch", "plane.concave_power")
@@ -168,6 +167,22 @@ def test_printed_numbers_follow_from_the_printed_formulas(name: str) -> None:
         for at in (digits[0], digits[-1]):
             changed = one.tex[:at] + str(int(one.tex[at]) % 9 + 1) + one.tex[at + 1 :]
             assert changed == one.tex or one.wrong(changed), changed
+
+
+@pytest.mark.parametrize(
+    ("name", "head", "misprint"),
+    [("cone", r"p/\bar p", "p"), ("cone", "w/d", "w/a"), ("truncated_cone", r"p(a/2)/\bar p", r"p(a)/\bar p"),
+     ("plane.wedge", "w/d", "p/d"), ("loads.hertzian", r"w E^{*}/(p_0 a)", r"w E^{*2}/(2p_0 a)")],
+)  # fmt: skip
+def test_a_misprint_over_a_column_does_not_survive(name: str, head: str, misprint: str) -> None:
+    """The head of a column is a formula too, and its numbers are the values of it."""
+    text = text_of(f"profiles/{name}.tex")
+    assert f"${head}$" in text
+    try:
+        found = list(check_values(text.replace(f"${head}$", f"${misprint}$"), stored(name)))
+    except NOT_A_NUMBER:
+        return
+    assert any(not _right(one, one.tex) for one in found)
 
 
 def test_the_elastic_constants_follow_from_the_printed_formulas() -> None:

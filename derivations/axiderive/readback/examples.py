@@ -20,8 +20,8 @@ from ..rows.row import Row, row
 from ..worked.contact import largest
 from .claims import DIGITS, Line
 from .grammar import read
-from .meaning import environment
-from .numbers import Contact, Entries, Wanted, given_in, near, number, rounded, without_profile
+from .meaning import Node, environment
+from .numbers import Contact, Entries, given_in, near, number, rounded, value
 from .printed import Printed, name_in_print
 
 Stored = Callable[[str], Entries]
@@ -52,8 +52,8 @@ class Example:
 
     @property
     def load(self) -> Any:
-        """The normal force, or line load of a plane contact."""
-        return self.given["P" if "P" in self.given else "F_N"]
+        """The normal force, or line load of a plane contact; None of a prescribed pressure."""
+        return self.given.get("P", self.given.get("F_N"))
 
 
 def _example(text: str) -> Example:
@@ -85,28 +85,21 @@ def worked_example(text: str, entries: Entries, adhesive: Entries | None = None)
         own = _example(text)
         yield rounded("worked example E*", own.stated, own.given["E*"])
         contact = Contact(entries, own.given)
-        known = without_profile(contact)
-        state = {} if known else contact.under(own.load, own.shown)
-        wanted = known[0] if known else _loaded(contact, own, state, adhesive or {})
+        state = contact.under(own.load, own.shown)
+        names = contact.names(**state)
+        names["F_c"] = Node(lambda env: _pull_off(contact, adhesive or {}, own.separation, state["a"]))
+        names["p_max"] = Node(lambda env: _largest(contact, state))
         for name, tex in own.shown.items():
             if tex == r"\infty":
                 _require_infinite(contact, name, state)
             else:
-                yield rounded(f"worked example {name}", tex, wanted[name]())
+                yield rounded(f"worked example {name}", tex, value(name, names))
 
 
-def _loaded(contact: Contact, own: Example, state: Mapping[str, Any], adhesive: Entries) -> Wanted:
-    """Of a contact under the load that is given."""
-    radius = state["a"]
-    ends = [mp.mpf(0), *(mp.mpf(str(contact.values[b])) for b in contact.profile.breaks), radius]
-    return {
-        "a": lambda: radius,
-        "d": lambda: state["d"],
-        r"\bar p": lambda: contact.mean(radius, own.load),
-        r"p_{\mathrm{max}}": lambda: largest(lambda place: mp.re(contact.pressure(place, **state)), ends),
-        "w(2a)": lambda: contact.displacement(2 * radius, **state),
-        r"F_{\mathrm c}": lambda: _pull_off(contact, adhesive, own.separation, radius),
-    }
+def _largest(contact: Contact, state: Mapping[str, Any]) -> Any:
+    """The greatest pressure; the face is searched between its breaks."""
+    ends = [mp.mpf(0), *(mp.mpf(str(contact.values[b])) for b in contact.profile.breaks), state["a"]]
+    return largest(lambda place: mp.re(contact.field("p", place, **state)), ends)
 
 
 def _require_infinite(contact: Contact, name: str, state: Mapping[str, Any]) -> None:
@@ -117,12 +110,11 @@ def _require_infinite(contact: Contact, name: str, state: Mapping[str, Any]) -> 
     ValueError
         If it grows by less over the last five decades towards that place than over the five before them.
     """
-    places = {"0": mp.mpf(0), "a": state["a"]}
-    at = places[name[2:-1]] if name[2:-1] in places else mp.mpf(str(contact.values[nt.b]))
+    at = value(name[2:-1], contact.names(**state))
     # from the side where the face is in contact, and from above its tip
     side = -1 if at else 1
     beside = (at + side * state["a"] * mp.mpf(10) ** -power for power in (3, 8, 13))
-    first, second, third = (mp.re(contact.pressure(place, **state)) for place in beside)
+    first, second, third = (mp.re(contact.field("p", place, **state)) for place in beside)
     if not third - second > 0.9 * (second - first) > 0:
         message = f"{name} is printed as infinite and comes to {third}"
         raise ValueError(message)
@@ -159,11 +151,14 @@ def further_examples(text: str, name: str, stored: Stored) -> Iterator[Line]:
                     group, _, suffix = key.rpartition(".")
                     stored(f"{name}.{group}")[suffix]
             assigned = dict(one.split("=") for one in re.findall(r"\$([^$]+=[^$]+)\$", words))
-            shown = {symbol: tex for symbol, tex, _ in found}
-            own = Further(_example(text), Contact(stored(name), _example(text).given), given_in(words), assigned, shown)
-            place, moduli, wanted = _READERS[title](own, name, stored)
+            first, shown = _example(text), {symbol: tex for symbol, tex, _ in found}
+            own = Further(first, Contact(stored(name), first.given), given_in(words), shown)
+            place, moduli, names = _READERS[title](own, name, stored)
             yield from (rounded(f"{place} {symbol}", assigned[symbol], want) for symbol, want in moduli.items())
-            yield from (rounded(f"{place} {symbol}", tex, wanted[symbol]()) for symbol, tex in shown.items())
+            for symbol, tex in shown.items():
+                # to the grammar a radius before a bracket is a factor
+                want = names[symbol] if symbol.startswith("a(") else value(symbol, names)
+                yield rounded(f"{place} {symbol}", tex, want)
 
 
 @dataclass(frozen=True)
@@ -174,8 +169,6 @@ class Further:
     contact: Contact
     stated: dict[str, Any]
     """The values of its heading by the names the grammar reads."""
-    assigned: dict[str, str]
-    """The same as they are printed."""
     shown: dict[str, str]
 
     def state(self) -> dict[str, Any]:
@@ -183,46 +176,35 @@ class Further:
         return self.contact.under(self.first.load, self.first.shown)
 
 
-Result = tuple[str, dict[str, Any], Wanted]
-"""The words for an example, the moduli in its heading, and its numbers."""
+Result = tuple[str, dict[str, Any], dict[str, Any]]
+"""The words for an example, the moduli in its heading, and what the names over its numbers mean."""
 
 
 def _with_friction(own: Further, name: str, stored: Stored) -> Result:
-    solid, contact, entries = own.first, own.contact, stored(f"{name}.tan")
+    solid = own.first
     shear = 4 * solid.young / (2 * (1 + solid.poisson)) / (solid.bodies * (2 - solid.poisson))
-    radius = own.state()["a"]
-    printed = Printed(entries, stored(name))
-    env = printed.environment(contact.values) | contact.given | {**own.stated, "G*": shear, "a": radius}
-    pulled = own.stated["F_x"]
-    env["c"] = stick = near(own.shown["c"], lambda c: printed.at("F", env | {"c": c}, entries) / pulled - 1)
-    wanted: Wanted = {
-        "c": lambda: stick,
-        "u": lambda: printed.at("u", env, entries),
-        r"u_{\mathrm s}": lambda: printed.at("us", env, entries),
-        r"\tau(a/2)": lambda: printed.at("tau", env | {"r": radius / 2}, entries),
-    }
-    return "partial slip", {"G^{*}": shear}, wanted
+    given = solid.given | own.stated | {"G*": shear, "a": own.state()["a"]}
+    contact = Contact(stored(f"{name}.tan"), given, stored(name))
+    stick = near(own.shown["c"], lambda c: contact.at("F", c=c) / own.stated["F_x"] - 1)
+    return "partial slip", {"G^{*}": shear}, contact.names(a=given["a"], c=stick)
 
 
 def _graded(own: Further, name: str, stored: Stored) -> Result:
-    modulus, load = _foundation_modulus(stored("materials"), own.stated), own.first.load
+    modulus = _foundation_modulus(stored("materials"), own.stated)
     given = {key: x for key, x in own.first.given.items() if key not in ("E*", "F_N")}
     contact = Contact(stored(f"{name}.fgm"), given | {"k": own.stated["k"], "H": modulus})
-    state = contact.under(load, own.shown)
-    mean = contact.mean(state["a"], load)
-    return "graded", {"H": modulus}, {"a": lambda: state["a"], "d": lambda: state["d"], r"\bar p": lambda: mean}
+    return "graded", {"H": modulus}, contact.names(**contact.under(own.first.load, own.shown))
 
 
 def _relaxing(own: Further, name: str, stored: Stored) -> Result:
     contact, plain = own.contact, stored(name)
     step, *others = laws.rows(stored(f"{name}.vis"), plain)
     env = contact.printed.environment(contact.values) | contact.given | own.state()
-    if contact.free:
+    if "d" not in plain:
         env["F_N()"] = lambda depth, env=dict(env): contact.printed.at("F", {**env, "d": depth})
     law = next(law for law in laws.laws() if law.suffix == "sls")
     # the modulus E_1 and the time tau of the law are no names of the contact
     env |= {key: _of_time(read(law_text)[0].members[-1], own.stated) for key, law_text in law.functions().items()}
-    time = own.stated["tau"]
 
     def force(t: Any) -> Any:
         return _value(step, env | {"t": t})
@@ -234,14 +216,9 @@ def _relaxing(own: Further, name: str, stored: Stored) -> Result:
             return near(tex, lambda a: left({**at, "a": a}) / right({**at, "a": a}) - 1)
         return _value(others[0], at)
 
-    wanted: Wanted = {
-        r"F_{\mathrm N}(0)": lambda: force(mp.mpf(0)),
-        r"F_{\mathrm N}(\tau)": lambda: force(time),
-        r"F_{\mathrm N}(10\tau)": lambda: force(10 * time),
-        r"a(\tau)": lambda: grown(time, own.shown[r"a(\tau)"]),
-        r"a(10\tau)": lambda: grown(10 * time, own.shown[r"a(10\tau)"]),
-    }
-    return "standard solid", {}, wanted
+    names: dict[str, Any] = {"tau": own.stated["tau"], "F_N()": force}
+    radii = {symbol: tex for symbol, tex in own.shown.items() if symbol.startswith("a(")}
+    return "standard solid", {}, names | {s: grown(value(s[2:-1], names), tex) for s, tex in radii.items()}
 
 
 def _of_time(body: Any, stated: Mapping[str, Any]) -> Callable[[Any], Any]:
@@ -251,7 +228,7 @@ def _of_time(body: Any, stated: Mapping[str, Any]) -> Callable[[Any], Any]:
 def _sharp(own: Further, name: str, stored: Stored) -> Result:
     """A cone at the depth of the contact."""
     force = _value(row(stored("cone")["Fd"]), own.contact.given | {"d": own.state()["d"]})
-    return "sharp cone", {}, {r"F_{\mathrm N}": lambda: force}
+    return "sharp cone", {}, {"F_N": force}
 
 
 _READERS: Mapping[str, Callable[[Further, str, Stored], Result]] = {
@@ -270,14 +247,10 @@ def body_constants(text: str, constants: Entries) -> Iterator[Line]:
         raise ValueError(message)
     with mp.workdps(DIGITS):
         stated = given_in(match[1])
-        wanted: Wanted = {
-            "E^{*}": lambda: 1 / _value(row(constants["E_star"]), stated),
-            "G^{*}": lambda: 1 / _value(row(constants["G_star"]), stated),
-            r"h_{\mathrm N}": lambda: _with_factor(constants, stated)["h_N"],
-            "H": lambda: _foundation_modulus(constants, stated),
-        }
+        names = {"E*": 1 / _value(row(constants["E_star"]), stated), "G*": 1 / _value(row(constants["G_star"]), stated)}
+        names |= {"h_N": _with_factor(constants, stated)["h_N"], "H": _foundation_modulus(constants, stated)}
         for name, tex in _SHOWN.findall(match[2]):
-            yield rounded(f"constant {name}", tex, wanted[name]())
+            yield rounded(f"constant {name}", tex, value(name, names))
 
 
 def _foundation_modulus(constants: Entries, stated: Mapping[str, Any]) -> Any:
