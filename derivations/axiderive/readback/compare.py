@@ -27,7 +27,7 @@ from ..rows.row import Row, row
 from .claims import CLOSE, DIGITS, WORKING, Claim, difference
 from .grammar import read
 from .meaning import environment
-from .printed import Printed, Values, holding, name_in_print, name_of, named
+from .printed import Printed, Values, functions_of, holding, name_in_print, name_of, named
 from .source import GAP as LINES
 from .source import OPENING, Further
 
@@ -99,13 +99,8 @@ def _environment(one: Row, entry: Entry, printed: Printed, values: Values) -> di
         law = next(law for law in laws.laws() if entry.suffix.endswith("_" + law.suffix))
         # the power of the depth, which the row defines behind its formula
         env = environment(read(one.regions[0].tex)[1:], env)
-        env |= {name: _function(text, env) for name, text in law.functions().items()}
+        env |= functions_of(law, env)
     return env
-
-
-def _function(text: str, env: Mapping[str, Any]) -> Any:
-    body = read(text)[0].members[-1]
-    return lambda t: body({**env, "t": t})
 
 
 GAP = r",\enspace "

@@ -16,13 +16,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..rows import laws
-from ..rows.row import Row, row
+from ..rows.row import row
 from ..worked.contact import largest
 from .claims import DIGITS, Line
 from .grammar import read
-from .meaning import Node, environment
-from .numbers import Contact, Entries, given_in, near, number, rounded, value
-from .printed import Printed, name_in_print
+from .meaning import Node
+from .numbers import Contact, Entries, given_in, near, number, rounded
+from .printed import Printed, functions_of, name_in_print, value
 
 Stored = Callable[[str], Entries]
 """The entries of a problem by its key."""
@@ -204,30 +204,26 @@ def _relaxing(own: Further, name: str, stored: Stored) -> Result:
         env["F_N()"] = lambda depth, env=dict(env): contact.printed.at("F", {**env, "d": depth})
     law = next(law for law in laws.laws() if law.suffix == "sls")
     # the modulus E_1 and the time tau of the law are no names of the contact
-    env |= {key: _of_time(read(law_text)[0].members[-1], own.stated) for key, law_text in law.functions().items()}
+    env |= functions_of(law, own.stated)
 
     def force(t: Any) -> Any:
-        return _value(step, env | {"t": t})
+        return value(step.regions[0].tex, env | {"t": t})
 
     def grown(t: Any, tex: str) -> Any:
-        at = env | {"F_N": force(mp.mpf(0)), "t": t}
-        left, right = read(others[0].regions[0].tex)[0].members[:2]
-        if others[0].remark:
-            return near(tex, lambda a: left({**at, "a": a}) / right({**at, "a": a}) - 1)
-        return _value(others[0], at)
+        at, formula = env | {"F_N": force(mp.mpf(0)), "t": t}, others[0].regions[0].tex
+        if not others[0].remark:
+            return value(formula, at)
+        left, right = read(formula)[0].members[:2]
+        return near(tex, lambda a: left({**at, "a": a}) / right({**at, "a": a}) - 1)
 
     names: dict[str, Any] = {"tau": own.stated["tau"], "F_N()": force}
     radii = {symbol: tex for symbol, tex in own.shown.items() if symbol.startswith("a(")}
     return "standard solid", {}, names | {s: grown(value(s[2:-1], names), tex) for s, tex in radii.items()}
 
 
-def _of_time(body: Any, stated: Mapping[str, Any]) -> Callable[[Any], Any]:
-    return lambda t: body({**stated, "t": t})
-
-
 def _sharp(own: Further, name: str, stored: Stored) -> Result:
     """A cone at the depth of the contact."""
-    force = _value(row(stored("cone")["Fd"]), own.contact.given | {"d": own.state()["d"]})
+    force = value(row(stored("cone")["Fd"]).regions[0].tex, own.contact.given | {"d": own.state()["d"]})
     return "sharp cone", {}, {"F_N": force}
 
 
@@ -247,7 +243,8 @@ def body_constants(text: str, constants: Entries) -> Iterator[Line]:
         raise ValueError(message)
     with mp.workdps(DIGITS):
         stated = given_in(match[1])
-        names = {"E*": 1 / _value(row(constants["E_star"]), stated), "G*": 1 / _value(row(constants["G_star"]), stated)}
+        moduli = (("E*", "E_star"), ("G*", "G_star"))
+        names = {name: 1 / value(row(constants[suffix]).regions[0].tex, stated) for name, suffix in moduli}
         names |= {"h_N": _with_factor(constants, stated)["h_N"], "H": _foundation_modulus(constants, stated)}
         for name, tex in _SHOWN.findall(match[2]):
             yield rounded(f"constant {name}", tex, value(name, names))
@@ -255,7 +252,7 @@ def body_constants(text: str, constants: Entries) -> Iterator[Line]:
 
 def _foundation_modulus(constants: Entries, stated: Mapping[str, Any]) -> Any:
     """H by its printed formula."""
-    return _value(row(constants["H"]), _with_factor(constants, stated))
+    return value(row(constants["H"]).regions[0].tex, _with_factor(constants, stated))
 
 
 def _with_factor(constants: Entries, stated: Mapping[str, Any]) -> dict[str, Any]:
@@ -265,10 +262,4 @@ def _with_factor(constants: Entries, stated: Mapping[str, Any]) -> dict[str, Any
     for symbol, expr in factor.profile.abbreviations:
         values = {s: sp.Float(str(env[name_in_print(s)]), DIGITS) for s in expr.free_symbols}
         env[name_in_print(symbol)] = mp.mpf(str(expr.subs(values)))
-    return env | {name_in_print(factor.quantity.symbol): _value(row(factor), env)}
-
-
-def _value(one: Row, env: Mapping[str, Any]) -> Any:
-    """What a row gives where its names have these values."""
-    statements = read(one.regions[0].tex)
-    return statements[0].members[-1](environment(statements[1:], env))
+    return env | {name_in_print(factor.quantity.symbol): value(row(factor).regions[0].tex, env)}

@@ -20,8 +20,8 @@ from ..oracle.shape import coefficient
 from ..profiles.loads import Load
 from .claims import DIGITS, Line
 from .grammar import read
-from .meaning import Environment, Node
-from .printed import Printed, name_in_print, name_of
+from .meaning import Node
+from .printed import Printed, name_in_print, name_of, value
 
 Entries = Mapping[str, Entry]
 BESIDE = "1e-20"
@@ -95,11 +95,6 @@ def given_in(text: str) -> dict[str, Any]:
     return {name: value(found) if callable(value) else value for name, value in found.items()}
 
 
-def value(tex: str, env: Environment) -> Any:
-    r"""The value of a formula, as it stands over a number: p(a/2)/\bar p."""
-    return read(tex)[0].members[0](env)
-
-
 class Contact:
     """The printed formulas of a profile at parameters that are printed too.
 
@@ -110,11 +105,11 @@ class Contact:
         profile = next(iter(entries.values())).profile
         self.profile, self.entries, self.plane = profile, entries, "w" not in (base or entries)
         values: dict[Any, Any] = {}
-        for name, number_of in given.items():
+        for name, given_value in given.items():
             index = re.fullmatch(r"A_(\d)", name)
             symbol = coefficient(int(index[1])) if index else _symbols().get(name)
             if symbol is not None:
-                values[symbol] = sp.Float(str(number_of), DIGITS + 10)
+                values[symbol] = sp.Float(str(given_value), DIGITS + 10)
         if nt.coefficients in profile.parameters:
             values[nt.N] = sp.Integer(sum(1 for name in given if re.fullmatch(r"A_\d", name)))
         for symbol, expr in profile.abbreviations:

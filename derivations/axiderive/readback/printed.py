@@ -17,6 +17,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..physics.systems import of
+from ..rows.laws import LawText
 from ..rows.row import Region, Row, kappa_row, row
 from .grammar import read
 from .meaning import Environment, Node, environment
@@ -58,8 +59,7 @@ class Printed:
         """A printed row of the normal contact, or of other entries, where its names have these values."""
         one = row((self.base if entries is None else entries)[suffix])
         region = holding(one, env) if one.kind == "formula" else one.regions[0]
-        statements = read(region.tex)
-        return statements[0].members[-1](environment(statements[1:], env))
+        return value(region.tex, env)
 
     def _of_radius(
         self, suffix: str, env: Environment, tip: Any, entries: Mapping[str, Entry] | None = None
@@ -92,6 +92,21 @@ class Printed:
             "u": [(b * b - radius * radius) ** power for b in breaks if b > radius],
             "psi": [mp.asin(b / radius) for b in breaks if b < radius],
         }
+
+
+def value(tex: str, env: Environment) -> Any:
+    """What a formula gives where its names have these values: its last member, with the definitions behind it."""
+    first, *definitions = read(tex)
+    return first.members[-1](environment(definitions, env))
+
+
+def functions_of(law: LawText, env: Environment) -> dict[str, Callable[[Any], Any]]:
+    """E(t), J(t) and Phi_m(t) of a viscoelastic law as they are printed."""
+
+    def function(text: str) -> Callable[[Any], Any]:
+        return lambda t: value(text, {**env, "t": t})
+
+    return {name: function(text) for name, text in law.functions().items()}
 
 
 @lru_cache(maxsize=256)

@@ -14,7 +14,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case, Entry
+from ..entry import Entry
 from ..oracle.evaluate import evaluate
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..profiles.profile import Profile
@@ -111,8 +111,7 @@ def approach(symbol: sp.Symbol, value: sp.Expr) -> Callable[[str], bool]:
         left, arrow, right = tex.partition(r"\to ")
         if not arrow or read(left)[0].members[0].name != name_in_print(symbol):
             return True
-        aim = r"\infty" if value is sp.oo else None
-        return right.strip() != aim if aim else read(right)[0].members[0]({}) != value
+        return bool(read(right)[0].members[0]({}) != (mp.inf if value is sp.oo else value))
 
     return wrong
 
@@ -143,7 +142,7 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) 
         return
     known: dict[tuple[int | None, tuple[bool, ...]], tuple[bool, ...]] = {(None, ()): (False,) * len(conditions)}
     for place in places:
-        env = {name: mp.mpf(value) for name, value in _names(place.values)}
+        env = {name_in_print(s): mp.mpf(value) for s, value in place.values.items() if nt.known(s.name)}
         found = tuple(holds(condition, env) for condition in conditions)
         wanted = known.setdefault((place.case, place.parts), found)
         if found != wanted or sum(found) > 1 or (place.case is not None and not any(found)):
@@ -153,7 +152,7 @@ def misplaced(entry: Entry, conditions: Sequence[str], places: Sequence[Place]) 
 
 def places_of(entry: Entry, kind: str, entries: Mapping[str, Entry], seed: int = 17) -> list[Place]:
     """Points inside of every case, and beside every border that moving one length can reach."""
-    members = _members(entry)
+    members = dict.fromkeys(x for case in entry.cases for x in case.chain)
     meeting = [*itertools.combinations(members, 2)]
     meeting += [(part, sp.S.Zero) for case in entry.cases for part in positive_parts(case.expr).values()]
     found = []
@@ -163,7 +162,8 @@ def places_of(entry: Entry, kind: str, entries: Mapping[str, Entry], seed: int =
         found.append(_placed(entry, values, entry.cases.index(case)))
         for moved in _moved(entry, meeting, values):
             if _stands(entry, moved):
-                found.append(_placed(entry, moved, _case_at(entry.cases, moved)))
+                reached = (i for i, own in enumerate(entry.cases) if _ascends(own.chain, moved))
+                found.append(_placed(entry, moved, next(reached, None)))
     return found
 
 
@@ -172,20 +172,11 @@ def _placed(entry: Entry, values: Numbers, case: int | None) -> Place:
     return Place(values, case, tuple(_value(part, values) > 0 for part in parts))
 
 
-def _members(entry: Entry) -> tuple[sp.Expr, ...]:
-    return tuple(dict.fromkeys(x for case in entry.cases for x in case.chain))
-
-
 def _moved(entry: Entry, meeting: list[tuple[sp.Expr, ...]], values: Numbers) -> Iterator[Numbers]:
     """The point with one length moved to either side of where two lengths meet."""
     short = dict(entry.profile.abbreviations)
-    members = {x for pair in meeting for x in pair}
-    free = {s for x in members for s in x.free_symbols} | {
-        s for x in members if x in short for s in short[x].free_symbols
-    }
-    for symbol in sorted(free - set(short), key=str):
-        if symbol not in values:
-            continue
+    free = {s for pair in meeting for x in pair for s in x.free_symbols | short.get(x, x).free_symbols}
+    for symbol in sorted(free & set(values) - set(short), key=str):
         for pair in meeting:
             factor = _crossing(entry, pair, symbol, values)
             if factor:
@@ -208,12 +199,8 @@ def _crossing(entry: Entry, pair: tuple[sp.Expr, ...], symbol: sp.Symbol, values
         moved = _with(entry, symbol, values, factor)
         return _value(pair[0], moved) - _value(pair[1], moved)
 
-    low, high = 1.0, 1.0
-    for step in (WIDEST, 1 / WIDEST):
-        if gap(1.0) * gap(step) < 0:
-            high = step
-            break
-    else:
+    low, high = 1.0, next((step for step in (WIDEST, 1 / WIDEST) if gap(1.0) * gap(step) < 0), None)
+    if high is None:
         return None
     for _ in range(HALVINGS):
         middle = (low * high) ** 0.5
@@ -235,10 +222,6 @@ def _value(expr: sp.Expr, values: Numbers) -> float:
         return float("nan")
 
 
-def _case_at(cases: Sequence[Case], values: Numbers) -> int | None:
-    return next((i for i, case in enumerate(cases) if _ascends(case.chain, values)), None)
-
-
 def _ascends(chain: Sequence[sp.Expr], values: Numbers) -> bool:
     known = [_value(x, values) for x in chain if x.free_symbols <= set(values)]
     return all(lo < hi for lo, hi in itertools.pairwise(known))
@@ -249,14 +232,7 @@ def _stands(entry: Entry, values: Numbers) -> bool:
     profile = entry.profile
     rules = all(_value(rule.left, values) <= _value(rule.right, values) for rule in profile.rules)
     domains = abs(values.get(nt.k, 0.0)) < 1 and values.get(nt.theta, 0.0) < float(sp.pi) / 2
-    shared = set.intersection(*(_pairs(case.chain) for case in entry.cases))
+    # what every case says of the lengths of its contact, leaving out the place where a field is asked for
+    chains = ([x for x in case.chain if not x.has(*PLACES)] for case in entry.cases)
+    shared = set.intersection(*(set(itertools.combinations(chain, 2)) for chain in chains))
     return rules and domains and all(_ascends(pair, values) for pair in (profile.chain, *shared))
-
-
-def _pairs(chain: Sequence[sp.Expr]) -> set[tuple[sp.Expr, sp.Expr]]:
-    """What a case says of the lengths of its contact, leaving out the place where a field is asked for."""
-    return set(itertools.combinations([x for x in chain if not x.has(*PLACES)], 2))
-
-
-def _names(values: Numbers) -> Iterator[tuple[str, float]]:
-    return ((name_in_print(s), value) for s, value in values.items() if nt.known(s.name))
