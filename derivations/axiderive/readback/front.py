@@ -149,6 +149,7 @@ def laws_of_materials() -> list[Line]:
     """E(t), J(t) and Phi_m(t) of every law, against the functions that the engine convolves with."""
     found = []
     names = (nt.E, nt.E_1, nt.E_inf, nt.relaxation, nt.eta, nt.t_0, nt.time)
+    # a misprint of what decays late shows at a time that is not late
     values: Values = {s: sp.Rational(7 + 4 * i, 9 + i) for i, s in enumerate(names)} | {nt.alpha: sp.Rational(2, 5)}
     exponent = sp.Rational(5, 3)
     with mp.workdps(WORKING):
@@ -157,7 +158,6 @@ def laws_of_materials() -> list[Line]:
         for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
             want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
             found.append(Claim(env, want, name.replace("()", "(t)")).line(f"law: {text.name}", tex))
-        # what is used early holds at any time, and at this one a misprint of what is used late shows
     return found
 
 

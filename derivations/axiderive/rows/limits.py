@@ -1,8 +1,6 @@
-"""Profiles that turn into simpler ones, in print.
+"""Profiles that turn into simpler ones, in print: what the checks found true, from the entries of the simpler one.
 
-Limits of a profile to simpler ones in print: what the stored checks found true, from the entries of the simpler.
-
-Profiles that turn into simpler ones in a limit the profile files do not name, and those of the plane.
+The limits that the profile files name are those of the stored checks; others, and those of the plane, are checked here.
 """
 
 from __future__ import annotations
