@@ -13,9 +13,9 @@ from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
 from axiderive.readback import front
-from axiderive.readback.borders import Place, misplaced, places_of
+from axiderive.readback.claims import Line
 from axiderive.readback.compare import residuals, worst_residual
-from axiderive.readback.front import Reading
+from axiderive.readback.ranges import Place, misplaced, places_of
 from axiderive.rows import in_print
 from axiderive.rows.blocks import rows_of
 from axiderive.rows.row import Region, Row
@@ -101,7 +101,7 @@ def range_faults(key: str, index: int, conditions: list[str]) -> list[str]:
 
 
 @cache
-def front_readings() -> list[Reading]:
+def front_readings() -> list[Line]:
     """The formulas that stand in front of the book."""
     return [
         *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
@@ -112,6 +112,6 @@ def front_readings() -> list[Reading]:
     ]
 
 
-def panel_readings(name: str) -> list[Reading]:
+def panel_readings(name: str) -> list[Line]:
     """The formulas of the definition panel of a profile and of the words on its derivation."""
     return front.panel(name, pool_of(name).load(name.rpartition(".")[2]), stored(name) if name in KEYS else {})

@@ -16,7 +16,7 @@ from axiderive import notation as nt
 from axiderive.entry import Case, Entry
 from axiderive.oracle.evaluate import at_precision, case_at, evaluate
 from axiderive.physics.systems import problem
-from axiderive.readback.grammar import read
+from axiderive.readback.claims import Claim
 from axiderive.readback.printed import Printed, named
 from axiderive.rows import approach, approaches, limits
 from axiderive.rows.approach import DIGITS, GAP, Approach
@@ -76,8 +76,7 @@ def _farthest(key: str, part: Approach, tex: str) -> Any:
             if own is None or not any(approach.holds(case, values) for case in part.cases):
                 continue
             wanted = part.value(own, values)
-            got = read(tex.partition(r"\to ")[2])[0].members[0](_names(key, values))
-            found.append(abs(got / wanted - 1))
+            found.append(Claim(_names(key, values), wanted).residual(tex.partition(r"\to ")[2]))
     return max(found)
 
 

@@ -13,7 +13,7 @@ from axiderive import notation as nt
 from axiderive.book.latex import entry_latex, latex
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
-from axiderive.print.width import width
+from axiderive.print.box import width
 from axiderive.profiles import load
 from axiderive.readback.grammar import read
 from axiderive.readback.printed import holds

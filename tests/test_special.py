@@ -18,10 +18,10 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive import notation as nt
 from axiderive.oracle.evaluate import case_at, evaluate
-from axiderive.readback.further import Further, wrong
-from axiderive.readback.grammar import read
+from axiderive.readback.claims import Claim
+from axiderive.readback.compare import wrong
 from axiderive.readback.printed import named
-from axiderive.readback.source import formulas
+from axiderive.readback.source import Further, formulas
 from axiderive.rows.points import points_of
 from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, hosted, sum_rows
 
@@ -53,10 +53,7 @@ def residual(host: str, power: int, suffix: str, tex: str) -> Any:
     values |= {nt.x: PLACES.get(suffix, sp.S.Half)}
     with mp.workdps(2 * DIGITS):
         want = evaluate(case_at(entry, values).expr, values, DIGITS)
-        (statement,) = read(tex)
-        env = {**named(values), "F_N": mp.mpf(5) / 7}
-        got = statement.members[-1](env)
-        return abs(got - want) / abs(want) if want else abs(got)
+        return Claim({**named(values), "F_N": mp.mpf(5) / 7}, want).residual(tex)
 
 
 @pytest.mark.parametrize("host", MEMBERS)

@@ -15,7 +15,8 @@ from axiderive.figures.given import axes_of
 from axiderive.figures.plots import frames
 from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
-from axiderive.readback.further import Further, wrong
+from axiderive.readback.compare import wrong
+from axiderive.readback.source import Further
 from axiderive.rows.blocks import blocks, every
 from axiderive.rows.laws import power_of_depth, universal_rows
 from axiderive.rows.limits import limit_rows

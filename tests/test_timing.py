@@ -16,8 +16,7 @@ from test_misprints import NOT_A_NUMBER
 from axiderive.book.study.timing import GOAL, Timing, timing
 from axiderive.figures.svg import Picture
 from axiderive.physics.systems import problem, problems
-from axiderive.readback.numbers import Printout
-from axiderive.readback.statements import Said
+from axiderive.readback.claims import Line
 from axiderive.readback.timing import key, sentences
 from axiderive.study import rule
 from axiderive.study import timing as pairs
@@ -129,7 +128,7 @@ def test_a_pair_is_the_ratio_of_its_times(monkeypatch: pytest.MonkeyPatch) -> No
 def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
     text = text_of(name)
     said = [*sentences(text, name, RECORD), *key(text, name, RECORD)]
-    assert sum(one.place.endswith("points") for one in said if isinstance(one, Printout)) == len(keys_of(name))
+    assert sum(one.place.endswith("points") for one in said) == len(keys_of(name))
     assert len(said) >= 5 * len(keys_of(name)) + 5
     for one in said:
         assert not one.wrong(one.tex), one
@@ -142,7 +141,7 @@ def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
         assert [other.tex for other in meanings if not one.wrong(other.tex)] == [one.tex]
 
 
-def _refused(one: Printout | Said, tex: str) -> bool:
+def _refused(one: Line, tex: str) -> bool:
     try:
         return one.wrong(tex)
     except NOT_A_NUMBER:

@@ -9,9 +9,9 @@ from ..entry import COMPACT, COMPLETE, FOUR, Entry
 from ..physics import adhesive, complete, normal, tangential, viscoelastic
 from ..physics.medium import HOMOGENEOUS
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..print.box import width
 from ..print.formula import MASTER_NAMES, Printer
 from ..print.shorthand import with_kappa
-from ..print.width import width
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:

@@ -10,7 +10,7 @@ from ..physics import adhesive, normal, tangential, viscoelastic
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..physics.systems import BY_NAME
 from ..print.formula import Printer
-from ..rows import rules
+from ..rows import laws, rules
 from ..rows.row import Kind
 
 
@@ -52,7 +52,7 @@ def homogeneous() -> list[Section]:
         (
             "Viscoelastic half-space",
             r"while the contact grows; laws on page \pageref{part:laws}",
-            [(_viscoelastic(kind),) for kind in VISCOELASTIC],
+            [(_viscoelastic(kind),) for kind in laws.RULES],
         ),
     ]
 
@@ -114,14 +114,7 @@ def _integral(suffix: str) -> RuleRow:
     )
 
 
-VISCOELASTIC = {
-    "step": r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
-    "load": r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",
-    "ramp": r"F_{\mathrm N}(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
-}
-
-
 def _viscoelastic(kind: str) -> RuleRow:
     label, small = viscoelastic.QUANTITIES[f"{kind}_{viscoelastic.LAWS[0].suffix}"].heading
     remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
-    return RuleRow("viscoelastic", kind, label, small, VISCOELASTIC[kind], remark)
+    return RuleRow("viscoelastic", kind, label, small, laws.RULES[kind], remark)

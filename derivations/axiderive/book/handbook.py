@@ -20,7 +20,7 @@ from ..figures.axes import drawn, printed
 from ..figures.drawing import outline
 from ..figures.tikz import tikz
 from ..physics.systems import pool_of, profile_ids
-from ..print.width import width
+from ..print.box import width
 from ..profiles import COMPLETE_NAMES
 from ..rows import special
 from ..store.cache import digest

@@ -16,8 +16,8 @@ from ..entry import Entry
 from ..figures.given import Strip
 from ..oracle.values import Numbers, Values
 from ..physics.systems import Problem, pool_of
+from ..print.box import width
 from ..print.formula import Printer
-from ..print.width import width
 from ..print.words import domain, prose
 from ..profiles.loads import Load
 from ..profiles.materials import PROFILE as ELASTIC

@@ -1,13 +1,9 @@
 r"""Formulas as a person would print them, names and functions included.
 
-Formulas as a person would print them.
-
 Order of a product: number, pi, material, load, geometry, root, brackets,
 functions.  One root holds all fractional powers, a sum starts with a positive
 term, a function without brackets takes exactly one factor (what `readback`
 relies on), and \left( is never used.
-
-Functions, integrals and derivatives in print, and the names of the special functions.
 """
 
 from __future__ import annotations
@@ -20,7 +16,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel import masters
-from .height import bracket
+from .box import bracket
 from .terms import (
     RAISED,
     TRIGONOMETRIC,

@@ -13,8 +13,8 @@ import sympy as sp
 
 from ..notation import R, a, b, n, psi, r, u
 from ..notation import j as index
+from .box import width
 from .formula import Printer
-from .width import width
 
 LINE = 356.0
 """Points available for a formula between label and key."""

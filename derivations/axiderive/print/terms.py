@@ -1,10 +1,7 @@
 """How a product or a sum is arranged before it is printed.
 
-Order of print: which factor is scale, which term comes first.
-
-A product taken apart for print: sign, number, factors turned to be positive, one root for all fractional powers.
-
-Expressions as they are printed: what two terms share stands before them, a power of a root is one power.
+A product is taken apart into sign, number, factors turned to be positive, and one root for all fractional powers;
+then which factor is scale, which term comes first, and what two terms share stands before them.
 """
 
 from __future__ import annotations

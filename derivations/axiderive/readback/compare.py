@@ -1,8 +1,13 @@
-"""Every printed row against the entry it was printed from, through its LaTeX source alone."""
+"""Every printed row against the entries it was printed from, through its LaTeX source alone.
+
+A row without a key of its own is about several entries, or about one on its way to a limit: limits, universal curves
+and sums.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -10,23 +15,25 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case, Entry
-from ..oracle.evaluate import case_at, decades, evaluate
-from ..oracle.shape import number
+from ..entry import Entry
+from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case
 from ..oracle.values import evaluated
 from ..physics.systems import of
 from ..rows import laws
+from ..rows.claims import Exact, claim
 from ..rows.in_print import texts_of
 from ..rows.points import points_of
 from ..rows.row import Row, row
+from .claims import CLOSE, DIGITS, WORKING, Claim, difference
 from .grammar import read
-from .meaning import Node, environment
-from .printed import Printed, bound, holding, name_of
+from .meaning import environment
+from .printed import Printed, Values, functions_of, holding, name_in_print, name_of, named
+from .source import GAP as LINES
+from .source import OPENING, Further
 
-Values = dict[Any, Any]
 Entries = Mapping[str, Entry]
-WORKING = 60
-DIGITS = 30
+Stored = Callable[[str], Entries]
+"""The entries of a problem by its key."""
 INTEGRATING = 38
 """Working digits of a row that is an integral, or refers to one."""
 
@@ -45,24 +52,25 @@ def worst_residual(one: Row, entries: Entries, count: int = 3, seed: int = 17, b
 
 
 def residuals(one: Row, entries: Entries, count: int = 3, seed: int = 17, base: Entries | None = None) -> Iterator[Any]:
-    """The relative differences one after the other."""
+    """The relative differences one after the other; of a row of several those of the rows that it stands for."""
     base = entries if base is None else base
+    for part, text in zip(one.parts, texts_of(one.regions[0].tex), strict=True) if one.parts else ():
+        own = replace(part, regions=(replace(part.regions[0], lines=(text,)),))
+        yield from residuals(own, entries, count, seed, base)
     if one.parts:
-        yield from _parts(one, entries, count, seed, base)
         return
     printed = Printed(entries, base)
     for entry in (one.entry, *one.also):
         for case, values in points_of(entry, one.kind, entries, count, seed):
             # a displacement far outside leaves a^7/r of terms of the size of r^5 a
             with mp.workdps(INTEGRATING if integrates(one, base) else WORKING + 10 * decades(values)):
-                yield from _compared(one, entry, printed, case, values)
-
-
-def _parts(one: Row, entries: Entries, count: int, seed: int, base: Entries) -> Iterator[Any]:
-    """Every formula of a row of several as the row of its own that it stands for."""
-    for part, text in zip(one.parts, texts_of(one.regions[0].tex), strict=True):
-        own = replace(part, regions=(replace(part.regions[0], lines=(text,)),))
-        yield from residuals(own, entries, count, seed, base)
+                said, known = claim(one, entry, case, entries, base), dict(values)
+                for symbol, exact in said.given:
+                    known[symbol] = value_of(exact, known, DIGITS + 15)
+                env = _environment(one, entry, printed, known)
+                want = None if said.value is None else value_of(said.value, known)
+                name = name_of(one.entry) if want is not None and not isinstance(want, tuple) else ""
+                yield Claim(env, want, name).residual(holding(one, env).tex)
 
 
 def integrates(one: Row, base: Entries) -> bool:
@@ -72,162 +80,148 @@ def integrates(one: Row, base: Entries) -> bool:
     return any(r"\int" in region.tex for own in rows for region in own.regions)
 
 
-def value_of(expr: sp.Expr, values: Values) -> Any:
-    """The value at a point: integrals by quadrature, all else evaluated to 30 digits."""
-    return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, DIGITS)
+def value_of(exact: Exact, values: Values, digits: int = DIGITS) -> Any:
+    """The value at a point: integrals by quadrature, all else to these digits; of an equation that of each side."""
+    expr = case_at(exact, values).expr if isinstance(exact, Entry) else exact
+    if isinstance(expr, sp.Equality):
+        return tuple(value_of(side, values, digits) for side in expr.args)
+    return evaluated(expr, values) if expr.has(sp.Integral) else evaluate(expr, values, digits)
 
 
-def _slipping(printed: Printed, values: Values) -> Values:
-    """A tangential force between full stick and full slip under the force that the outer radius belongs to."""
-    force = evaluate(case_at(printed.base["F"], values).expr, values, DIGITS + 15)
-    return values | {nt.F: force, nt.F_x: force * number(values[nt.mu]) * 3 / 7}
-
-
-def _compared(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
-    if entry.suffix == "c":
-        values = _slipping(printed, values)
-    if one.kind == "formula":
-        return _formula(one, printed, case, values)
-    if one.kind == "rule":
-        return _rule(one, entry, printed, case, values)
-    if one.kind == "definition":
-        return _definition(one, printed, case, values)
-    return _inverse(one, printed, case, values)
-
-
-def _environment(entry: Entry, printed: Printed, values: Values) -> dict[str, Any]:
-    """The names a row may use; of the two radii of pull-off only that of its own control."""
-    env = printed.environment(values)
-    other = {"c": "a_m", "m": "a_c"}.get(entry.suffix[-1]) if of(entry).physics.tension else None
-    env.pop(other or "", None)
+def _environment(one: Row, entry: Entry, printed: Printed, values: Values) -> dict[str, Any]:
+    """The names a row may use: of the radii of pull-off that of its own control, and the functions of a law."""
+    env, physics = printed.environment(values), of(entry).physics
+    if entry.quantity.control:
+        env.pop({"c": "a_m", "m": "a_c"}[entry.suffix[-1]], None)
+    if physics.laws:
+        if "Fd" not in printed.base:
+            env["F_N()"] = lambda depth, env=dict(env): printed.at("F", {**env, "d": depth})
+        law = next(law for law in laws.laws() if entry.suffix.endswith("_" + law.suffix))
+        # the power of the depth, which the row defines behind its formula
+        env = environment(read(one.regions[0].tex)[1:], env)
+        env |= functions_of(law, env)
     return env
 
 
-def _formula(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
-    env = _environment(one.entry, printed, values)
-    statements = read(holding(one, env).tex)
-    env = environment(statements[1:], env)
-    first = statements[0].members
-    if isinstance(case.expr, sp.Equality):
-        wanted = [value_of(side, values) for side in (case.expr.lhs, case.expr.rhs)]
-        return [difference(m(env), want) for m, want in zip(first, wanted, strict=True)]
-    if one.suffix == "pm":
-        env["F_N"] = env["F_N()"](env["a"])
-    return _stated(first, env, one.entry, value_of(case.expr, values))
+GAP = r",\enspace "
+NEAR = sp.Rational(1, 10**60)
+"""How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
+KINDS = ("limit", "universal", "sum")
+"""Kinds that are read here; approaches to an end have a reader of their own."""
+ENDS = {
+    "edge": (r"r\to a", r"x\to a"), "far-field": (r"r\to\infty", r"x\to\infty"), "axis": (r"r\to 0",),
+    "middle": (r"x\to 0", r"r\to 0"), "small-contact": (r"a\to 0",), "onset": (r"a\to b",),
+}  # fmt: skip
+"""Where an approach goes, as it is printed beside its name; a condition may follow."""
 
 
-def _definition(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
-    """An equation about an elastic constant, and about another one that it may be stated with."""
-    own = bound(name_of(one.entry), value_of(case.expr, values), _environment(one.entry, printed, values))
-    if one.uses:
-        other = printed.entries[one.uses]
-        own = bound(name_of(other), value_of(other.cases[0].expr, values), own)
-    first = read(one.regions[0].tex)[0].members
-    return [difference(first[0](own), first[1](own))]
+def wrong(one: Further, stored: Stored) -> bool:
+    """Whether a row says something else than the entries it is about."""
+    return {"limit": _limit, "universal": _universal, "sum": _sum}[one.kind](one, stored)
 
 
-def _stated(members: Sequence[Node], env: Mapping[str, Any], entry: Entry, want: Any) -> list[Any]:
-    """The members of left = ... = right: the first is the quantity itself, and the others are its value."""
-    own = bound(name_of(entry), want, env)
-    return [difference(members[0](own), want), *(difference(member(env), want) for member in members[1:])]
+def _limit(one: Further, stored: Stored) -> bool:
+    parts = one.tex.split(GAP)
+    if len(parts) != len(one.keys):
+        return True
+    profile = stored(one.keys[0].rpartition(".")[0])[one.keys[0].rpartition(".")[2]].profile
+    aim = _aim(one.small, profile.parameters)
+    return aim is None or any(
+        _limit_differs(key, part, *aim, stored) for key, part in zip(one.keys, parts, strict=True)
+    )
 
 
-def _inverse(one: Row, printed: Printed, case: Case, values: Values) -> list[Any]:
-    """An equation to be solved, or a composition, at the value its forward formula takes."""
-    env = printed.environment(values)
-    first = read(one.regions[0].tex)[0].members
-    value = evaluate(case.expr, values, DIGITS)
-    argument, result = {
-        "ad": ("d", "a"), "aF": ("F_N", "a"), "Fd": ("d", "F_N"), "dF": ("F_N", "d"), "aP": ("P", "a"),
-    }[one.suffix]  # fmt: skip
-    env[argument] = value
-    if one.kind == "root":
-        return [difference(first[0](env), first[1](env))]
-    want = _inverse_value(one.entry, printed.entries, values, argument, value, result)
-    return _stated(first, env, one.entry, want)
+def _aim(small: str, parameters: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:
+    """Which parameter goes where."""
+    name, _, end = small.partition(r"\to")
+    ends: dict[str, sp.Expr] = {"0": sp.S.Zero, r"\infty": sp.oo} | {name_in_print(s): s for s in parameters}
+    symbol, value = ends.get(name.strip()), ends.get(end.strip())
+    if value is None and end.strip().isdigit():
+        value = sp.Integer(end)
+    return None if symbol not in parameters or value is None else (symbol, value)
 
 
-def _inverse_value(entry: Entry, entries: Entries, values: Values, argument: str, value: Any, result: str) -> Any:
-    """The closed result at this depth or force, or without one the forward formula at the radius behind it."""
-    if entry.status == "closed":
-        known = values | {(nt.d if argument == "d" else nt.F): value}
-        return evaluate(case_at(entry, known).expr, known, DIGITS)
-    outer = entries["F" if result == "F_N" else "d"]
-    return evaluate(case_at(outer, values).expr, values, DIGITS)
+def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, stored: Stored) -> bool:
+    problem, _, suffix = key.rpartition(".")
+    entry = stored(problem)[suffix]
+    near = {sp.S.Zero: NEAR, sp.oo: 1 / NEAR}.get(value, value)
+    name = "g(a)" if entry.quantity.symbol == nt.d else name_of(entry)
+    tested = []
+    # in the case that holds next to the limit, at points of any case: a limit may be that of one of them
+    for _, values in points_of(entry, "formula", stored(problem), 1, 11):
+        at = values | {symbol: sp.sympify(near).xreplace(values)}
+        at |= {short: expr.xreplace(at) for short, expr in entry.profile.abbreviations}
+        try:
+            case = case_at(entry, at)
+        except LookupError:
+            continue
+        with mp.workdps(DIGITS + 20):
+            # a printed limit is a formula of the simpler profile, which does not know the symbol
+            env = {name: number for name, number in named(at).items() if name != name_in_print(symbol)}
+            said = Claim(env, evaluate_case(case, at, DIGITS), name)
+        try:
+            tested.append(not said.wrong(part.replace(r"\to ", "=", 1)))
+        except ValueError:  # a root of the case that does not hold here
+            tested.append(False)
+    if tested:
+        return not any(tested)
+    message = f"{key}: no point is near {symbol} = {value}"
+    raise LookupError(message)
 
 
-LOADED = {"ad": nt.d, "aF": nt.F, "c": nt.F_x}
-"""What balances an equation of equilibrium at any radius."""
+CURVE = (sp.Rational(3, 10), sp.S.One, sp.Rational(27, 10))
+"""Radii over that of pull-off at which a universal curve is compared."""
 
 
-def _rule(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
-    values = dict(values)
-    physics = of(entry).physics
-    if physics.laws:
-        return _law(one, entry, printed, case, values)
-    statements = read(one.regions[0].tex)
-    if entry.suffix in LOADED or entry.suffix in ("ac", "am"):
-        balance(entry, case, values)
-        env = _environment(entry, printed, values)
-        left, right = (member(env) for member in statements[0].members)
-        return [difference(left, right)]
-    if physics.tension and entry.suffix[-1] in "cm":
-        _pull_off(entry, printed.entries, case, values)
-    env = _environment(entry, printed, values)
-    want = value_of(case.expr, values)
-    return _stated(statements[0].members, environment(statements[1:], env), entry, want)
+def _universal(one: Further, stored: Stored) -> bool:
+    problem = one.keys[0] if one.keys[0].endswith("adh") else one.keys[0].rpartition(".")[0]
+    entries = stored(problem)
+    fields = {s for suffix in ("ac", "Fc", "dc", "F", "d") for s in entries[suffix].cases[0].expr.free_symbols}
+    values = {s: sp.Rational(11 + 2 * i, 7 + 3 * i) for i, s in enumerate(sorted(fields, key=str))}
+    values |= {nt.theta: sp.Rational(2, 5), nt.k: sp.Rational(3, 8), nt.n: sp.Rational(17, 10)}
+    with mp.workdps(2 * DIGITS):
+        pulled = evaluate(entries["ac"].cases[0].expr, values, DIGITS)
+        for ratio in CURVE:
+            at = values | {nt.a_c: pulled, nt.a: pulled * mp.mpf(ratio.p) / ratio.q}
+            env = named(at) | {"x": mp.mpf(ratio.p) / ratio.q}
+            for name, suffix in (("F_adh", "F"), ("d_adh", "d"), ("F_c", "Fc"), ("d_c", "dc")):
+                env[name] = evaluate(entries[suffix].cases[0].expr, at, DIGITS)
+            if any(map(Claim(env).wrong, one.tex.split(r",\qquad "))):
+                return True
+    wanted = {f"{suffix}_adh" for suffix in ("F", "d") if f"{problem}.{suffix}" in one.keys}
+    return not all(name.replace("_adh", r"_{\mathrm{adh}}") in one.tex for name in wanted)
 
 
-def balance(entry: Entry, case: Case, values: Values) -> None:
-    """The unknown takes its closed value, or the load the value that goes with the unknown."""
-    unknown = {"c": nt.c, "ad": nt.a, "aF": nt.a}.get(entry.suffix, nt.a_c)
-    if not isinstance(case.expr, sp.Equality):
-        values[unknown] = evaluate(case.expr, values, DIGITS + 15)
-        return
-    left = evaluate(case.expr.lhs, values, DIGITS + 15)
-    if entry.suffix in LOADED:
-        values[LOADED[entry.suffix]] = left
-        return
-    level = evaluate(case.expr.rhs, values, DIGITS + 15)
-    values[nt.dgamma] = values[nt.dgamma] * (left / level) ** 2
+_PART = re.compile(r"\\text\{(plus |minus )?\\hyperref\[sec:(\w+)\]\{[^}]*\}, page~\\pageref\{sec:(\w+)\}, with \}(.*)")
 
 
-def _pull_off(entry: Entry, entries: Entries, case: Case, values: Values) -> None:
-    """Radius and work of separation that belong together at pull-off."""
-    radius = entries["a" + entry.suffix[-1]]
-    if radius.status == "closed":
-        values[nt.a_c] = evaluate(radius.cases[0].expr, values, DIGITS + 15)
-        return
-    own = next(other for other in radius.cases if other.chain == case.chain)
-    balance(radius, own, values)
+def _sum(one: Further, stored: Stored) -> bool:
+    """Whether the parts that are named do not add to the entries at equal contact radius."""
+    lines = one.tex.removeprefix(OPENING).removesuffix(r"\end{aligned}").split(LINES)
+    parts = [match.groups() for match in map(_PART.fullmatch, lines) if match]
+    if len(parts) != len(lines) or any(name != page for _, name, page, _ in parts):
+        return True
+    profile = one.keys[0].rpartition(".")[0]
+    entries = stored(profile)
+    for suffix in (key.rpartition(".")[2] for key in one.keys):
+        for case, values in points_of(entries[suffix], "formula", entries, 1, 13):
+            with mp.workdps(2 * DIGITS):
+                want = evaluate(case.expr, values, DIGITS)
+                if difference(sum(_share(part, suffix, values, stored) for part in parts), want) > CLOSE:
+                    return True
+    return False
 
 
-def _law(one: Row, entry: Entry, printed: Printed, case: Case, values: Values) -> list[Any]:
-    """A row of a viscoelastic contact with the printed functions of one law put in."""
-    law = next(law for law in laws.laws() if entry.suffix.endswith("_" + law.suffix))
-    if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
-        values[nt.F] = values[nt.F] * evaluate(case.expr.lhs, values, DIGITS) / evaluate(case.expr.rhs, values, DIGITS)
-    values[nt.E_star] = sp.Integer(3)
-    if nt.a not in values and entry.suffix.startswith("step") and "ad" in printed.base:
-        values[nt.a] = evaluate(case_at(printed.base["ad"], values).expr, values, DIGITS + 15)
-    env = _environment(entry, printed, values)
-    statements = read(one.regions[0].tex)
-    env = environment(statements[1:], env)
-    env |= {name: _function(text, env) for name, text in law.functions().items()}
-    first = statements[0].members
-    if entry.suffix.startswith("load") and isinstance(case.expr, sp.Equality):
-        return [difference(first[0](env), first[1](env))]
-    expr = case.expr.rhs if isinstance(case.expr, sp.Equality) else case.expr
-    if "Fd" not in printed.base:
-        env["F_N()"] = lambda depth: printed.at("F", {**env, "d": depth})
-    return _stated(first, env, one.entry, value_of(expr, values))
-
-
-def _function(text: str, env: Mapping[str, Any]) -> Any:
-    body = read(text)[0].members[-1]
-    return lambda t: body({**env, "t": t})
-
-
-def difference(got: Any, want: Any) -> Any:
-    """Relative difference of two values; absolute where the wanted one is zero."""
-    return abs(got - want) / abs(want) if want else abs(got)
+def _share(part: Sequence[str], suffix: str, values: Mapping[Any, Any], stored: Stored) -> Any:
+    """What a part adds to a quantity; nothing while its flat face is not pressed in."""
+    sign, name, _, text = part
+    entry = stored(name)[suffix]
+    own = {name_in_print(symbol): symbol for symbol in entry.profile.parameters}
+    given = {}
+    for statement in read(text):
+        given[own[statement.members[0].name]] = sp.Float(str(statement.members[1](named(dict(values)))), 2 * DIGITS)
+    known = {**values, **given}
+    if entry.profile.truncated and known[nt.a] < known[nt.b]:
+        return 0
+    value = evaluate(case_at(entry, known).expr, known, DIGITS)
+    return -value if sign == "minus " else value

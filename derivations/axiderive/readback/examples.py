@@ -1,34 +1,141 @@
-"""The worked examples with friction, on a graded and on a viscoelastic half-space, computed anew from the source."""
+"""The worked examples of a spread, computed anew from the source.
+
+Those with friction, on a graded and on a viscoelastic half-space stand behind that of the normal contact, and take
+its parameters, load and radius.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
-from ..entry import Entry
+from .. import notation as nt
 from ..rows import laws
-from ..rows.row import Row, row
+from ..rows.row import row
+from ..worked.contact import largest
+from .claims import DIGITS, Line
 from .grammar import read
-from .meaning import environment
-from .numbers import DIGITS, Contact, Printout, given_in, number
-from .printed import Printed, name_in_print
-from .tables import SHOWN, WORKED, heading
+from .meaning import Node
+from .numbers import Contact, Entries, given_in, near, number, rounded
+from .printed import Printed, functions_of, name_in_print, value
 
-Entries = Mapping[str, Entry]
 Stored = Callable[[str], Entries]
 """The entries of a problem by its key."""
-Wanted = dict[str, Callable[[], Any]]
-_EXAMPLE = re.compile(
+_WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
+_SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
+_MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
+_FURTHER = re.compile(
     r"\\textcolor\{ink\}\{([A-Z][a-z -]+)\}\\enspace\\textcolor\{note\}\{(.*?):\}\\hspace.*?%\n((?:\\mbox\{.*\n)+)"
 )
-_SHOWN = re.compile(r"\\mbox\{\$([^$=]+)=([^$]+)\$(?:~\\own\{([\w.]+)\})?\}")
+_SHOWN_FURTHER = re.compile(r"\\mbox\{\$([^$=]+)=([^$]+)\$(?:~\\own\{([\w.]+)\})?\}")
 
 
-def further_examples(text: str, name: str, stored: Stored) -> Iterator[Printout]:
+@dataclass(frozen=True)
+class Example:
+    """What the worked example of a spread states of Young's modulus and Poisson's ratio of so many equal bodies."""
+
+    young: Any
+    poisson: Any
+    bodies: int
+    separation: str
+    stated: str
+    """E* as it is printed."""
+    given: dict[str, Any]
+    """E* as it follows from the constants, the parameters and the load by their names."""
+    shown: dict[str, str]
+    """The numbers that follow, by their names in print."""
+
+    @property
+    def load(self) -> Any:
+        """The normal force, or line load of a plane contact; None of a prescribed pressure."""
+        return self.given.get("P", self.given.get("F_N"))
+
+
+def _example(text: str) -> Example:
+    """The worked example of a spread.
+
+    Raises
+    ------
+    LookupError
+        If the spread has none, or it does not name a material.
+    """
+    match = _WORKED.search(text)
+    words = match[1] if match else ""
+    material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
+    if not match or not material or not stated:
+        message = f"no material and E* in {words!r}; a worked example starts with them"
+        raise LookupError(message)
+    bodies = 2 if words.startswith("steel on steel") else 1
+    young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
+    modulus = young / (bodies * (1 - poisson**2))
+    given = given_in(words[stated.end() :]) | {"E*": modulus}
+    return Example(young, poisson, bodies, material[4], stated[1], given, dict(_SHOWN.findall(match[2])))
+
+
+def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Line]:
+    """The numbers of the worked example of a spread, from its source: the modulus, then those of the load."""
+    if not _WORKED.search(text):
+        return
+    with mp.workdps(DIGITS):
+        own = _example(text)
+        yield rounded("worked example E*", own.stated, own.given["E*"])
+        contact = Contact(entries, own.given)
+        state = contact.under(own.load, own.shown)
+        names = contact.names(**state)
+        names["F_c"] = Node(lambda env: _pull_off(contact, adhesive or {}, own.separation, state["a"]))
+        names["p_max"] = Node(lambda env: _largest(contact, state))
+        for name, tex in own.shown.items():
+            if tex == r"\infty":
+                _require_infinite(contact, name, state)
+            else:
+                yield rounded(f"worked example {name}", tex, value(name, names))
+
+
+def _largest(contact: Contact, state: Mapping[str, Any]) -> Any:
+    """The greatest pressure; the face is searched between its breaks."""
+    ends = [mp.mpf(0), *(mp.mpf(str(contact.values[b])) for b in contact.profile.breaks), state["a"]]
+    return largest(lambda place: mp.re(contact.field("p", place, **state)), ends)
+
+
+def _require_infinite(contact: Contact, name: str, state: Mapping[str, Any]) -> None:
+    """That the printed pressure does not come to an end where it is said to be infinite.
+
+    Raises
+    ------
+    ValueError
+        If it grows by less over the last five decades towards that place than over the five before them.
+    """
+    at = value(name[2:-1], contact.names(**state))
+    # from the side where the face is in contact, and from above its tip
+    side = -1 if at else 1
+    beside = (at + side * state["a"] * mp.mpf(10) ** -power for power in (3, 8, 13))
+    first, second, third = (mp.re(contact.field("p", place, **state)) for place in beside)
+    if not third - second > 0.9 * (second - first) > 0:
+        message = f"{name} is printed as infinite and comes to {third}"
+        raise ValueError(message)
+
+
+def _pull_off(contact: Contact, adhesive: Entries, separation: str, radius: Any) -> Any:
+    """The printed force of pull-off at the radius that its printed formula or equation gives, below the loaded one."""
+    printed = Printed(adhesive, contact.entries)
+    values = contact.values | {nt.dgamma: sp.Float(separation, DIGITS) / 1000}
+    env = printed.environment(values) | contact.given
+    first = read(row(adhesive["ac"]).regions[0].tex)[0].members
+
+    def excess(a: Any) -> Any:
+        return first[0](env | {"a_c": a}) / first[-1](env | {"a_c": a}) - 1
+
+    closed = adhesive["ac"].status == "closed"
+    env["a_c"] = first[-1](env) if closed else mp.findroot(excess, (radius / 3, radius / 6), solver="secant")
+    return printed.at("Fc", env, adhesive)
+
+
+def further_examples(text: str, name: str, stored: Stored) -> Iterator[Line]:
     """The moduli and numbers of the examples behind the normal contact, with the key that each is said to follow from.
 
     Raises
@@ -37,105 +144,115 @@ def further_examples(text: str, name: str, stored: Stored) -> Iterator[Printout]
         If a number is none of its example, or names a key that the catalogue does not have.
     """
     with mp.workdps(DIGITS):
-        for title, words, numbers in _EXAMPLE.findall(text):
-            shown = [(symbol, tex) for symbol, tex, _ in _SHOWN.findall(numbers)]
-            for _, _, key in _SHOWN.findall(numbers):
+        for title, words, numbers in _FURTHER.findall(text):
+            found = _SHOWN_FURTHER.findall(numbers)
+            for _, _, key in found:
                 if key:
                     group, _, suffix = key.rpartition(".")
                     stored(f"{name}.{group}")[suffix]
-            yield from _READERS[title](text, words, dict(shown), name, stored)
+            assigned = dict(one.split("=") for one in re.findall(r"\$([^$]+=[^$]+)\$", words))
+            first, shown = _example(text), {symbol: tex for symbol, tex, _ in found}
+            own = Further(first, Contact(stored(name), first.given), given_in(words), shown)
+            place, moduli, names = _READERS[title](own, name, stored)
+            yield from (rounded(f"{place} {symbol}", assigned[symbol], want) for symbol, want in moduli.items())
+            for symbol, tex in shown.items():
+                # to the grammar a radius before a bracket is a factor
+                want = names[symbol] if symbol.startswith("a(") else value(symbol, names)
+                yield rounded(f"{place} {symbol}", tex, want)
 
 
-def _near(excess: Callable[[Any], Any], tex: str) -> Any:
-    """The root next to a printed number."""
-    start = number(tex).value
-    return mp.findroot(excess, (start, start * mp.mpf("1.0001")), solver="secant")
+@dataclass(frozen=True)
+class Further:
+    """An example behind that of the normal contact, whose contact it starts from."""
+
+    first: Example
+    contact: Contact
+    stated: dict[str, Any]
+    """The values of its heading by the names the grammar reads."""
+    shown: dict[str, str]
+
+    def state(self) -> dict[str, Any]:
+        """Radius and depth of the normal contact."""
+        return self.contact.under(self.first.load, self.first.shown)
 
 
-def _printouts(title: str, shown: Mapping[str, str], wanted: Wanted) -> Iterator[Printout]:
-    for name, tex in shown.items():
-        yield Printout(f"{title} {name}", tex, wanted[name]())
+Result = tuple[str, dict[str, Any], dict[str, Any]]
+"""The words for an example, the moduli in its heading, and what the names over its numbers mean."""
 
 
-def _with_friction(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
-    solid = heading(text)
-    stated = given_in(words)
+def _with_friction(own: Further, name: str, stored: Stored) -> Result:
+    solid = own.first
     shear = 4 * solid.young / (2 * (1 + solid.poisson)) / (solid.bodies * (2 - solid.poisson))
-    yield Printout("partial slip G*", _stated(words, "G^{*}"), shear)
-    contact = Contact(stored(name), solid.given)
-    radius = _radius(contact, text, solid.given["F_N"])
-    entries = stored(f"{name}.tan")
-    printed = Printed(entries, stored(name))
-    env = printed.environment(contact.values) | contact.given | {**stated, "G*": shear, "a": radius}
-    pulled = stated["F_x"]
-    stick = _near(lambda c: printed.at("F", env | {"c": c}, entries) / pulled - 1, shown["c"])
-    env["c"] = stick
-    yield from _printouts(
-        "partial slip",
-        shown,
-        {
-            "c": lambda: stick,
-            "u": lambda: printed.at("u", env, entries),
-            r"u_{\mathrm s}": lambda: printed.at("us", env, entries),
-            r"\tau(a/2)": lambda: printed.at("tau", env | {"r": radius / 2}, entries),
-        },
-    )
+    given = solid.given | own.stated | {"G*": shear, "a": own.state()["a"]}
+    contact = Contact(stored(f"{name}.tan"), given, stored(name))
+    stick = near(own.shown["c"], lambda c: contact.at("F", c=c) / own.stated["F_x"] - 1)
+    return "partial slip", {"G^{*}": shear}, contact.names(a=given["a"], c=stick)
 
 
-def _radius(contact: Contact, text: str, load: Any) -> Any:
-    """The radius of the normal contact, near the one its example prints."""
-    if "a" in contact.given:
-        return contact.given["a"]
-    (tex,) = re.findall(r"\\parbox\[t\]\{27mm\}\{\$a\$\\\\\$([^$]+)\$", text)
-    return _near(lambda a: contact.load(a=a) / load - 1, tex)
+def _graded(own: Further, name: str, stored: Stored) -> Result:
+    modulus = _foundation_modulus(stored("materials"), own.stated)
+    given = {key: x for key, x in own.first.given.items() if key not in ("E*", "F_N")}
+    contact = Contact(stored(f"{name}.fgm"), given | {"k": own.stated["k"], "H": modulus})
+    return "graded", {"H": modulus}, contact.names(**contact.under(own.first.load, own.shown))
 
 
-def _graded(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
-    stated = given_in(words)
-    modulus = _foundation_modulus(stored("materials"), stated)
-    yield Printout("graded H", _stated(words, "H"), modulus)
-    load = heading(text).given["F_N"]
-    own = {key: x for key, x in heading(text).given.items() if key not in ("E*", "F_N")}
-    entries = stored(f"{name}.fgm")
-    contact = Contact(entries, own | {"k": stated["k"], "H": modulus})
-    known: dict[str, Any] = {}
-    if "a" in shown:
-        known["a"] = _near(lambda a: contact.load(a=a) / load - 1, shown["a"])
-        depth = contact.at("d", **known)
-    else:
-        known["d"] = depth = _near(lambda d: contact.load(d=d) / load - 1, shown["d"])
-    radius = known["a"] if "a" in known else own["a"]
-    yield from _printouts(
-        "graded",
-        shown,
-        {
-            "a": lambda: radius,
-            "d": lambda: depth,
-            r"\bar p": lambda: contact.mean(radius, load),
-        },
-    )
+def _relaxing(own: Further, name: str, stored: Stored) -> Result:
+    contact, plain = own.contact, stored(name)
+    step, *others = laws.rows(stored(f"{name}.vis"), plain)
+    env = contact.printed.environment(contact.values) | contact.given | own.state()
+    if "d" not in plain:
+        env["F_N()"] = lambda depth, env=dict(env): contact.printed.at("F", {**env, "d": depth})
+    law = next(law for law in laws.laws() if law.suffix == "sls")
+    # the modulus E_1 and the time tau of the law are no names of the contact
+    env |= functions_of(law, own.stated)
+
+    def force(t: Any) -> Any:
+        return value(step.regions[0].tex, env | {"t": t})
+
+    def grown(t: Any, tex: str) -> Any:
+        at, formula = env | {"F_N": force(mp.mpf(0)), "t": t}, others[0].regions[0].tex
+        if not others[0].remark:
+            return value(formula, at)
+        left, right = read(formula)[0].members[:2]
+        return near(tex, lambda a: left({**at, "a": a}) / right({**at, "a": a}) - 1)
+
+    names: dict[str, Any] = {"tau": own.stated["tau"], "F_N()": force}
+    radii = {symbol: tex for symbol, tex in own.shown.items() if symbol.startswith("a(")}
+    return "standard solid", {}, names | {s: grown(value(s[2:-1], names), tex) for s, tex in radii.items()}
 
 
-def body_constants(text: str, constants: Entries) -> Iterator[Printout]:
+def _sharp(own: Further, name: str, stored: Stored) -> Result:
+    """A cone at the depth of the contact."""
+    force = value(row(stored("cone")["Fd"]).regions[0].tex, own.contact.given | {"d": own.state()["d"]})
+    return "sharp cone", {}, {"F_N": force}
+
+
+_READERS: Mapping[str, Callable[[Further, str, Stored], Result]] = {
+    "Sharp cone": _sharp,
+    "Partial slip": _with_friction,
+    "Graded half-space": _graded,
+    "Standard solid": _relaxing,
+}
+
+
+def body_constants(text: str, constants: Entries) -> Iterator[Line]:
     """The numbers of the worked example of the elastic constants, by their printed formulas."""
-    match = WORKED.search(text)
+    match = _WORKED.search(text)
     if match is None:
         message = "no worked example among the elastic constants; the spread prints one"
         raise ValueError(message)
     with mp.workdps(DIGITS):
         stated = given_in(match[1])
-        wanted: Wanted = {
-            "E^{*}": lambda: 1 / _value(row(constants["E_star"]), stated),
-            "G^{*}": lambda: 1 / _value(row(constants["G_star"]), stated),
-            r"h_{\mathrm N}": lambda: _with_factor(constants, stated)["h_N"],
-            "H": lambda: _foundation_modulus(constants, stated),
-        }
-        yield from _printouts("constant", dict(SHOWN.findall(match[2])), wanted)
+        moduli = (("E*", "E_star"), ("G*", "G_star"))
+        names = {name: 1 / value(row(constants[suffix]).regions[0].tex, stated) for name, suffix in moduli}
+        names |= {"h_N": _with_factor(constants, stated)["h_N"], "H": _foundation_modulus(constants, stated)}
+        for name, tex in _SHOWN.findall(match[2]):
+            yield rounded(f"constant {name}", tex, value(name, names))
 
 
 def _foundation_modulus(constants: Entries, stated: Mapping[str, Any]) -> Any:
     """H by its printed formula."""
-    return _value(row(constants["H"]), _with_factor(constants, stated))
+    return value(row(constants["H"]).regions[0].tex, _with_factor(constants, stated))
 
 
 def _with_factor(constants: Entries, stated: Mapping[str, Any]) -> dict[str, Any]:
@@ -145,78 +262,4 @@ def _with_factor(constants: Entries, stated: Mapping[str, Any]) -> dict[str, Any
     for symbol, expr in factor.profile.abbreviations:
         values = {s: sp.Float(str(env[name_in_print(s)]), DIGITS) for s in expr.free_symbols}
         env[name_in_print(symbol)] = mp.mpf(str(expr.subs(values)))
-    return env | {name_in_print(factor.quantity.symbol): _value(row(factor), env)}
-
-
-def _relaxing(text: str, words: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
-    stated = given_in(words)
-    plain = stored(name)
-    contact = Contact(plain, heading(text).given)
-    step, *others = laws.rows(stored(f"{name}.vis"), plain)
-    env = contact.printed.environment(contact.values) | contact.given
-    if "dF" in plain and "d" not in plain:
-        load = contact.given["F_N"]
-        (tex,) = re.findall(r"\\parbox\[t\]\{27mm\}\{\$d\$\\\\\$([^$]+)\$", text)
-        env["d"] = _near(lambda d: contact.load(d=d) / load - 1, tex)
-        env["F_N()"] = lambda depth: contact.printed.at("F", {**env, "d": depth})
-    else:
-        env["a"] = _radius(contact, text, contact.given["F_N"])
-        env["d"] = contact.at("d", a=env["a"])
-    law = next(law for law in laws.laws() if law.suffix == "sls")
-    # the modulus E_1 and the time tau of the law are no names of the contact
-    env |= {key: _of_time(read(law_text)[0].members[-1], stated) for key, law_text in law.functions().items()}
-    time = stated["tau"]
-
-    def force(t: Any) -> Any:
-        return _value(step, env | {"t": t})
-
-    def grown(t: Any, tex: str) -> Any:
-        at = env | {"F_N": force(mp.mpf(0)), "t": t}
-        left, right = read(others[0].regions[0].tex)[0].members[:2]
-        if others[0].remark:
-            return _near(lambda a: left({**at, "a": a}) / right({**at, "a": a}) - 1, tex)
-        return _value(others[0], at)
-
-    yield from _printouts(
-        "standard solid",
-        shown,
-        {
-            r"F_{\mathrm N}(0)": lambda: force(mp.mpf(0)),
-            r"F_{\mathrm N}(\tau)": lambda: force(time),
-            r"F_{\mathrm N}(10\tau)": lambda: force(10 * time),
-            r"a(\tau)": lambda: grown(time, shown[r"a(\tau)"]),
-            r"a(10\tau)": lambda: grown(10 * time, shown[r"a(10\tau)"]),
-        },
-    )
-
-
-def _of_time(body: Any, stated: Mapping[str, Any]) -> Callable[[Any], Any]:
-    return lambda t: body({**stated, "t": t})
-
-
-def _value(one: Row, env: Mapping[str, Any]) -> Any:
-    """What a row gives where its names have these values."""
-    statements = read(one.regions[0].tex)
-    return statements[0].members[-1](environment(statements[1:], env))
-
-
-def _stated(words: str, name: str) -> str:
-    """The printed value of a name."""
-    assigned = dict(one.split("=") for one in re.findall(r"\$([^$]+=[^$]+)\$", words))
-    return assigned[name]
-
-
-def _sharp(text: str, _: str, shown: dict[str, str], name: str, stored: Stored) -> Iterator[Printout]:
-    """A cone at the depth of the contact."""
-    contact, cone = Contact(stored(name), heading(text).given), stored("cone")
-    depth = contact.at("d", a=_radius(contact, text, contact.given["F_N"]))
-    force = _value(row(cone["Fd"]), contact.given | {"d": depth})
-    yield from _printouts("sharp cone", shown, {r"F_{\mathrm N}": lambda: force})
-
-
-_READERS = {
-    "Sharp cone": _sharp,
-    "Partial slip": _with_friction,
-    "Graded half-space": _graded,
-    "Standard solid": _relaxing,
-}
+    return env | {name_in_print(factor.quantity.symbol): value(row(factor).regions[0].tex, env)}

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import mpmath as mp
@@ -15,9 +14,8 @@ import sympy as sp
 
 from .. import notation as nt
 from ..book import front, front_rules, page
-from ..book import page as panels
 from ..entry import Entry
-from ..oracle.evaluate import case_at, evaluate, holds
+from ..oracle.evaluate import case_at, evaluate
 from ..oracle.sampling import points
 from ..oracle.shape import number
 from ..physics import viscoelastic
@@ -28,46 +26,11 @@ from ..profiles.profile import Profile
 from ..rows import laws
 from ..rows.points import points_of
 from ..rows.row import Region, Row
-from .compare import DIGITS, difference, worst_residual
-from .grammar import read
-from .meaning import environment
-from .printed import NORMAL, Printed, bound, name_in_print, named
-from .printed import holds as in_range
+from .claims import CLOSE, DIGITS, WORKING, Claim, Line
+from .compare import worst_residual
+from .printed import Printed, Values, holds, name_in_print, name_of, named
 
 Entries = Mapping[str, Entry]
-Values = dict[Any, Any]
-WORKING = 60
-"""An integrand that is infinite like a root at its end leaves half of them."""
-
-
-@dataclass(frozen=True)
-class Reading:
-    """A formula of the book, and how far any text in its place is from what it has to say."""
-
-    place: str
-    tex: str
-    residual: Callable[[str], Any]
-
-    def worst(self) -> Any:
-        """How far the formula is from what it has to say, as it is printed."""
-        return self.residual(self.tex)
-
-
-def against(env: Mapping[str, Any], want: Any, name: str = "") -> Callable[[str], Any]:
-    """Every member of a statement against a value, the quantity on its left by name; a lone term has no left side."""
-
-    def residual(tex: str) -> Any:
-        with mp.workdps(WORKING):
-            (first, *definitions) = read(tex)
-            members = first.members
-            if bool(name) != (len(members) > 1):
-                message = f"{tex} is not of the form {name or 'value'} = value"
-                raise SyntaxError(message)
-            known = environment(definitions, env)
-            own = bound(name, want, known) if name else known
-            return max(difference(member(known if i else own), want) for i, member in enumerate(members))
-
-    return residual
 
 
 def _point(entry: Entry, place: sp.Symbol | None, ratio: sp.Rational) -> Values:
@@ -79,7 +42,7 @@ def _point(entry: Entry, place: sp.Symbol | None, ratio: sp.Rational) -> Values:
 INSIDE, OUTSIDE = sp.Rational(9, 13), sp.Rational(17, 11)
 
 
-def definitions(compact: Entries, complete: Entries) -> list[Reading]:
+def definitions(compact: Entries, complete: Entries) -> list[Line]:
     """The defining integrals, with the functions of one profile of each contact put in."""
     rows = front.definition_rows()
     whole = "Complete contact: "
@@ -91,7 +54,7 @@ def definitions(compact: Entries, complete: Entries) -> list[Reading]:
         want = evaluate(case_at(entries[suffix], values).expr, values, DIGITS)
         with mp.workdps(WORKING):
             env = _with_functions(entries, values)
-        found.append(Reading(f"definition: {label}", tex, against(env, want, NORMAL[suffix])))
+        found.append(Claim(env, want, name_of(entries[suffix])).line(f"definition: {label}", tex))
     return found
 
 
@@ -140,12 +103,12 @@ OF_DEPTH, POWER = "cone", r",\qquad m=2"
 """A contact whose force is printed as a function of the depth, and the power of the depth that it goes with."""
 
 
-def rules(stored: Callable[[str], Entries]) -> list[Reading]:
+def rules(stored: Callable[[str], Entries]) -> list[Line]:
     """The rules for every profile, each against an entry that follows from it, in any text of its own."""
-    return [Reading(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front_rules.rule_rows()]
+    return [Line(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front_rules.rule_rows()]
 
 
-def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], Any]:
+def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], bool]:
     of_depth = one.suffix in ("step", "ramp")
     key = f"{OF_DEPTH}.vis" if of_depth else SUBJECTS[one.system]
     entries, below = stored(key), problem(key).base
@@ -155,41 +118,38 @@ def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callab
     kind, (first, *others) = one.kind, [entries[s] for s in entries if one.suffix in (s, s.partition("_")[0])]
     power = POWER if one.suffix == "ramp" else ""
 
-    def residual(tex: str) -> Any:
-        return worst_residual(Row(first, kind, (Region("", (tex + power,)),), also=tuple(others)), entries, 1, 29, base)
+    def wrong(tex: str) -> bool:
+        own = Row(first, kind, (Region("", (tex + power,)),), also=tuple(others))
+        return not worst_residual(own, entries, 1, 29, base) <= CLOSE
 
-    return residual
+    return wrong
 
 
-def _integral(entries: Entries, suffix: str) -> Callable[[str], Any]:
+def _integral(entries: Entries, suffix: str) -> Callable[[str], bool]:
     """A defining integral with the functions of these entries put in."""
     ((case, values),) = points_of(entries[suffix], "formula", entries, 1, 23)
     # an end of the integral that is less singular leaves more digits
     values = values | {nt.k: sp.Rational(3, 5)}
     want = evaluate(case.expr, values, DIGITS)
     with mp.workdps(WORKING):
-        return against(_with_functions(entries, values), want, NORMAL[suffix])
+        return Claim(_with_functions(entries, values), want, name_of(entries[suffix])).wrong
 
 
-def functions() -> list[Reading]:
+def functions() -> list[Line]:
     """The special functions: the printed integral against what mpmath says about the name, in any text of both."""
+    with mp.workdps(WORKING):
+        both_sides = Claim({name: mp.mpf(text) for name, text in SAMPLES.items()})
     return [
-        Reading(f"special function: {one['name']}", f"{one['name']}={one['definition']}", _both_sides)
+        both_sides.line(f"special function: {one['name']}", f"{one['name']}={one['definition']}")
         for one in front.master_rows()
     ]
 
 
-def _both_sides(tex: str) -> Any:
-    with mp.workdps(WORKING):
-        env = {name: mp.mpf(text) for name, text in SAMPLES.items()}
-        left, right = read(tex)[0].members
-        return difference(left(env), right(env))
-
-
-def laws_of_materials() -> list[Reading]:
+def laws_of_materials() -> list[Line]:
     """E(t), J(t) and Phi_m(t) of every law, against the functions that the engine convolves with."""
     found = []
     names = (nt.E, nt.E_1, nt.E_inf, nt.relaxation, nt.eta, nt.t_0, nt.time)
+    # a misprint of what decays late shows at a time that is not late
     values: Values = {s: sp.Rational(7 + 4 * i, 9 + i) for i, s in enumerate(names)} | {nt.alpha: sp.Rational(2, 5)}
     exponent = sp.Rational(5, 3)
     with mp.workdps(WORKING):
@@ -197,44 +157,39 @@ def laws_of_materials() -> list[Reading]:
     for law, text in zip(viscoelastic.LAWS, laws.laws(), strict=True):
         for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
             want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
-            found.append(Reading(f"law: {text.name}", tex, against(env, want, name.replace("()", "(t)"))))
-        # what is used early holds at any time, and at this one a misprint of what is used late shows
+            found.append(Claim(env, want, name.replace("()", "(t)")).line(f"law: {text.name}", tex))
     return found
 
 
-def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Reading]:
+def panel(profile_id: str, profile: Profile, entries: Entries) -> list[Line]:
     """The shape or the pressure, the shorthands and the slope of a profile."""
     if isinstance(profile, Load):
-        return [_pressure(profile_id, profile)]
-    place = pool_of(profile_id).place
+        ((_, content),) = [line for line in page.panel(profile, {}) if line[0] == "Pressure"]
+        pressure = nt.p_0 * (1 - nt.r**2 / nt.a**2) ** profile.exponent
+        ((tex, condition),) = _stated("p(r)", content)
+        return [_at(f"{profile_id}: p", tex, _panel_point(profile, nt.r, True), pressure, "p(r)", condition)]
+    place, printer = pool_of(profile_id).place, Printer()
     found = []
-    texts = re.findall(
-        r"\$(?:\\displaystyle )?(f\([rx]\)=.*?)\$(?: for \$(.*?)\$)?", panels.shape_tex(profile, str(place))
-    )
-    for piece, (tex, condition) in zip(profile.pieces, texts, strict=True):
-        values = _panel_point(profile, place, piece is profile.pieces[-1])
-        found.append(_at(f"{profile_id}.f", tex, values, piece.expr, f"f({place})", condition))
+    words = page.shape_tex(profile, str(place)), page.derivation(profile_id, profile, entries)
+    for order, (name, text) in enumerate(zip(("f", "f'"), words, strict=True)):
+        texts = _stated(f"{name}({place})", text)
+        for piece, (tex, condition) in zip(profile.pieces, texts, strict=True) if texts or not order else ():
+            values, expr = _panel_point(profile, place, piece is profile.pieces[-1]), sp.diff(piece.expr, place, order)
+            found.append(_at(f"{profile_id}: {name}", tex, values, expr, f"{name}({place})", condition))
     for symbol, expr in profile.abbreviations:
         values = {s: v for s, v in _panel_point(profile, place, True).items() if s in expr.free_symbols}
         values |= {s: sp.Rational(2, 7) for s in expr.free_symbols - set(values)}
-        printer = Printer()
-        found.append(
-            _at(f"{profile_id}: {symbol}", f"{printer(symbol)}={printer(expr)}", values, expr, name_in_print(symbol))
-        )
-    words = page.derivation(profile_id, profile, entries)
-    slopes = re.findall(r"\$(f'\(r\)=.*?)\$(?: for \$(.*?)\$)?", words)
-    for piece, (tex, condition) in zip(profile.pieces, slopes, strict=True) if slopes else ():
-        values = _panel_point(profile, place, piece is profile.pieces[-1])
-        found.append(_at(f"{profile_id}: f'", tex, values, sp.diff(piece.expr, nt.r), "f'(r)", condition))
+        tex = f"{printer(symbol)}={printer(expr)}"
+        found.append(_at(f"{profile_id}: {symbol}", tex, values, expr, name_in_print(symbol)))
     return found
 
 
-def _pressure(profile_id: str, profile: Load) -> Reading:
-    ((_, content),) = [line for line in panels.panel(profile, {}) if line[0] == "Pressure"]
-    tex = re.search(r"(p\(r\)=.*?)\$ for \$r<a\$", content)
-    assert tex
-    values = _panel_point(profile, nt.r, True)
-    return _at(f"{profile_id}: p", tex[1], values, nt.p_0 * (1 - nt.r**2 / nt.a**2) ** profile.exponent, "p(r)")
+def _stated(left: str, words: str) -> list[tuple[str, str]]:
+    """The formulas in words with this left side, and the range in which each holds."""
+    found: list[tuple[str, str]] = re.findall(
+        rf"\$(?:\\displaystyle )?({re.escape(left)}=.*?)\$(?: for \$(.*?)\$)?", words
+    )
+    return found
 
 
 def _panel_point(profile: Profile, place: sp.Symbol, last: bool) -> Values:
@@ -244,17 +199,16 @@ def _panel_point(profile: Profile, place: sp.Symbol, last: bool) -> Values:
     return point.values
 
 
-def _at(place: str, tex: str, values: Values, expr: sp.Expr, name: str, condition: str = "") -> Reading:
+def _at(place: str, tex: str, values: Values, expr: sp.Expr, name: str, condition: str = "") -> Line:
     with mp.workdps(WORKING):
         env = named(values)
-        if condition and not in_range(condition, env):
+        if condition and not holds(condition, env):
             message = f"{place}: {condition} does not hold where the piece does"
             raise LookupError(message)
-    want = evaluate(expr, values, DIGITS)
-    return Reading(place, tex, against(env, want, name))
+    return Claim(env, evaluate(expr, values, DIGITS), name).line(place, tex)
 
 
-def master_table(profile_id: str, entries: Entries) -> list[Reading]:
+def master_table(profile_id: str, entries: Entries) -> list[Line]:
     """Depth and force in the table of all profiles."""
     found = []
     for name, cell in front.master_row(entries).items():
@@ -262,11 +216,9 @@ def master_table(profile_id: str, entries: Entries) -> list[Reading]:
         if tex is None:
             continue
         entry = entries["P" if name == "F" and "P" in entries else name]
-        case = entry.cases[-1]
-        (point,) = points(entry.profile, case.chain, 1, 37, entry.quantity.arguments)
-        assert holds(case, point.values)
+        values = _point(entry, None, sp.S.One)
         with mp.workdps(WORKING):
-            env = Printed(entries, entries).environment(point.values)
-        want = evaluate(case.expr, point.values, DIGITS)
-        found.append(Reading(f"table of profiles: {profile_id}", tex[1], against(env, want)))
+            env = Printed(entries, entries).environment(values)
+        want = evaluate(case_at(entry, values).expr, values, DIGITS)
+        found.append(Claim(env, want).line(f"table of profiles: {profile_id}", tex[1]))
     return found

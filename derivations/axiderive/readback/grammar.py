@@ -1,8 +1,4 @@
-r"""How a printed formula is read.
-
-The tokens of a printed formula, without what only lays it out.
-
-The grammar of printed formulas: recursive descent over the subset of LaTeX that the handbook uses.
+r"""How a printed formula is read: its tokens, and recursive descent over the subset of LaTeX that the handbook uses.
 
 Written without SymPy and without looking at the printer: it reads what the
 reader reads.  A function without brackets takes exactly one factor, \frac binds

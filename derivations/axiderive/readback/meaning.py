@@ -1,8 +1,6 @@
-"""What a printed formula means.
+"""What a printed formula means: nodes that are evaluated where names have values, and the functions it may name.
 
-Functions that a printed formula may name, by their definitions; independent of the engine.
-
-The meaning of a printed formula: nodes that are evaluated where names have values.
+The functions are stated by their definitions, independent of the engine.
 """
 
 from __future__ import annotations

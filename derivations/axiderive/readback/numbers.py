@@ -1,17 +1,15 @@
-"""Numbers in print, computed anew.
+"""Numbers in print, and what they have to be: values of the printed formulas at the parameters that are printed too.
 
-What the numbers in print have to be where there is no profile: prescribed pressures, and an eccentric load.
-
-Numbers in print: check values and worked examples, computed anew from the printed formulas and parameters.
+The tables of check values and the line on the evidence are read here, the worked examples in `examples`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
+from functools import cache, partial
+from typing import Any, NamedTuple
 
 import mpmath as mp
 import sympy as sp
@@ -20,15 +18,12 @@ from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient
 from ..profiles.loads import Load
+from .claims import DIGITS, Line
 from .grammar import read
-from .printed import Printed, name_in_print
+from .meaning import Node
+from .printed import Printed, name_in_print, name_of, value
 
 Entries = Mapping[str, Entry]
-Wanted = dict[str, Callable[[], Any]]
-"""What the numbers of a table or an example have to be, by their names in print."""
-Columns = dict[str, Callable[[Any], Any]]
-"""What the entries of a table have to be at a place, by the key of their column."""
-DIGITS = 30
 BESIDE = "1e-20"
 """How far beside its place a field is evaluated: the place may be a border, which no printed range contains."""
 EXTENT = {"": 1, "G": 10**9, "M": 10**6, "k": 10**3, "m": "1e-3", r"\textmu{}": "1e-6", "n": "1e-9", "p": "1e-12"}
@@ -45,20 +40,6 @@ class Number:
 
     value: Any
     half: Any
-
-
-@dataclass(frozen=True)
-class Printout:
-    """A number of the book: where it stands, its LaTeX, and what it has to be."""
-
-    place: str
-    tex: str
-    want: Any
-
-    def wrong(self, tex: str) -> bool:
-        """Whether a number in its place is not what the formulas give, rounded."""
-        found = number(tex)
-        return bool(abs(found.value - self.want) > found.half * (1 + mp.mpf(10) ** -6))
 
 
 def number(tex: str) -> Number:
@@ -81,6 +62,22 @@ def number(tex: str) -> Number:
     return Number(mp.mpf(digits) * scale, scale * mp.mpf(10) ** -decimals / 2)
 
 
+def rounded(place: str, tex: str, want: Any) -> Line:
+    """A printed number that has to be this one, rounded to its last digit."""
+
+    def wrong(text: str) -> bool:
+        found = number(text)
+        return bool(abs(found.value - want) > found.half * (1 + mp.mpf(10) ** -6))
+
+    return Line(place, tex, wrong)
+
+
+def near(tex: str, excess: Callable[[Any], Any]) -> Any:
+    """The root next to a printed number."""
+    start = number(tex).value
+    return mp.findroot(excess, (start, start * mp.mpf("1.0001")), solver="secant")
+
+
 @cache
 def _symbols() -> dict[str, sp.Symbol]:
     return {name_in_print(n.symbol): n.symbol for n in nt.all_notation() if n.name not in ("j", "N", "stiffness")}
@@ -99,22 +96,25 @@ def given_in(text: str) -> dict[str, Any]:
 
 
 class Contact:
-    """The printed formulas of a profile at parameters that are printed too."""
+    """The printed formulas of a profile at parameters that are printed too.
 
-    def __init__(self, entries: Entries, given: Mapping[str, Any]) -> None:
+    `base` are the entries of the normal contact where these rest on one.
+    """
+
+    def __init__(self, entries: Entries, given: Mapping[str, Any], base: Entries | None = None) -> None:
         profile = next(iter(entries.values())).profile
-        self.entries, self.plane = entries, "w" not in entries
+        self.profile, self.entries, self.plane = profile, entries, "w" not in (base or entries)
         values: dict[Any, Any] = {}
-        for name, value in given.items():
+        for name, given_value in given.items():
             index = re.fullmatch(r"A_(\d)", name)
             symbol = coefficient(int(index[1])) if index else _symbols().get(name)
             if symbol is not None:
-                values[symbol] = sp.Float(str(value), DIGITS + 10)
+                values[symbol] = sp.Float(str(given_value), DIGITS + 10)
         if nt.coefficients in profile.parameters:
             values[nt.N] = sp.Integer(sum(1 for name in given if re.fullmatch(r"A_\d", name)))
         for symbol, expr in profile.abbreviations:
             values.setdefault(symbol, expr.xreplace(values).evalf(DIGITS + 10))
-        self.printed, self.values = Printed(entries, entries), values
+        self.printed, self.values = Printed(entries, base or entries), values
         self.given = dict(given)
 
     def at(self, suffix: str, **known: Any) -> Any:
@@ -122,64 +122,122 @@ class Contact:
         # an integral is split where its place says that a break is crossed
         place = {nt.r: known["r"]} if "r" in known else {}
         env = self.printed.environment(self.values | place) | self.given | known
-        return self.printed.at(suffix, env)
+        return self.printed.at(suffix, env, self.entries)
 
-    def load(self, **known: Any) -> Any:
-        """The normal force, or line load of a plane contact: by its formula, else as given."""
-        suffix = "P" if self.plane else "F"
-        given = {"P": "P", "F": "F_N"}[suffix]
-        return self.at(suffix, **known) if suffix in self.entries else self.given[given]
+    def field(self, suffix: str, place: Any, **known: Any) -> Any:
+        """The same of a field at a place r, or x in a plane contact."""
+        return self.at(suffix, **known, **{"x" if self.plane else "r": place})
 
-    def depth(self, **known: Any) -> Any:
-        """The depth: as given, else by its formula."""
-        return self.given["d"] if "d" in self.given else self.at("d", **known)
+    def under(self, load: Any, shown: Mapping[str, str]) -> dict[str, Any]:
+        """Contact radius and depth at which the printed force carries a load, near the printed ones."""
+        force = "P" if self.plane else "F"
+        if "d" not in self.entries:  # the edge is fixed, and the depth is free
+            depth = {"d": near(shown["d"], lambda d: self.at(force, d=d) / load - 1)} if "d" in shown else {}
+            return {"a": self.given["a"], **depth}
+        known = self.given["a"] if "a" in self.given else near(shown["a"], lambda a: self.at(force, a=a) / load - 1)
+        return {"a": known, "d": self.at("d", a=known)}
 
-    def mean(self, radius: Any = None, load: Any = None) -> Any:
-        """The mean pressure, of what is given unless a radius and a load are."""
-        radius = self.given["a"] if radius is None else radius
-        load = self.load() if load is None else load
-        return load / (2 * radius) if self.plane else load / (mp.pi * radius**2)
+    def names(self, **known: Any) -> dict[str, Any]:
+        """What stands over a number: every quantity and field, each by its printed formula unless it is given."""
+        found: dict[str, Any] = self.printed.environment(self.values)
+        for entry in self.entries.values():
+            name, place, _ = name_of(entry).partition("(")
+            if place:
+                found[f"{name}()"] = partial(self._beside, entry.suffix, known)
+            elif not entry.quantity.inverts:
+                found[name] = Node(lambda env, suffix=entry.suffix: self.at(suffix, **known))  # type: ignore[misc]
+        if isinstance(self.profile, Load):
+            found["F"] = found["F_N"] = Node(lambda env: self._force())
+        if self.plane:  # relative to the level that the depth is measured from
+            found["w()"] = lambda place: self.at("d", **known) - self.at("d", **known, L=place)
+        found["bar p"] = read("P/(2a)" if self.plane else r"F_{\mathrm N}/(\pi a^{2})")[0].members[0]
+        return found | self.given | known
 
-    def pressure(self, place: Any, **known: Any) -> Any:
-        """The pressure at a place r, or x in a plane contact, by its formula."""
-        return self.at("p", **known, **{"x" if self.plane else "r": place})
+    def _beside(self, suffix: str, known: Mapping[str, Any], place: Any) -> Any:
+        """A field next to its place, which may be a border or where a formula is a quotient of zeros."""
+        radius = known.get("a", self.given.get("a"))
+        return self.field(suffix, place * (1 + mp.mpf(BESIDE)) if place else radius * mp.mpf(BESIDE), **known)
 
-    def displacement(self, place: Any, **known: Any) -> Any:
-        """Of a half-plane relative to the level that the depth is measured from."""
-        if self.plane:
-            return self.at("d", **known) - self.at("d", **known, L=place)
-        return self.at("w", **known, r=place)
-
-
-SHARES = {"0": BESIDE, "a/2": "0.5", "-a/2": "-0.5", "2a": "2", "10a": "10"}
-"""Places of a worked example over the contact radius; at zero a formula may be a quotient of zeros."""
-
-
-def prescribed(contact: Contact) -> tuple[Wanted, Columns]:
-    """Numbers by name and columns of the table of a prescribed pressure."""
-    scale = contact.given["p_0"] * contact.given["a"] / contact.given["E*"]
-    wanted = _at_places("w", "r", contact) | {name: lambda: _force(contact) for name in ("F", r"F_{\mathrm N}")}
-    return wanted, {"w": lambda place: contact.at("w", r=place) / scale}
-
-
-def eccentric(contact: Contact) -> tuple[Wanted, Columns]:
-    """The same of a punch that its load tilts."""
-    wanted = _at_places("p", "x", contact)
-    wanted |= {r"\varphi": lambda: contact.at("phi"), r"\ell": lambda: contact.at("cw"), r"\bar p": contact.mean}
-    return wanted, {"p": lambda place: contact.at("p", x=place) / contact.mean()}
+    def _force(self) -> Any:
+        """The force of a prescribed pressure, as the integral of p_0 (1 - r**2/a**2)**s."""
+        assert isinstance(self.profile, Load)
+        power = mp.mpf(str(sp.sympify(self.profile.exponent).xreplace(self.values)))
+        inside = mp.quad(lambda u: (1 - u) ** power, [0, 1])
+        return mp.pi * self.given["a"] ** 2 * self.given["p_0"] * inside
 
 
-def _at_places(suffix: str, axis: str, contact: Contact) -> Wanted:
-    def at(share: str) -> Any:
-        return contact.at(suffix, **{axis: mp.mpf(share) * contact.given["a"]})
+_CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
+_COLUMNS = re.compile(r"\$([^$]+)\$\\enspace\\own\{\w+\}")
+_HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
+_RATIO = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
+_LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
+_PROVED = re.compile(
+    r"\\textcolor\{note\}\{Evidence:\}\\enspace(\d+) of (\d+) formulas? proved; [\w ]+ to at least (\d+) digits"
+    r"(?:; (\d+) (?:is the root of an equation|are roots of equations))?(?:; (\d+) (?:is an integral|are integrals))?"
+    r"\. All of it: \\href\{html/([\w.]+)\.html\}"
+)
 
-    return {f"{suffix}({place})": lambda share=share: at(share) for place, share in SHARES.items()}  # type: ignore[misc]
+
+class Proved(NamedTuple):
+    """What the line on the evidence of a spread states, and the page it names."""
+
+    proved: int
+    formulas: int
+    digits: int
+    roots: int
+    integrals: int
+    page: str
 
 
-def _force(contact: Contact) -> Any:
-    """The force of a prescribed pressure, as the integral of p_0 (1 - r**2/a**2)**s."""
-    load = next(iter(contact.entries.values())).profile
-    assert isinstance(load, Load)
-    power = mp.mpf(str(sp.sympify(load.exponent).xreplace(contact.values)))
-    inside = mp.quad(lambda u: (1 - u) ** power, [0, 1])
-    return mp.pi * contact.given["a"] ** 2 * contact.given["p_0"] * inside
+def proved(text: str) -> Proved:
+    """The line on the evidence of a spread, from its source.
+
+    Raises
+    ------
+    LookupError
+        If the spread has none.
+    """
+    match = _PROVED.search(text)
+    if match is None:
+        message = "no line on the evidence"
+        raise LookupError(message)
+    *counts, page = match.groups(default="0")
+    certified, formulas, digits, roots, integrals = map(int, counts)
+    return Proved(certified, formulas, digits, roots, integrals, page)
+
+
+def check_values(text: str, entries: Entries) -> Iterator[Line]:
+    """The table of check values of a spread, from its source."""
+    match = _CHECKS.search(text)
+    if match is None:
+        return
+    with mp.workdps(DIGITS):
+        given, heads, ratios = given_in(match[1]), _COLUMNS.findall(match[2]), _RATIO.findall(match[2])
+        for line in ratios:
+            yield from _over_breaks(entries, given, heads, line)
+        if ratios:
+            return
+        contact = Contact(entries, given)
+        names = contact.names()
+        for name, tex in _HEAD.findall(match[2]):
+            yield rounded(f"check value {name}", tex, value(name, names))
+        for line in _LINE.findall(match[2]):
+            for head, place, tex in zip(heads, line[::2], line[1::2], strict=True):
+                at = number(place).value * contact.given["a"]
+                fields = {name: names[f"{name}()"](at) for name in "pw" if head.startswith(name)}
+                yield rounded(f"check value {head} at {place}", tex, value(head, names | fields))
+
+
+def _over_breaks(entries: Entries, given: dict[str, Any], heads: list[str], line: list[str]) -> Iterator[Line]:
+    """One line of the table of a profile that breaks, at b over a."""
+    profile, (share, *values) = next(iter(entries.values())).profile, line
+    length = number(share).value * given["a"]
+    own = {name_in_print(profile.breaks[0]): length}
+    for _, expr in profile.abbreviations:
+        unknown = profile.parameters[0]
+        known = {s: sp.Float(str(given[name_in_print(s)]), DIGITS) for s in expr.free_symbols - {unknown}}
+        (solution,) = sp.solve(expr.xreplace(known) - sp.Float(str(length), DIGITS), unknown)
+        own = {name_in_print(unknown): mp.mpf(str(solution))}
+    names = Contact(entries, given | own).names()
+    for head, tex in zip(heads, values, strict=True):
+        yield rounded(f"check value {head} at b/a={share}", tex, value(head, names))

@@ -17,6 +17,7 @@ from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..physics.systems import of
+from ..rows.laws import LawText
 from ..rows.row import Region, Row, kappa_row, row
 from .grammar import read
 from .meaning import Environment, Node, environment
@@ -58,8 +59,7 @@ class Printed:
         """A printed row of the normal contact, or of other entries, where its names have these values."""
         one = row((self.base if entries is None else entries)[suffix])
         region = holding(one, env) if one.kind == "formula" else one.regions[0]
-        statements = read(region.tex)
-        return statements[0].members[-1](environment(statements[1:], env))
+        return value(region.tex, env)
 
     def _of_radius(
         self, suffix: str, env: Environment, tip: Any, entries: Mapping[str, Entry] | None = None
@@ -92,6 +92,21 @@ class Printed:
             "u": [(b * b - radius * radius) ** power for b in breaks if b > radius],
             "psi": [mp.asin(b / radius) for b in breaks if b < radius],
         }
+
+
+def value(tex: str, env: Environment) -> Any:
+    """What a formula gives where its names have these values: its last member, with the definitions behind it."""
+    first, *definitions = read(tex)
+    return first.members[-1](environment(definitions, env))
+
+
+def functions_of(law: LawText, env: Environment) -> dict[str, Callable[[Any], Any]]:
+    """E(t), J(t) and Phi_m(t) of a viscoelastic law as they are printed."""
+
+    def function(text: str) -> Callable[[Any], Any]:
+        return lambda t: value(text, {**env, "t": t})
+
+    return {name: function(text) for name, text in law.functions().items()}
 
 
 @lru_cache(maxsize=256)
@@ -135,48 +150,19 @@ def name_in_print(symbol: sp.Symbol) -> str:
     return read(nt.describe(symbol).latex)[0].members[0].name
 
 
-NORMAL = {
-    "d": "d", "F": "F_N", "p": "p(r)", "w": "w(r)", "k": "dF_N/dd", "pm": "bar p", "ad": "a", "aF": "a", "Fd": "F_N",
-    "dF": "d", "rz": "r_0", "dmin": "d_min", "Fmin": "F_min", "rp": "r_max", "pp": "p_max",
-}  # fmt: skip
-ADHESIVE = {
-    "Dl": "Delta ell", "d": "d_adh(a)", "F": "F_adh(a)", "p": "p_adh(r)", "w": "w_adh(r)", "ad": "a", "aF": "a",
-    "ac": "a_c", "Fc": "F_c", "dc": "d_c", "am": "a_m", "Fm": "F_m", "dm": "d_m",
-}  # fmt: skip
-TANGENTIAL = {"F": "F_x", "tau": "tau(r)", "u": "u", "c": "c", "us": "u_s"}
-PLANE = {
-    "P": "P", "p": "p(x)", "s": "dw/dx", "d": "d", "aP": "a", "xz": "x_0", "Pmin": "P_min", "phi": "varphi",
-    "cw": "ell",
-}  # fmt: skip
-LOADS = {"w": "w(r)"}
-VISCOELASTIC = {"step": "F_N(t)", "load": "a", "ramp": "F_N(t)"}
-NAMES = {
-    "normal": NORMAL, "adhesive": ADHESIVE, "tangential": TANGENTIAL, "plane": PLANE, "loads": LOADS,
-    "viscoelastic": VISCOELASTIC,
-}  # fmt: skip
+OTHERWISE = {"u": "u", "us": "u_s", "dmin": "d_min", "Fmin": "F_min", "Pmin": "P_min"}
+"""Names of quantities in print that are neither their symbol nor that at a place."""
 
 
 def name_of(entry: Entry) -> str:
     """The quantity of an entry as the grammar reads its name, with its argument in brackets: p(r)."""
-    table = NAMES.get(of(entry).physics.name)
-    return table[entry.suffix.partition("_")[0]] if table else name_in_print(entry.quantity.symbol)
-
-
-def bound(name: str, value: Any, env: Mapping[str, Any]) -> dict[str, Any]:
-    """The names of a point with one of them, or a function at one argument, bound to a value."""
-    function, _, argument = name.partition("(")
-    if not argument:
-        return {**env, name: value}
-    return {**env, f"{function}()": _at(name, value, env[argument.rstrip(")")])}
-
-
-def _at(name: str, value: Any, place: Any) -> Callable[[Any], Any]:
-    """A function that is known at one place only."""
-
-    def known(argument: Any) -> Any:
-        if argument != place:
-            message = f"the row states {name}, and not its value at {argument}"
-            raise LookupError(message)
-        return value
-
-    return known
+    own, physics = entry.quantity, of(entry).physics
+    name = OTHERWISE.get(own.suffix) or name_in_print(own.symbol)
+    if own.control:
+        return f"{name.partition('_')[0]}_{own.suffix[-1]}"
+    argument = own.arguments[0] if own.arguments else None
+    if physics.tension and own.symbol in (nt.d, nt.F, nt.p, nt.w):
+        return f"{name.partition('_')[0]}_adh({argument})"
+    if argument in (nt.r, nt.x) and own.symbol != nt.slope:
+        return f"{name}({argument})"
+    return f"{name}(t)" if physics.laws and own.symbol == nt.F else name

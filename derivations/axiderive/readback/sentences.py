@@ -6,10 +6,8 @@ every misprint of a listed one.
 
 from __future__ import annotations
 
-import itertools
 import re
 from collections.abc import Callable, Iterator, Mapping
-from functools import partial
 from typing import Any
 
 import mpmath as mp
@@ -22,10 +20,9 @@ from ..oracle.evaluate import evaluate
 from ..physics import viscoelastic
 from ..print.formula import Printer
 from ..profiles.loads import LOADS
-from .compare import DIGITS, difference
-from .grammar import read
+from .claims import DIGITS, Claim, Line
 from .printed import holds, name_in_print, named
-from .statements import CLOSE, Said, same_range
+from .ranges import in_order
 
 Entries = Mapping[str, Entry]
 LISTED = {
@@ -68,81 +65,57 @@ LISTED = {
 """Formulas in sentences that name, order or point, letter by letter."""
 
 
-def _equal(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
-    """Every member of the statement against a value."""
-
-    def wrong(tex: str) -> bool:
-        with mp.workdps(2 * DIGITS):
-            members = read(tex)[0].members
-            return any(difference(member(env), want) > CLOSE for member in members)
-
-    return wrong
-
-
-def in_front(bodies: Entries) -> Iterator[Said]:
-    """Of the notation, the definitions, the special functions and the laws."""
-    with mp.workdps(2 * DIGITS):
-        values = {s: sp.Rational(7 + 2 * i, 5 + 3 * i) for i, s in enumerate(_symbols(bodies))}
-        values |= {nt.nu_1: sp.Rational(2, 7), nt.nu_2: sp.Rational(3, 11)}
-        env = named(values)
-        for suffix, texts in MODULI.items():
-            modulus = evaluate(bodies[suffix].cases[0].expr, values, DIGITS)
-            name = name_in_print(bodies[suffix].quantity.symbol)
-            for tex in texts:
-                yield Said(tex, _modulus(1 / modulus, env | {name: modulus}))
-        force, radius = mp.mpf("1.7"), mp.mpf("0.6")
-        yield Said(r"F_{\mathrm N}/(\pi a^2)", _equal(force / (mp.pi * radius**2), {"F_N": force, "a": radius}))
-        yield from _laws()
-    for tex, ascending in CONDITIONS.items():
-        yield Said(tex, same_range(partial(_ascends, ascending), tuple(x for x in ascending if x.isalpha())))
-
-
+PLACE = "a sentence"
 CONDITIONS = {
-    "p>0": ("0", "p"), r"0\le z<1": ("0", "z", "1"), "c>q>0": ("0", "q", "c"), "z<1": ("z", "1"),
-    "c>p>0": ("0", "p", "c"), "b<a": ("b", "a"), "b<R": ("b", "R"),
+    "p>0": "0 p", r"0\le z<1": "0 z 1", "c>q>0": "0 q c", "z<1": "z 1", "c>p>0": "0 p c", "b<a": "b a", "b<R": "b R",
 }  # fmt: skip
 """Where the integrals of the special functions converge and are real, in ascending order."""
-
-
-def _ascends(members: tuple[str, ...], env: Mapping[str, Any]) -> bool:
-    known = [env[name] if name.isalpha() else mp.mpf(name) for name in members]
-    return all(lo < hi for lo, hi in itertools.pairwise(known))
-
-
 MODULI = {
     "E_star": (r"1/E^{*}=\sum_i(1-\nu_i^2)/E_i", r"1/E^{*}=(1-\nu_1^2)/E_1+(1-\nu_2^2)/E_2"),
     "G_star": (r"1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)",),
 }  # fmt: skip
 
 
-def _symbols(bodies: Entries) -> list[sp.Symbol]:
-    return sorted({s for suffix in MODULI for s in bodies[suffix].cases[0].expr.free_symbols}, key=str)
+def in_front(bodies: Entries) -> Iterator[Line]:
+    """Of the notation, the definitions, the special functions and the laws."""
+    with mp.workdps(2 * DIGITS):
+        symbols = sorted({s for suffix in MODULI for s in bodies[suffix].cases[0].expr.free_symbols}, key=str)
+        values = {s: sp.Rational(7 + 2 * i, 5 + 3 * i) for i, s in enumerate(symbols)}
+        values |= {nt.nu_1: sp.Rational(2, 7), nt.nu_2: sp.Rational(3, 11)}
+        env = named(values)
+        for suffix, texts in MODULI.items():
+            modulus = evaluate(bodies[suffix].cases[0].expr, values, DIGITS)
+            claim = Claim(env | {name_in_print(bodies[suffix].quantity.symbol): modulus}, 1 / modulus)
+            yield from (Line(PLACE, tex, _of_both_bodies(claim)) for tex in texts)
+        force, radius = mp.mpf("1.7"), mp.mpf("0.6")
+        mean = Claim({"F_N": force, "a": radius}, force / (mp.pi * radius**2))
+        yield mean.line(PLACE, r"F_{\mathrm N}/(\pi a^2)")
+        yield from _laws()
+    for tex, members in CONDITIONS.items():
+        yield Line(PLACE, tex, in_order([sp.sympify(x, {x: sp.Symbol(x)}) for x in members.split()], str))
 
 
-def _modulus(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
+def _of_both_bodies(claim: Claim) -> Callable[[str], bool]:
     """A sum over both bodies is written out before it is read."""
 
     def wrong(tex: str) -> bool:
         left, summed, term = tex.partition(r"\sum_i")
         parts = [re.sub(r"_i(?![a-z])", f"_{body}", term) for body in (1, 2)] if summed else []
         plain = re.sub(r"G_(\d)", r"\\tfrac{E_\1}{2(1+\\nu_\1)}", left + "+".join(parts)) if summed else tex
-        return _equal(want, env)(plain)
+        return claim.wrong(plain)
 
     return wrong
 
 
-def _laws() -> Iterator[Said]:
+def _laws() -> Iterator[Line]:
     exponent, time = mp.mpf("1.75"), mp.mpf("0.8")
     law = viscoelastic.LAWS[-1]
     values = {s: sp.Rational(4 + i, 3 + 2 * i) for i, s in enumerate(sorted(law.creep.free_symbols, key=str))}
-    creep = evaluate(law.creep, values, DIGITS)
-    yield Said(r"J=(t/t_0)^\alpha/E", _equal(creep, named(values) | {"J": creep}))
+    yield Claim(named(values), evaluate(law.creep, values, DIGITS), "J").line(PLACE, r"J=(t/t_0)^\alpha/E")
     moduli = {"E()": lambda t: mp.exp(-t) + mp.mpf("0.3"), "m": exponent, "t": time}
-    with mp.workdps(2 * DIGITS):
-        ramp = exponent * mp.quad(lambda x: x ** (exponent - 1) * moduli["E()"](time * (1 - x)), [0, 1])
-    yield Said(
-        r"\Phi_m(t)=\int_0^1 m\,\xi^{m-1}E\bigl(t(1-\xi)\bigr)\,\mathrm d\xi",
-        _equal(ramp, moduli | {"Phi_m()": lambda t: ramp if t == time else mp.mpf(0)}),
+    ramp = exponent * mp.quad(lambda x: x ** (exponent - 1) * moduli["E()"](time * (1 - x)), [0, 1])
+    yield Claim(moduli, ramp, "Phi_m(t)").line(
+        PLACE, r"\Phi_m(t)=\int_0^1 m\,\xi^{m-1}E\bigl(t(1-\xi)\bigr)\,\mathrm d\xi"
     )
 
 
@@ -150,26 +123,26 @@ ROUNDED = mp.mpf("0.002")
 """A number of three digits."""
 
 
-def in_guide(bodies: Entries, plain: Entries, adhesive: Entries) -> Iterator[Said]:
+def in_guide(bodies: Entries, plain: Entries, adhesive: Entries) -> Iterator[Line]:
     """Of the conventions and of the page on validity, by the elastic constants and the paraboloid."""
     with mp.workdps(2 * DIGITS):
         yield from _moduli(bodies["E_star"])
         values = {nt.R: sp.Rational(7, 4), nt.E_star: sp.Rational(5, 3), nt.dgamma: sp.Rational(3, 7)}
-        env = named(values)
-        yield Said(r"-\tfrac32\pi\Delta\gamma R", _equal(evaluate(adhesive["Fc"].cases[0].expr, values, DIGITS), env))
-        values[nt.a] = radius = evaluate(adhesive["ac"].cases[0].expr, values, DIGITS)
-        shift = evaluate(adhesive["Dl"].cases[0].expr, values, DIGITS)
-        number = (env["R"] * env["Delta gamma"] ** 2 / env["E*"] ** 2) ** (mp.mpf(1) / 3)
-        yield Said(
-            r"\Delta\ell=3.09\,\mu_{\mathrm T}\,z_0",
-            _nearly(shift, {"Delta ell": shift, "mu_T": number, "z_0": mp.mpf(1)}),
-        )
-        middle = evaluate(plain["p"].cases[0].expr, {**values, nt.r: sp.S.Zero}, DIGITS)
-        force = evaluate(plain["F"].cases[0].expr, {**values, nt.a: radius}, DIGITS)
-        yield Said(r"\pi^3R^2p_0^3/(6E^{*2})", _equal(force, env | {"p_0": middle}))
+
+        def at(entry: Entry) -> Any:
+            return evaluate(entry.cases[0].expr, values, DIGITS)
+
+        env, pulled = named(values), at(adhesive["Fc"])
+        yield Claim(env, pulled).line(PLACE, r"-\tfrac32\pi\Delta\gamma R")
+        values |= {nt.a: at(adhesive["ac"]), nt.r: sp.S.Zero}
+        known = {"mu_T": mp.cbrt(env["R"] * env["Delta gamma"] ** 2 / env["E*"] ** 2), "z_0": mp.mpf(1)}
+        shift = Claim(known, at(adhesive["Dl"]), "Delta ell", ROUNDED)
+        yield shift.line(PLACE, r"\Delta\ell=3.09\,\mu_{\mathrm T}\,z_0")
+        force = Claim(env | {"p_0": at(plain["p"])}, at(plain["F"]))
+        yield force.line(PLACE, r"\pi^3R^2p_0^3/(6E^{*2})")
 
 
-def _moduli(entry: Entry) -> Iterator[Said]:
+def _moduli(entry: Entry) -> Iterator[Line]:
     """The contact modulus of a rigid indenter, and of two bodies of one material."""
     young, poisson, rigid = sp.Rational(7, 3), sp.Rational(2, 9), sp.Integer(10) ** (3 * DIGITS)
     cases = (
@@ -179,23 +152,15 @@ def _moduli(entry: Entry) -> Iterator[Said]:
     )
     for numbers, texts in cases:
         values = dict(zip((nt.young_1, nt.nu_1, nt.young_2, nt.nu_2), numbers, strict=True))
-        want = evaluate(entry.cases[0].expr, values, DIGITS)
         modulus, ratio = (mp.mpf(x.p) / x.q for x in numbers[:2])
-        env = {"E": modulus, "nu": ratio, "G": modulus / (2 * (1 + ratio)), "E*": want}
-        yield from (Said(tex, _equal(want, env)) for tex in texts)
+        env, want = (
+            {"E": modulus, "nu": ratio, "G": modulus / (2 * (1 + ratio))},
+            evaluate(entry.cases[0].expr, values, DIGITS),
+        )
+        yield from (Claim(env, want, "E*" if "=" in tex else "").line(PLACE, tex) for tex in texts)
 
 
-def _nearly(want: Any, env: Mapping[str, Any]) -> Callable[[str], bool]:
-    """Every member of the statement against a value, to the digits of its number."""
-
-    def wrong(tex: str) -> bool:
-        with mp.workdps(DIGITS):
-            return any(difference(member(env), want) > ROUNDED for member in read(tex)[0].members)
-
-    return wrong
-
-
-def stable_branch(adhesive: Entries) -> Iterator[Said]:
+def stable_branch(adhesive: Entries) -> Iterator[Line]:
     """The branch that the rules of pull-off are solved on: where force or depth grows with the radius."""
     radii = (sp.Rational(2, 3), sp.Rational(99, 100), sp.Rational(101, 100), sp.Rational(3, 2))
     for suffix, letter in (("d", "m"), ("F", "c")):
@@ -209,54 +174,47 @@ def stable_branch(adhesive: Entries) -> Iterator[Said]:
         def wrong(tex: str, name: str = f"a_{letter}", least: Any = least, points: Any = points) -> bool:
             return any(holds(tex, {"a": least * x.p / x.q, name: least}) != grows for grows, x in points)
 
-        yield Said(rf"a\ge a_{{\mathrm {letter}}}", wrong)
+        yield Line(PLACE, rf"a\ge a_{{\mathrm {letter}}}", wrong)
 
 
-def derivations(entries: Mapping[str, Entries]) -> Iterator[Said]:
+def derivations(entries: Mapping[str, Entries]) -> Iterator[Line]:
     """The pressures that the words on the derivations start from, by what the engine has for them."""
     values = {nt.E_star: sp.Integer(3), nt.d: sp.Rational(2, 7), nt.a: sp.Rational(7, 5), nt.r: sp.Rational(3, 4)}
     with mp.workdps(2 * DIGITS):
-        env = named(values) | {"w_1D()": lambda t: named(values)["d"] if t == named(values)["a"] else mp.mpf(0)}
-        punch = evaluate(entries["flat_punch"]["p"].cases[0].expr, values, DIGITS)
+        env = named(values)
+        env["w_1D()"] = lambda t: env["d"] if t == env["a"] else mp.mpf(0)
+        punch = Claim(env, evaluate(entries["flat_punch"]["p"].cases[0].expr, values, DIGITS))
         for tex in (r"E^{*}d/(\pi\sqrt{a^2-r^2})", r"E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})"):
-            yield Said(tex, _equal(punch, env))
+            yield punch.line(PLACE, tex)
         strip = {nt.P: sp.Rational(5, 3), nt.a: sp.Rational(7, 5), nt.x: sp.Rational(3, 4)}
-        flat = evaluate(entries["plane.flat_punch"]["p"].cases[0].expr, strip, DIGITS)
-        known = named(strip)
-        yield Said(r"P/(\pi\sqrt{t^2-x^2})", _equal(flat, {"P": known["P"], "t": known["a"], "x": known["x"]}))
-        yield _sunk_profile()
+        flat, known = evaluate(entries["plane.flat_punch"]["p"].cases[0].expr, strip, DIGITS), named(strip)
+        within = Claim({"P": known["P"], "t": known["a"], "x": known["x"]}, flat)
+        yield within.line(PLACE, r"P/(\pi\sqrt{t^2-x^2})")
+        # 2/E* times the integral of r p(r)/sqrt(r^2 - x^2) over (x, a) for a pressure that goes with a power
+        p_0, radius, modulus, power, x = map(mp.mpf, ("1.3", "1.7", "2.5", "0.75", "0.6"))
+        wide = mp.sqrt(radius**2 - x**2)
+        integral = mp.quad(lambda y: p_0 * (1 - (x * x + y * y) / radius**2) ** power, [0, wide])
+        sunk = Claim({"p_0": p_0, "a": radius, "E*": modulus, "s": power, "x": x}, 2 / modulus * integral, "w_1D")
+        yield sunk.line(PLACE, r"w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}")
     for load in LOADS:
         if load.exponent != nt.sigma:
             exponent = mp.mpf(load.exponent.p) / load.exponent.q
-            yield Said(f"s={Printer()(load.exponent)}", _equal(exponent, {"s": exponent}))
+            yield Claim({}, exponent, "s").line(PLACE, f"s={Printer()(load.exponent)}")
 
 
-def _sunk_profile() -> Said:
-    """2/E* times the integral of r p(r)/sqrt(r^2 - x^2) over (x, a) for a pressure that goes with a power."""
-    pressure, radius, modulus, power, x = map(mp.mpf, ("1.3", "1.7", "2.5", "0.75", "0.6"))
-    wide = mp.sqrt(radius**2 - x**2)
-    integral = mp.quad(lambda y: pressure * (1 - (x * x + y * y) / radius**2) ** power, [0, wide])
-    want = 2 / modulus * integral
-    env = {"p_0": pressure, "a": radius, "E*": modulus, "s": power, "x": x}
-    return Said(
-        r"w_{\mathrm{1D}}=(p_0 a/E^{*})\,\mathrm B(\tfrac12,s+1)\,(1-x^2/a^2)^{s+1/2}",
-        _equal(want, env | {"w_1D": want}),
-    )
-
-
-def of_profiles(entries: Mapping[str, Entries]) -> Iterator[Said]:
+def of_profiles(entries: Mapping[str, Entries]) -> Iterator[Line]:
     """Lengths in the words on single profiles."""
     for key, bound, near in (("gaussian", "1.50198", 0), ("gaussian.fgm", "1.2286", -1), ("gaussian.fgm", "1.8788", 1)):
-        yield Said(rf"{bound}\,s", _bound(entries[key]["d"], bound, sp.Rational(near, 2)))
+        yield Line(PLACE, rf"{bound}\,s", _bound(entries[key]["d"], bound, sp.Rational(near, 2)))
     (shape,) = entries["hyperboloid"]["d"].profile.pieces
     curvature = sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0)
     values = {nt.b: sp.Rational(3, 4), nt.theta: sp.Rational(2, 5)}
     with mp.workdps(2 * DIGITS):
-        yield Said(r"b/\tan \theta", _equal(evaluate(1 / curvature, values, DIGITS), named(values)))
+        yield Claim(named(values), evaluate(1 / curvature, values, DIGITS)).line(PLACE, r"b/\tan \theta")
         values = {nt.a: sp.Rational(3, 4), nt.R: sp.Rational(9, 5)}
         edge = next(x for case in entries["capped_cylinder"]["F"].cases for x in case.chain if x.has(nt.d))
         depth = mp.findroot(sp.lambdify(nt.d, (edge - nt.a).subs(values), "mpmath"), mp.mpf("0.3"))
-        yield Said("a^2/R", _equal(depth, named(values)))
+        yield Claim(named(values), depth).line(PLACE, "a^2/R")
 
 
 def _bound(depth: Entry, text: str, exponent: sp.Rational) -> Callable[[str], bool]:

@@ -1,14 +1,17 @@
-r"""The formulas of the compiled source: every row that TeX sets, found without the generator.
+r"""The formulas of the compiled source, found by the line they stand in, without the generator.
 
 A row is an argument of \frow or \fpair, a definition or special function in a
 box of its own, a cell of the table of profiles, or a line of a definition panel.
-All other mathematics of the source stands in a sentence, a range, a figure or a
-table of numbers.
+A limit, an approach or a universal curve has no key of its own: the comment
+above it says which entries it is about, `%% limit cone.d`.  All other mathematics
+stands in words: a range beside a row, a domain, a number of a table, a figure,
+or a sentence.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -86,3 +89,104 @@ def arguments(text: str) -> list[str]:
             if depth == 0:
                 found.append(text[start:i])
     return found
+
+
+_HEADS = re.compile(r"([a-z-]+)((?: [\w.]+\.\w+)+)")
+
+
+@dataclass(frozen=True)
+class Further:
+    """A row as TeX sets it: its kind, the keys it is about, its range or approach, its formula."""
+
+    kind: str
+    keys: tuple[str, ...]
+    small: str
+    tex: str
+
+
+def further(text: str) -> Iterator[Further]:
+    """The rows of one source file in their order."""
+    comment = ""
+    for line in text.splitlines():
+        if line.startswith("%% "):
+            comment = line.removeprefix("%% ")
+        elif line.startswith(r"\further"):
+            whole = arguments(line)
+            halves = [arguments(half) for half in whole] if line.startswith(r"\furtherpair") else [whole]
+            kinds = _HEADS.findall(comment)
+            for half, (kind, keys) in zip((half for half in halves if any(half[2:3])), kinds, strict=True):
+                yield Further(kind, tuple(keys.split()), half[1].strip("$"), without_remark(half[2]))
+
+
+Where = Literal["range", "approach", "domain", "number", "figure", "sentence"]
+Says = Literal["relation", "value", "symbol"]
+_MATHEMATICS = re.compile(r"(?<!\\)\$((?:[^$\\]|\\.)+)\$")
+_RELATION = re.compile(r"=|<|>|\\(?:le|ge|to|ll|sim|approx)(?![a-z])")
+_VALUE = re.compile(r"\\(?:[dt]?frac|sqrt|int|sum)(?![a-z])|[\w})|]\s*[-+/]\s*[\w({\\|]|\d\\,[A-Za-z\\]|\w\^\{?[\w(]")
+_PLAIN = re.compile(
+    r"(?:10)?\^\{[^}]*\}|u\^\{\(0\)\}|E\^\{\*\}|G\^\{\*\}|[-\d.]+(?:\\,\d+)*(?:\\times10\^\{-?\d+\})?|1/[\w\\{}]+"
+    r"|\\(?:int|surd|circ)_\{\d+\}|\\(?:int|surd|circ)"
+)
+_LABELS = {"Parameter": "domain", "Parameters": "domain", "Limits": "approach"}
+
+
+@dataclass(frozen=True)
+class Inline:
+    """A formula within words: the kind of its place, its LaTeX, and the words it stands in."""
+
+    where: Where
+    tex: str
+    line: str
+
+    @property
+    def kind(self) -> Says:
+        """A relation says something, and so does a value that is more than a name; a symbol or a number does not."""
+        if _RELATION.search(self.tex):
+            return "relation"
+        return "value" if _VALUE.search(self.tex) and not _PLAIN.fullmatch(self.tex) else "symbol"
+
+
+def inline(text: str) -> list[Inline]:
+    """The formulas within the words of one source file, in their order."""
+    own = {one.tex for one in formulas(text) if one.kind not in ("row", "further")}
+    found = [one for where, line in _places(text) for one in _in_line(where, line)]
+    return [one for one in found if one.tex.removeprefix(r"\displaystyle ") not in own]
+
+
+def _places(text: str) -> Iterator[tuple[Where, str]]:
+    """The lines of a source with what they belong to."""
+    drawn = counted = tabled = False
+    for line in text.splitlines():
+        drawn = drawn or r"\begin{tikzpicture}" in line
+        tabled = (tabled or line.startswith(r"\parthead{Notation}")) and not line.startswith(r"\end{longtable}")
+        counted = counted or line.endswith((r"{Check values}", r"{Worked example}"))
+        label, _, content = line.strip().partition(" & ")
+        if drawn or line.startswith(r"\figcap"):
+            yield "figure", line
+        elif counted:
+            yield "number", line
+        elif line.startswith((r"\frow", r"\fpair", r"\further")):
+            yield from _of_row(line)
+        elif tabled and line.count(" & ") == 3:
+            symbol, unit, domain, meaning = line.split(" & ")
+            yield "domain", f"{domain} of {symbol.strip().strip('$')}"
+            yield "sentence", f"{symbol} {unit} {meaning}"
+        elif line.startswith(" ") and label in _LABELS:
+            yield ("approach" if label == "Limits" else "domain"), content
+        else:
+            yield "sentence", line
+        drawn = drawn and r"\end{tikzpicture}" not in line
+        counted = counted and not line.startswith((r"\bottomrule", r"\par}"))
+
+
+def _of_row(line: str) -> Iterator[tuple[Where, str]]:
+    """Beside the formula of a row: its range or approach, and the words behind it."""
+    halves = arguments(line) if line.startswith((r"\fpair", r"\furtherpair")) else [line]
+    for half in halves:
+        _, small, tex, *_ = [*arguments(half), "", ""]
+        yield ("approach" if r"\to" in small else "range"), small
+        yield "sentence", tex.partition(r"\remark{")[2]
+
+
+def _in_line(where: Where, line: str) -> Iterator[Inline]:
+    return (Inline(where, match[1], line) for match in _MATHEMATICS.finditer(line))

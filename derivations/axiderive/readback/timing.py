@@ -8,8 +8,8 @@ from typing import Any
 
 import mpmath as mp
 
-from .numbers import Printout
-from .statements import Said
+from .claims import Line
+from .numbers import rounded
 
 Row = Mapping[str, Any]
 _SENTENCE = re.compile(
@@ -37,33 +37,33 @@ METHODS = {
 OWN = ("emitted", "generated rule")
 
 
-def sentences(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Printout | Said]:
+def sentences(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Line]:
     """Every number and every name of a method in the sentences of a spread."""
     for match in _SENTENCE.finditer(text):
         own_key = _key(match, profile)
         rows = _shown(own_key, record)
         own = next(row for row in rows if row["method"] == "emitted")
         place = f"timing of {own_key}"
-        yield Printout(f"{place} error", match["error"], mp.mpf(str(own["worst"])))
-        yield Printout(f"{place} points", match["points"], own["points"])
+        yield rounded(f"{place} error", match["error"], mp.mpf(str(own["worst"])))
+        yield rounded(f"{place} points", match["points"], own["points"])
         if match["nodes"]:
             enough = [_size(row) for row in _right(rows, REACHED) if row["method"] == "generated rule"]
-            yield Printout(f"{place} nodes", match["nodes"], min(enough))
-            yield Printout(f"{place} reached", match["reached"], mp.mpf(REACHED))
+            yield rounded(f"{place} nodes", match["nodes"], min(enough))
+            yield rounded(f"{place} reached", match["reached"], mp.mpf(REACHED))
         others = [row for row in _right(rows, GOAL) if row["method"] not in OWN]
-        yield Printout(f"{place} goal", match["goal"] or match["none"], mp.mpf(GOAL))
+        yield rounded(f"{place} goal", match["goal"] or match["none"], mp.mpf(GOAL))
         if match["none"]:
-            yield Said(f"no other way in {place}", lambda tex, others=others: bool(others))  # type: ignore[misc]
+            yield Line(place, f"no other way in {place}", lambda tex, others=others: bool(others))  # type: ignore[misc]
             continue
         best = min(others, key=lambda row: float(row["ratio"]))
-        yield Printout(f"{place} times", match["times"], mp.mpf(str(best["ratio"])))
+        yield rounded(f"{place} times", match["times"], mp.mpf(str(best["ratio"])))
         faster = float(best["ratio"]) < 1
-        yield Said(match["words"], lambda tex, faster=faster: (tex == "of the time") != faster)  # type: ignore[misc]
+        yield Line(place, match["words"], lambda tex, faster=faster: (tex == "of the time") != faster)  # type: ignore[misc]
         sizes = [_size(best)] if best["setting"] else []
-        yield Said(match["name"], lambda tex, want=(best["method"], sizes): _named(tex) != want)  # type: ignore[misc]
+        yield Line(place, match["name"], lambda tex, want=(best["method"], sizes): _named(tex) != want)  # type: ignore[misc]
 
 
-def key(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Said]:
+def key(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Line]:
     """What each letter means and the sizes in its words."""
     drawn = list(dict.fromkeys(row["method"] for row in record["rows"] if row["worst"] is not None))
     keys = {_key(match, profile) for match in _SENTENCE.finditer(text)}
@@ -71,7 +71,7 @@ def key(text: str, profile: str, record: Mapping[str, Any]) -> Iterator[Said]:
     for letter, words in _LETTER.findall(text):
         method = drawn[ord(letter) - ord("a")]
         want = method, sorted({_size(row) for row in rows if row["method"] == method and row["setting"]})
-        yield Said(words, lambda tex, want=want: _named(tex) != want)  # type: ignore[misc]
+        yield Line(f"letter {letter}", words, lambda tex, want=want: _named(tex) != want)  # type: ignore[misc]
 
 
 def _key(match: re.Match[str], profile: str) -> str:

@@ -14,9 +14,9 @@ from ..abel.masters import C0, StruveH
 from ..entry import Case, Entry
 from ..oracle.evaluate import evaluate, evaluate_case, holds
 from ..oracle.values import evaluated
+from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
-from ..print.width import width
 from .points import points_of
 
 NEAR = sp.Symbol("near", positive=True)

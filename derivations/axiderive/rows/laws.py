@@ -17,9 +17,9 @@ from ..entry import Entry
 from ..notation import E_star, a, d, time, v
 from ..physics import adhesive, viscoelastic
 from ..physics.medium import GRADED, Medium
+from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
-from ..print.width import width
 from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)
@@ -85,8 +85,16 @@ def _of(kind: str, entries: Mapping[str, Entry]) -> tuple[Entry, ...]:
     return tuple(entry for suffix, entry in entries.items() if suffix.startswith(kind + "_"))
 
 
-def _row(own: tuple[Entry, ...], regions: tuple[Region, ...], remark: str = "", uses: str = "") -> Row:
-    return Row(own[0], "rule", regions, remark, uses, also=own[1:])
+RULES = {
+    "step": r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",
+    "load": r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",
+    "ramp": r"F_{\mathrm N}(t)=\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)",
+}
+"""What holds for every profile, by the first part of the keys."""
+
+
+def _row(own: tuple[Entry, ...], tex: str, remark: str = "", uses: str = "") -> Row:
+    return Row(own[0], "rule", (Region("", (tex,)),), remark, uses, also=own[1:])
 
 
 def _simple(entry: Entry) -> bool:
@@ -101,29 +109,25 @@ def _text(entry: Entry, *replaced: tuple[sp.Expr, sp.Expr]) -> str:
 def _step(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     elastic = viscoelastic.of_depth(plain)
     if _simple(elastic):
-        text = _text(elastic, (E_star, RELAXATION))
-        return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text}",)),))
+        return _row(own, rf"F_{{\mathrm N}}(t)={_text(elastic, (E_star, RELAXATION))}")
     if "Fd" not in plain:
-        return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(d)",)),))
-    return _row(own, (Region("", (r"F_{\mathrm N}(t)=\frac{E(t)}{E^{*}}\,F_{\mathrm N}(a)",)),), "with $a$ from", "ad")
+        return _row(own, RULES["step"])
+    return _row(own, RULES["step"].replace("(d)", "(a)"), "with $a$ from", "ad")
 
 
 def _load(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     radius = plain["aF"]
     if _simple(radius):
-        text = _text(radius, (E_star, 1 / COMPLIANCE))
-        return _row(own, (Region("", (f"a={text}",)),))
-    return _row(own, (Region("", (r"F_{\mathrm N}(a)=E^{*}J(t)\,F_{\mathrm N}",)),), "solved for $a$")
+        return _row(own, f"a={_text(radius, (E_star, 1 / COMPLIANCE))}")
+    return _row(own, RULES["load"], "solved for $a$")
 
 
 def _ramp(own: tuple[Entry, ...], plain: Mapping[str, Entry]) -> Row:
     elastic = viscoelastic.of_depth(plain)
-    power = viscoelastic.elastic_exponent(elastic)
+    text = RULES["ramp"]
     if _simple(elastic):
-        text = _text(elastic, (E_star, RAMP), (d, v * time))
-    else:
-        text = r"\frac{\Phi_{m}(t)}{E^{*}}\,F_{\mathrm N}(v t)"
-    return _row(own, (Region("", (rf"F_{{\mathrm N}}(t)={text},\qquad m={Printer()(power)}",)),))
+        text = rf"F_{{\mathrm N}}(t)={_text(elastic, (E_star, RAMP), (d, v * time))}"
+    return _row(own, rf"{text},\qquad m={Printer()(viscoelastic.elastic_exponent(elastic))}")
 
 
 RATIO = sp.Symbol("x", positive=True)

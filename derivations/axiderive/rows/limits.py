@@ -1,8 +1,6 @@
-"""Profiles that turn into simpler ones, in print.
+"""Profiles that turn into simpler ones, in print: what the checks found true, from the entries of the simpler one.
 
-Limits of a profile to simpler ones in print: what the stored checks found true, from the entries of the simpler.
-
-Profiles that turn into simpler ones in a limit the profile files do not name, and those of the plane.
+The limits that the profile files name are those of the stored checks; others, and those of the plane, are checked here.
 """
 
 from __future__ import annotations
@@ -18,9 +16,9 @@ from ..entry import Case, Entry
 from ..notation import R1, R2, R, a, b, h, n, r
 from ..physics import complete, normal, plane
 from ..physics.normal import derive
+from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
-from ..print.width import width
 from ..profiles import load
 from ..profiles import plane as flat
 from ..profiles.profile import Limit, Profile

@@ -8,8 +8,8 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import F, L, a, c, d, e, n, r, x
+from ..print.box import bracket
 from ..print.formula import Printer
-from ..print.height import bracket
 
 Pairs = tuple[tuple[sp.Expr, sp.Expr], ...]
 """Comparisons low < high."""

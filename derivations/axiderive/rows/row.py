@@ -16,11 +16,10 @@ from ..entry import Entry
 from ..notation import a_c, c, r_peak
 from ..physics import adhesive, loads, materials, plane, viscoelastic
 from ..physics.systems import System, of
+from ..print.box import brackets_around, size_around, width
 from ..print.formula import Printer
-from ..print.height import brackets_around, size_around
 from ..print.shorthand import LINE, Short, shortened, with_kappa
 from ..print.terms import tidied
-from ..print.width import width
 from .ranges import Pairs, chain_of, condition, regions
 from .rules import rule
 
