@@ -157,7 +157,10 @@ class Entry:
         out = []
         for expr, own in groups.items():
             others = [case for case in self.cases if case.expr != expr]
-            out.append((_distinguish(own, others), expr))
+            # the only formula of a quantity may hold for some exponents alone
+            first, *_ = pairs = tuple(zip(own[0].chain, own[0].chain[1:], strict=False)) or ((sp.S.Zero, sp.S.Zero),)
+            bound = pairs[:1] if not others and first[0].is_Number and first[1].is_Symbol else ()
+            out.append((bound or _distinguish(own, others), expr))
         return tuple(out)
 
     def text(self) -> str:
