@@ -665,7 +665,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         "one change of the sign of dp/dr",
     ),
     "peak._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
-    "peak._of_power: require_regions(proof.entries['rp'], ((one, n, two), (two, n": (
+    "peak._of_power: require_regions(entry, ((one, n, two), (two, n)))": (
         lambda: regions("power_law", "rp", (a, h), (sp.Integer(2), n)),
         ONCE,
     ),
@@ -673,7 +673,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: hollowed("power_law"),
         "one change of the sign of dp/dr for n > 2",
     ),
-    "peak._pressure_of_power: require_regions(proof.entries['pp'], ((sp.Integer(1), n),))": (
+    "peak._pressure_of_power: require_regions(entry, ((sp.Integer(1), n),))": (
         lambda: regions("power_law", "pp", (a, h)),
         ONCE,
     ),
@@ -689,7 +689,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
         "is no positive factor",
     ),
-    "peak.pressure: require_regions(proof.entries['pp'], (ring.chain,))": (
+    "peak.pressure: require_regions(entry, (ring.chain,))": (
         lambda: regions("quartic", "pp", (a, h)),
         ONCE,
     ),

@@ -249,6 +249,16 @@ def test_a_scene_has_a_function_for_either_result(tmp_path: Any) -> None:
     assert space["peak_radius"](1.62, b=1.15) == pytest.approx(wanted.radius, rel=8 * EPS)
 
 
+def test_a_scene_of_a_power_has_them_too(tmp_path: Any) -> None:
+    made = composed_from(SCENE.format(kind="power_law"))
+    assert run_plainly(made, tmp_path)
+    space: dict[str, Any] = {}
+    exec(made.files["scene.py"].decode(), space)
+    wanted = power_law.peak_pressure(0.3, A=1.2, n=3.4, E_star=2.0)
+    assert space["peak_pressure"](0.3, A=1.2, n=3.4, E_star=2.0) == pytest.approx(wanted.pressure, rel=8 * EPS)
+    assert space["peak_radius"](0.3, n=3.4) == pytest.approx(wanted.radius, rel=8 * EPS)
+
+
 def test_a_scene_of_another_profile_has_none() -> None:
     assert "unknown quantity 'peak_pressure' of normal" in problems(SCENE.format(kind="cone"))
 

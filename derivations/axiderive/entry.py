@@ -214,7 +214,7 @@ COMPACT = {
         Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,), inverts="F", composed=("d", "aF"),
                  summary="Indentation depth under the normal force F."),
         Quantity("rp", "peak_pressure", "Greatest pressure: its radius", nt.r_peak, (nt.a,), "radius",
-                 summary="Radius of the greatest pressure."),
+                 row="Ring: of greatest pressure", summary="Radius of the greatest pressure."),
         Quantity("pp", "peak_pressure", "Greatest pressure", nt.p_peak, (nt.a,), "pressure",
                  summary="Greatest pressure, and the radius of the ring on which it is."),
     )

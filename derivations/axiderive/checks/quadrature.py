@@ -64,7 +64,7 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
         return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
     if quantity.member:
         # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
-        drawn = points(profile, entries["d"].cases[0].chain, count, seed)
+        drawn = points(profile, (*profile.breaks, nt.a), count, seed)
         known = [point for point in drawn if any(holds(case, point.values) for case in entries["rp"].cases)]
         return [point for point in known if not point.extreme][:3]
     source = entries[quantity.inverts or suffix]

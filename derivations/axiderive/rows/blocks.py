@@ -94,7 +94,9 @@ def told(one: Row, profile_id: str) -> dict[str, Any]:
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
     """A row as the template of the book sees it."""
     found = told(one, profile_id)
-    if found["small"].startswith("of first") and one.regions[0].condition:  # the range stands where the words would
+    if (
+        found["small"].startswith(("of first", "of greatest")) and one.regions[0].condition
+    ):  # the range stands where the words would
         found["label"] += f" {found['small']}"
     return found
 

@@ -23,20 +23,21 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
     """The private functions of both results, where the profile has them."""
     if "rp" not in entries:
         return
-    if entries["rp"].status == "root":
+    ring, greatest = entries["rp"], entries["pp"]
+    if ring.status == "root":
         build = _beyond if compact.b else _of_power
-        build(compact, functions, entries)
+        build(compact, functions, greatest)
         return
-    for suffix, name in (("rp", RADIUS), ("pp", entries["pp"].quantity.function)):
-        (case,) = entries[suffix].cases
-        form = functions.form(entries[suffix], case.expr, facts_of(case.chain))
+    for entry, name in ((ring, RADIUS), (greatest, greatest.quantity.function)):
+        (case,) = entry.cases
+        form = functions.form(entry, case.expr, facts_of(case.chain))
         functions.add(name, ("a",), functions.returned(form), functions.needs(form, ("a",)))
 
 
-def _of_power(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
+def _of_power(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
     """By what is left of a**2 outside the ring, which says more than the radius next to the edge."""
     functions.add(RADIUS, ("a",), ["return a * ring_of_greatest_pressure(n)"], {"n"})
-    entry, rise = entries["pp"], sp.Symbol("rise", positive=True)
+    rise = sp.Symbol("rise", positive=True)
     (case,) = entry.cases
     expr = case.expr.subs(r_peak, a * sp.sqrt(1 - 1 / rise**2))
     form = functions.form(entry, expr, facts_of(case.chain))
@@ -46,9 +47,9 @@ def _of_power(compact: Compact, functions: PrivateFunctions, entries: Mapping[st
     functions.add(entry.quantity.function, ("a",), [*lines, "return np.where(n > 1.0, greatest, np.inf)"], needs)
 
 
-def _beyond(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
+def _beyond(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
     """By the share of the rounding that the radius lies in, which says more than the radius next to a = b."""
-    name = entries["pp"].quantity.function
+    name = entry.quantity.function
     b, slope, (condition, _) = str(compact.b), compact.slopes["beyond"][0], compact.domain()
     # without an edge ring and pressure have no bound, which the product of nothing and infinity does not say
     within = f"np.where({condition}, np.where(a < np.inf, {{}}, a), np.nan)"

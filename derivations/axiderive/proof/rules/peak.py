@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from ...abel.masters import IncompleteBeta
-from ...entry import Case
+from ...entry import Case, Entry
 from ...notation import a, r, r_peak
 from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import canonical, normal, require_analytic, sign
@@ -20,7 +20,7 @@ def radius(proof: Compact) -> list[str]:
     """The ring, given as a formula or by an equation."""
     entry = proof.entries["rp"]
     if (n := free_power(proof)) is not None:
-        return _of_power(proof, n)
+        return _of_power(proof, entry, n)
     regimes = tuple(case.chain for case in proof.entry("d").cases)
     require_regions(entry, regimes)
     (case,) = entry.cases
@@ -53,15 +53,15 @@ def free_power(proof: Compact) -> sp.Symbol | None:
     return n if n in proof.profile.parameters else None
 
 
-def _of_power(proof: Compact, n: sp.Symbol) -> list[str]:
+def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     """With D = left - right of the equation, of which left is C, dp/dr = F D; D falls with r.
 
     For n > 2, F > 0 and d/dr (r^(n - 2) C) = (n - 2) r^(n - 3) D. Were D < 0 up to some r, r^(n - 2) C would fall there
     from a value above zero, but it would be less than r^(n - 2) times the right side, which goes to zero with r.
     """
     one, two = sp.Integer(1), sp.Integer(2)
-    require_regions(proof.entries["rp"], ((one, n, two), (two, n)))
-    centre, ring = (case.expr for case in proof.entries["rp"].cases)
+    require_regions(entry, ((one, n, two), (two, n)))
+    centre, ring = (case.expr for case in entry.cases)
     (whole,) = proof.entry("p").cases
     left, right = (side.subs(r_peak, r) for side in ring.args)
     beyond, below = Domain(whole.chain, (two, n)), Domain(whole.chain, (one, n, two))
@@ -139,10 +139,11 @@ def _factor(right: sp.Expr, edge: sp.Expr, angle: sp.Expr, proof: Compact, chain
 
 def pressure(proof: Compact) -> list[str]:
     """p on that ring."""
+    entry = proof.entry("pp")
     if (n := free_power(proof)) is not None:
-        return _pressure_of_power(proof, n)
-    (ring,), (own,) = proof.entries["rp"].cases, proof.entry("pp").cases
-    require_regions(proof.entries["pp"], (ring.chain,))
+        return _pressure_of_power(proof, entry, n)
+    (ring,), (own,) = proof.entries["rp"].cases, entry.cases
+    require_regions(entry, (ring.chain,))
     if proof.entries["rp"].status != "root":
         (whole,) = proof.entry("p").cases
         if not own.expr.is_positive or sign(whole.expr, proof.domain(whole.chain)) <= 0:
@@ -156,10 +157,10 @@ def pressure(proof: Compact) -> list[str]:
     return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]
 
 
-def _pressure_of_power(proof: Compact, n: sp.Symbol) -> list[str]:
+def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     """r dp/dr = (n - 1) [p - p_max(r)], so that p = p_max(r) where dp/dr = 0; on the axis r dp/dr -> 0."""
-    require_regions(proof.entries["pp"], ((sp.Integer(1), n),))
-    ((greatest,), (whole,)) = proof.entries["pp"].cases, proof.entry("p").cases
+    require_regions(entry, ((sp.Integer(1), n),))
+    (greatest,), (whole,) = entry.cases, proof.entry("p").cases
     domain = Domain(whole.chain, (sp.Integer(1), n))
     there = greatest.expr.subs(r_peak, r)
     gap = r * sp.diff(whole.expr, r) - (n - 1) * (whole.expr - there)
