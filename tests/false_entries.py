@@ -215,7 +215,7 @@ PROBLEMS = (
     *("paraboloid.tan", "power_law.tan", "truncated_paraboloid.tan", "rounded_punch.tan"),
     *("paraboloid.fgm.tan", "truncated_cone.fgm.tan"),
     *("polynomial", "polynomial.adh", "polynomial.tan"),
-    *("quartic", "rounded_punch"),
+    *("quartic", "rounded_punch", "power_law"),
     *("cone.vis", "sphere.vis", "flat_punch.vis", "capped_cylinder.vis"),
     *PLANE,
     ECCENTRIC,

@@ -30,7 +30,7 @@ COMPACT = {
 }  # fmt: skip
 COMPLETE = {"profile", "force", "pressure", "displacement", "stiffness", "depth_from_force"}
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
-PEAKED = ("quartic", "sextic", "rounded_punch")
+PEAKED = ("quartic", "sextic", "rounded_punch", "power_law")
 ADHESIVE = {
     "retraction", "depth", "force", "pressure", "displacement", "radius_from_depth", "radius_from_force", "pull_off",
 }  # fmt: skip

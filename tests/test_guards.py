@@ -151,10 +151,10 @@ def hollowed(key: str) -> Claim:
     true = derived(key)
     profile = true["rp"].profile
     hollow = replace(profile, pieces=tuple(replace(piece, expr=-piece.expr) for piece in profile.pieces))
-    (ring,) = true["rp"].cases
-    if isinstance(ring.expr, sp.Equality):
-        ring = replace(ring, expr=sp.Eq(-ring.expr.lhs, -ring.expr.rhs, evaluate=False))
-    entries = {"rp": replace(true["rp"], profile=hollow, cases=(ring,))}
+    rings = true["rp"].cases
+    if profile.breaks:
+        rings = tuple(replace(one, expr=sp.Eq(-one.expr.lhs, -one.expr.rhs, evaluate=False)) for one in rings)
+    entries = {"rp": replace(true["rp"], profile=hollow, cases=rings)}
     for suffix in ("d", "p"):
         cases = tuple(replace(case, expr=-case.expr) for case in true[suffix].cases)
         primitives = {
@@ -665,6 +665,18 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         "one change of the sign of dp/dr",
     ),
     "peak._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
+    "peak._of_power: require_regions(entry, ((one, n, two), (two, n)))": (
+        lambda: regions("power_law", "rp", (a, h), (sp.Integer(2), n)),
+        ONCE,
+    ),
+    "peak._of_power: one change of the sign of dp/dr for n > 2, and none for n <": (
+        lambda: hollowed("power_law"),
+        "one change of the sign of dp/dr for n > 2",
+    ),
+    "peak._pressure_of_power: require_regions(entry, ((sp.Integer(1), n),))": (
+        lambda: regions("power_law", "pp", (a, h)),
+        ONCE,
+    ),
     "peak._balance: require_analytic(left, outside)": (
         lambda: balance(lambda left, right: (left + Leap(a - nt.r_peak), right)),
         "the real range of Leap",
@@ -677,7 +689,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
         "is no positive factor",
     ),
-    "peak.pressure: require_regions(proof.entries['pp'], (ring.chain,))": (
+    "peak.pressure: require_regions(entry, (ring.chain,))": (
         lambda: regions("quartic", "pp", (a, h)),
         ONCE,
     ),

@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 from scenes import composed_from, problems, run_plainly
 
-from axicontact.normal import quartic, rounded_punch, sextic
+from axicontact.normal import power_law, quartic, rounded_punch, sextic
 from axiderive import notation as nt
 from axiderive.checks import quadrature
 from axiderive.entry import Entry
@@ -109,6 +109,42 @@ def test_powers_have_it_at_a_fixed_share_of_the_radius(module: Any, share: float
     assert module.pressure(places, 0.3, A=2.0, E_star=5.0).max() <= found.pressure * (1 + 4 * EPS)
 
 
+@pytest.mark.parametrize("n", [2.0 + 1e-12, 2.001, 2.4, 3.0, 3.5, 4.0, 6.0, 7.3, 25.0, 300.0])
+def test_the_last_places_of_any_power(n: float) -> None:
+    """1 and 3.5 are measured at 70 powers between 2 + 1e-12 and 1000."""
+    entries = derive(load("power_law"))
+    values = {a: 0.7, nt.A: 1.3, nt.n: n, E_star: 2.5}
+    found = power_law.peak_pressure(0.7, A=1.3, n=n, E_star=2.5)
+    assert ulps(found.radius, of_contact(entries, "rp", values)) <= 4.0
+    assert ulps(found.pressure, of_contact(entries, "pp", values)) <= 8.0
+
+
+@pytest.mark.parametrize(("n", "module"), [(4.0, quartic), (6.0, sextic)])
+def test_the_power_law_has_the_peak_of_its_special_cases(n: float, module: Any) -> None:
+    found, own = power_law.peak_pressure(0.3, A=2.0, n=n, E_star=5.0), module.peak_pressure(0.3, A=2.0, E_star=5.0)
+    assert found == pytest.approx(own, rel=8 * EPS)
+
+
+def test_up_to_the_paraboloid_the_peak_is_on_the_axis() -> None:
+    """Without bound for n <= 1; beyond n = 2 it leaves the axis as pi (n - 2)/2."""
+    powers = np.array([0.5, 1.0, 1.2, 1.9, 2.0])
+    found = power_law.peak_pressure(0.4, A=1.5, n=powers, E_star=3.0)
+    assert (found.radius == 0.0).all()
+    assert np.isinf(found.pressure[:2]).all()
+    assert found.pressure[2:] == pytest.approx(power_law.pressure(0.0, 0.4, A=1.5, n=powers[2:], E_star=3.0), rel=1e-14)
+    left = power_law.peak_pressure(1.0, A=1.5, n=2.0 + 2.0**-30, E_star=3.0)
+    assert left.radius == pytest.approx(math.pi * 2.0**-31, rel=1e-8)
+
+
+@pytest.mark.parametrize("n", [2.02, 2.5, 3.0, 5.0, 11.0, 60.0])
+def test_no_place_under_a_power_has_more_pressure(n: float) -> None:
+    found = power_law.peak_pressure(1.0, A=1.0, n=n, E_star=1.0)
+    close = np.clip(found.radius * (1.0 + np.linspace(-0.01, 0.01, 201)), 0.0, 1.0)
+    for places in (np.linspace(0.0, 1.0, 999), close):
+        assert power_law.pressure(places, 1.0, A=1.0, n=n, E_star=1.0).max() <= found.pressure * (1 + 16 * EPS)
+    assert found.pressure == pytest.approx(power_law.pressure(found.radius, 1.0, A=1.0, n=n, E_star=1.0), rel=16 * EPS)
+
+
 def test_no_place_has_more_pressure() -> None:
     for ratio in (1e-4, 0.1, 0.7, 0.999):
         found = rounded_punch.peak_pressure(1.0, b=ratio, **FLAT)
@@ -128,6 +164,7 @@ def test_arrays_broadcast_and_what_is_no_contact_is_no_number() -> None:
     assert np.isnan(some.pressure).tolist() == np.isnan(some.radius).tolist() == [True, False, False, True, True]
     assert (some.pressure[1], some.radius[1]) == (0.0, 1.0)
     assert quartic.peak_pressure(0.0, A=1.0, E_star=1.0) == (0.0, 0.0)
+    assert rounded_punch.peak_pressure(np.inf, b=1.0, **FLAT) == (np.inf, np.inf)
     with pytest.raises(ValueError, match="the contact starts at a = b"):
         rounded_punch.peak_pressure(0.5, b=1.0, **FLAT)
     with pytest.raises(ValueError, match=r"R = -1\.0 is outside R > 0"):
@@ -137,19 +174,21 @@ def test_arrays_broadcast_and_what_is_no_contact_is_no_number() -> None:
 
 
 def test_it_is_derived_where_one_ring_alone_has_it() -> None:
-    assert {name for name in COMPACT_NAMES if "rp" in derive(load(name))} == {"quartic", "sextic", "rounded_punch"}
+    assert {name for name in COMPACT_NAMES if "rp" in derive(load(name))} == {
+        *("quartic", "sextic", "power_law", "rounded_punch")
+    }
 
 
 def test_the_certificates_and_the_search_hold() -> None:
-    for name in ("quartic", "rounded_punch"):
+    for name in ("quartic", "power_law", "rounded_punch"):
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
     assert quadrature.check(profile, entries, "pp", digits=25).passed
 
 
 def moved(entries: dict[str, Entry], suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> dict[str, Entry]:
-    (case,) = entries[suffix].cases
-    return {**entries, suffix: replace(entries[suffix], cases=(replace(case, expr=change(case.expr)),))}
+    *others, case = entries[suffix].cases
+    return {**entries, suffix: replace(entries[suffix], cases=(*others, replace(case, expr=change(case.expr))))}
 
 
 def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
@@ -168,6 +207,11 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
         ("rounded_punch", "rp", other_side(lambda left: left + (a - r_peak) / R)),
         ("rounded_punch", "pp", lambda pressure: pressure.subs(r_peak, (r_peak + a) / 2)),
         ("rounded_punch", "pp", lambda pressure: pressure.subs(r_peak, b)),
+        ("power_law", "rp", other_side(lambda left: -left)),
+        ("power_law", "rp", other_side(lambda left: left * (nt.n - 2))),
+        ("power_law", "rp", other_side(lambda left: left.subs(nt.n, nt.n + 1))),
+        ("power_law", "pp", lambda pressure: pressure * (nt.n - 1)),
+        ("power_law", "pp", lambda pressure: pressure.subs(r_peak, r_peak / 2)),
     ],
 )
 def test_another_place_or_pressure_is_refused(name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> None:
@@ -203,6 +247,16 @@ def test_a_scene_has_a_function_for_either_result(tmp_path: Any) -> None:
     wanted = rounded_punch.peak_pressure(1.62, R=1.45, b=1.15, E_star=3.0)
     assert space["peak_pressure"](1.62, R=1.45, b=1.15, E_star=3.0) == pytest.approx(wanted.pressure, rel=8 * EPS)
     assert space["peak_radius"](1.62, b=1.15) == pytest.approx(wanted.radius, rel=8 * EPS)
+
+
+def test_a_scene_of_a_power_has_them_too(tmp_path: Any) -> None:
+    made = composed_from(SCENE.format(kind="power_law"))
+    assert run_plainly(made, tmp_path)
+    space: dict[str, Any] = {}
+    exec(made.files["scene.py"].decode(), space)
+    wanted = power_law.peak_pressure(0.3, A=1.2, n=3.4, E_star=2.0)
+    assert space["peak_pressure"](0.3, A=1.2, n=3.4, E_star=2.0) == pytest.approx(wanted.pressure, rel=8 * EPS)
+    assert space["peak_radius"](0.3, n=3.4) == pytest.approx(wanted.radius, rel=8 * EPS)
 
 
 def test_a_scene_of_another_profile_has_none() -> None:

@@ -157,7 +157,7 @@ def _numbers(name: str) -> list[Line]:
 )
 def test_printed_numbers_follow_from_the_printed_formulas(name: str) -> None:
     found = _numbers(name)
-    assert len(found) >= 15
+    assert len(found) >= 14
     for group, place in (("tan", "partial slip"), ("fgm", "graded"), ("vis", "standard solid")):
         shown = sum(one.place.startswith(place) for one in found)
         assert shown >= 3 if f"{name}.{group}" in KEYS else not shown
@@ -228,7 +228,7 @@ def test_the_line_on_the_evidence_counts_what_is_stored(name: str) -> None:
 
 
 def test_rows_without_a_key_say_what_their_entries_are() -> None:
-    """Limits and universal curves, in the source that TeX sets."""
+    """Limits, universal curves and sums, in the source that TeX sets; the plane names its limits in the panels."""
     rng = random.Random("further rows")
     count, mutants = Counter[str](), 0
     for path in SOURCES[1:]:
@@ -244,7 +244,7 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
                 assert not _passes(other), other
                 mutants += 1
     assert set(count) == set(KINDS)
-    assert sum(count.values()) >= 25
+    assert sum(count.values()) >= 23
     assert mutants >= 30, mutants
 
 

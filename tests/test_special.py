@@ -23,7 +23,7 @@ from axiderive.readback.compare import wrong
 from axiderive.readback.printed import named
 from axiderive.readback.source import Further, formulas
 from axiderive.rows.points import points_of
-from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, hosted, sum_rows
+from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, TIPS, elsewhere, hosted, sum_rows, tip_rows, told
 
 READ_BACK = mp.mpf(10) ** -20
 DIGITS = 40
@@ -59,7 +59,7 @@ def residual(host: str, power: int, suffix: str, tex: str) -> Any:
 @pytest.mark.parametrize("host", MEMBERS)
 def test_the_tables_of_special_cases_say_what_the_entries_are(host: str) -> None:
     """Those of n = 3 against the power law itself, whose incomplete Beta functions are elementary there."""
-    wanted = [(n, suffix) for suffixes in COLUMNS[host] for n in MEMBERS[host] for suffix in suffixes]
+    wanted = [(n, suffix) for suffixes in COLUMNS[host] for n in told(host) for suffix in suffixes]
     found = list(cells(host))
     assert [(power, suffix) for power, suffix, _ in found] == wanted
     rng, mutants = random.Random(host), 0
@@ -70,6 +70,16 @@ def test_the_tables_of_special_cases_say_what_the_entries_are(host: str) -> None
                 assert residual(host, power, suffix, changed) > READ_BACK, f"{tex} as {changed}"
             mutants += 1
     assert mutants > 2 * len(found)
+
+
+@pytest.mark.parametrize("host", MEMBERS)
+def test_a_power_is_told_in_the_table_or_has_a_page_of_its_own(host: str) -> None:
+    text = (HANDBOOK / "profiles" / f"{host}.tex").read_text(encoding="utf-8")
+    (heading,) = [line for line in text.splitlines() if line.startswith(r"\sect") and line.endswith("{Special cases}")]
+    referred = dict(re.findall(r"\$n=(\d+)\$: \\hyperref\[sec:([\w.]+)\]", heading))
+    assert referred == {str(one["power"]): one["name"] for one in elsewhere(host)}
+    assert all((HANDBOOK / "profiles" / f"{name}.tex").exists() for name in referred.values())
+    assert {*told(host), *map(int, referred)} == set(MEMBERS[host])
 
 
 def test_special_cases_have_no_entry_but_anchors() -> None:
@@ -120,3 +130,32 @@ def test_no_misprint_of_a_sum_passes(name: str) -> None:
             assert wrong(_row(name, tex=text), stored), text
         except NOT_A_NUMBER:
             continue
+
+
+def _tip(name: str, **changed: str) -> Further:
+    (one,) = tip_rows(name)
+    kind, *keys = one["comment"].split()
+    return Further(kind, tuple(keys), changed.get("small", one["small"].strip("$")), changed.get("tex", one["tex"]))
+
+
+@pytest.mark.parametrize("name", TIPS)
+def test_a_contact_on_the_tip_is_that_of_the_profile_that_is_named(name: str) -> None:
+    """The book says nothing else of it, so that every formula with such a range must be among the keys."""
+    assert {key.rpartition(".")[2] for key in _tip(name).keys} == {
+        suffix for suffix, entry in stored(name).items() if entry.status == "closed" and len(entry.cases) > 1
+    }
+    assert not wrong(_tip(name), stored)
+    assert wrong(_tip(name, small="b<a"), stored)
+    tex = _tip(name).tex
+    for other in (tex.replace("parabola", "quartic"), tex.replace("R=", "R=2 "), tex.replace(r"\tan", r"\sin")):
+        assert other != tex
+        with contextlib.suppress(*NOT_A_NUMBER):
+            assert wrong(_tip(name, tex=other), stored)
+
+
+@pytest.mark.parametrize("name", TIPS)
+def test_what_holds_on_the_tip_is_not_printed_again(name: str) -> None:
+    text = (HANDBOOK / "profiles" / f"{name}.tex").read_text(encoding="utf-8")
+    ranges = [line for line in text.splitlines() if line.startswith((r"\frow", r"\further")) and "a< b" in line]
+    assert ranges == []
+    assert text.count("%% sum ") == 1

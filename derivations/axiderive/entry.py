@@ -157,7 +157,10 @@ class Entry:
         out = []
         for expr, own in groups.items():
             others = [case for case in self.cases if case.expr != expr]
-            out.append((_distinguish(own, others), expr))
+            # the only formula of a quantity may hold for some exponents alone
+            first, *_ = pairs = tuple(zip(own[0].chain, own[0].chain[1:], strict=False)) or ((sp.S.Zero, sp.S.Zero),)
+            bound = pairs[:1] if not others and first[0].is_Number and first[1].is_Symbol else ()
+            out.append((bound or _distinguish(own, others), expr))
         return tuple(out)
 
     def text(self) -> str:
@@ -211,7 +214,7 @@ COMPACT = {
         Quantity("dF", "depth_from_force", "Depth from force", nt.d, (nt.F,), inverts="F", composed=("d", "aF"),
                  summary="Indentation depth under the normal force F."),
         Quantity("rp", "peak_pressure", "Greatest pressure: its radius", nt.r_peak, (nt.a,), "radius",
-                 summary="Radius of the greatest pressure."),
+                 row="Ring: of greatest pressure", summary="Radius of the greatest pressure."),
         Quantity("pp", "peak_pressure", "Greatest pressure", nt.p_peak, (nt.a,), "pressure",
                  summary="Greatest pressure, and the radius of the ring on which it is."),
     )

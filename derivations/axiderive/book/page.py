@@ -74,6 +74,7 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     # the depth of a strip goes with the load, so that of the sketch is none of its parameters
     left_out = (nt.N, nt.d) if force == "P" else (nt.N,)
     where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
+    given = [text.partition("=")[0] for text in where]
     if force == "P":
         where.append("L=2.7\\,a")
     if profile.breaks:
@@ -84,7 +85,8 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         return values_table(
             numbers.place("p").name,
             where,
-            [("d", depth), (force, numbers("F")), (r"\bar p", mean)],
+            # what is given stands among the parameters
+            [one for one in (("d", depth), (force, numbers("F")), (r"\bar p", mean)) if one[0] not in given],
             [(r"p/\bar p", "p"), ("w/d", "d" if force == "P" else "w")],
             [(x, numbers("p", mp.mpf(x) * radius) / mean) for x in _off_breaks(INSIDE, breaks)],
             [(x, numbers("w", mp.mpf(x) * radius) / depth) for x in OUTSIDE],
@@ -273,16 +275,15 @@ def panel(profile: Profile, entries: Mapping[str, Entry], plane: bool = False) -
     if shorthands:
         lines.append(("Shorthand", ", ".join(shorthands)))
     lines.append(("Medium", HALF_SPACE.replace("half-space", "half-plane") if plane else HALF_SPACE))
-    span = r"$|x|\le a$" if plane else r"$0\le r\le a$"
+    span = r"symmetric, $|x|\le a$" if plane else r"$0\le r\le a$"
     if profile.compact:
         start = Printer()(profile.breaks[0]) if profile.truncated else None
         lines.append(("Contact", rf"frictionless, compact, {span}" + (f", $a\\ge {start}$" if start else "")))
     elif plane:
-        lines.append(("Contact", r"frictionless, complete: the edges $x=\pm a$ are fixed, $P$ is free"))
+        shape = "" if nt.e in profile.parameters else "symmetric, "
+        lines.append(("Contact", f"frictionless, {shape}complete: edges fixed"))
     else:
         lines.append(("Contact", r"frictionless, complete: the edge $r=a$ is fixed, $d$ is free"))
-    if plane and nt.e not in profile.parameters:
-        lines.append(("Symmetry", r"$f(-x)=f(x)$; formulas for $x\ge 0$"))
     if profile.largest is not None:
         lines.append(("Largest", f"$a<{_largest(profile.largest)}$; beyond it the contact is not compact"))
     lines.append(("Valid for", prose(profile.validity)))

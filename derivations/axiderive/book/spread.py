@@ -67,6 +67,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
         "special": special.tables(profile_id),
+        "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
         "status": _status(profile_id, own, evidence),
         "coverage": readme.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),

@@ -120,7 +120,7 @@ WORDS: Mapping[str, str] = {
     "paraboloid, flatter cap": "capped_paraboloid",
     "parameter $m=k^2$": "part:conventions",
     "partial slip": "paraboloid.tan.F part:rules",
-    "peak pressure": "rounded_punch.pp rounded_curved_punch part:validity",
+    "peak pressure": "rounded_punch.pp power_law.pp rounded_curved_punch part:validity",
     "pin, worn": "rounded_punch rounded_curved_punch",
     "plane contact": "plane.wedge plane.parabola",
     "plastic yield": "part:validity",

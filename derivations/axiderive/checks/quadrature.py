@@ -64,8 +64,9 @@ def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: i
         return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
     if quantity.member:
         # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
-        drawn = points(profile, entries[suffix].cases[0].chain, count, seed)
-        return [point for point in drawn if not point.extreme][:3]
+        drawn = points(profile, (*profile.breaks, nt.a), count, seed)
+        known = [point for point in drawn if any(holds(case, point.values) for case in entries["rp"].cases)]
+        return [point for point in known if not point.extreme][:3]
     source = entries[quantity.inverts or suffix]
     chains = [case.chain for case in source.cases]
     if suffix in ("k", "pm") and "d" in entries:
@@ -141,13 +142,14 @@ def _ring(
 def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
     """Ring and greatest pressure against the pressure of the definition, whose greatest value is searched for."""
     place, height = _greatest(profile, tuple(values.items()), int(mp.mp.prec), digits)
-    (case,) = entries["rp"].cases
-    found = at_precision(case.expr, values) if entries["rp"].status == "closed" else None
-    if found is None:
-        bracket = Case((*case.chain[:-1], nt.r_peak, nt.a), case.expr)
+    equation = case_at(entries["rp"], values).expr
+    if isinstance(equation, sp.Eq):
+        bracket = Case((*profile.breaks, nt.r_peak, nt.a), equation)
         found = root(bracket, nt.r_peak, {**values, nt.r_peak: place}, digits)
+    else:
+        found = at_precision(equation, values)
     if suffix == "rp":
-        return residual(found, place)
+        return residual(found, place) if place else abs(found)
     got = evaluate(case_at(entries["pp"], values).expr, {**values, nt.r_peak: found}, digits)
     return residual(got, at_precision(nt.E_star, values) * height)
 

@@ -46,7 +46,7 @@ def environment(profile: Profile) -> dict[sp.Symbol, sp.Expr]:
 def value(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
     """The exact result at these values, to 30 digits."""
     case = _case(entry, known)
-    if entry.status == "root":
+    if isinstance(case.expr, sp.Equality):
         return _root(profile, entry, known)
     return number(_plain(case.expr), known)
 

@@ -41,10 +41,12 @@ CALLED = {
     "shapes.across": ("inverse_across", "inverse_beyond"),
     "shapes.arcs": ("arc_strips",),
     "shapes.powers": ("power_displacement", "power_pressure", "power_punches"),
-    "shapes.ring": ("outside_zero_pressure", "ring_of_zero_pressure"),
+    "shapes.ring": (
+        "outside_zero_pressure", "ring_of_greatest_pressure", "ring_of_zero_pressure", "rise_to_greatest_pressure",
+    ),
     "shapes.waves": ("inverse_over_waves",),
     "special": (*HELPERS_OF["special"], *PEAK),
-}
+}  # fmt: skip
 """What a module of normal contact may call of the run time, by its files."""
 RATES = ("_slope", "_slope_beyond")
 

@@ -54,6 +54,8 @@ def greatest(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
         radii += [start + (a - start) * (mp.mpf(i) / DENSE) ** 2 for i in range(DENSE)]
         heights = [integrals.pressure(face, a, r, COARSE) for r in radii]
         best = max(range(len(radii)), key=lambda i: heights[i])
+        if not radii[best]:
+            return mp.mpf(0), integrals.pressure(face, a, mp.mpf(0), digits)
         above = [*radii[1:], a][best] - radii[best]
         scale = min(above, radii[best] - radii[best - 1])
         rough = _vertex(lambda r: integrals.pressure(face, a, r, COARSE), radii[best], scale / 2, a, scale)

@@ -1,13 +1,25 @@
 """Greatest pressure of a normal contact where it is finite and beside the axis: on which ring, and how large.
 
-Two kinds of contact have it in a form that is proved to be the only one: a
-pressure that is a polynomial of r^2 times sqrt(a^2 - r^2), and the flat face
-with a rounded edge, whose pressure rises up to the rounding and falls in it.
+Three kinds of contact have it in a form that is proved to be the only one: a
+pressure that is a polynomial of r^2 times sqrt(a^2 - r^2), any power of r, and the
+flat face with a rounded edge, whose pressure rises up to the rounding and falls in it.
 In t = sqrt(r^2 + u^2) the pressure (11.23) has a slope of its own,
 
     dp/dr = E* r/pi [int_r^a (g'(t)/t)'/sqrt(t^2 - r^2) dt - g'(a)/(a sqrt(a^2 - r^2))],
 
 for r beyond the edge of the face; the ring is where the bracket is zero.
+
+For f = A r^n and q = (r/a)^2 it is a multiple of r^(n - 3), positive for n > 2, times
+
+    B(1 - q; 1/2, (3 - n)/2) - 2 q^((3 - n)/2)/[(n - 2) sqrt(1 - q)],
+
+which falls. Where it vanishes p is the pressure p(0) = E* g'(a)/[pi (n - 1)] of a ring that has shrunk to the axis,
+as it has for n <= 2, over sqrt(1 - q).
+
+Two more have a greatest pressure that is no formula yet. That of the sphere leaves the axis at a = 0.93761 R, where
+the bracket is zero at r = 0; in numbers it has one zero beyond, which is not proved, as a sum of powers may have
+several. The curved punch with a rounded edge always has a ring beyond b, with one proof for both, but where
+that is narrow or flat more pressure on the axis: which of the two is greater only their values say.
 """
 
 from __future__ import annotations
@@ -17,10 +29,12 @@ from itertools import pairwise
 import sympy as sp
 
 from ..abel.form import Form
+from ..abel.masters import IncompleteBeta
 from ..abel.moments import arccos_moment, elliptic_moment
 from ..entry import Case, Status
 from ..notation import a, r, r_peak
 from ..profiles.profile import Profile
+from .medium import HOMOGENEOUS
 
 Found = tuple[Status, tuple[Case, ...], tuple[Case, ...]]
 """Status and cases of the radius, and the cases of the pressure there."""
@@ -33,7 +47,11 @@ def derive(profile: Profile, depth: tuple[Case, ...], pressure: tuple[Case, ...]
         own = next(case for case in pressure if case.chain.index(b) < case.chain.index(r))
         at_ring = Case(regime.chain, own.expr.subs(r, r_peak))
         return "root", (Case(regime.chain, _balance(regime.expr, b)),), (at_ring,)
-    radius = _ring(pressure[0].expr) if len(pressure) == 1 and pressure[0].chain == (r, a) else None
+    if len(pressure) != 1 or pressure[0].chain != (r, a):
+        return None
+    if (power := free_power(pressure[0].expr)) is not None:
+        return _of_power(depth[0].expr, power)
+    radius = _ring(pressure[0].expr)
     if radius is None:
         return None
     at_ring = Case((a,), sp.factor(sp.expand(pressure[0].expr.subs(r, radius))))
@@ -45,6 +63,23 @@ def has_rounded_edge(profile: Profile) -> bool:
     if not profile.truncated or len(profile.breaks) != 1:
         return False
     return not sp.cancel(profile.pieces[-1].expr / (r - profile.breaks[0]) ** 2).has(r)
+
+
+def free_power(pressure: sp.Expr) -> sp.Symbol | None:
+    """The exponent n of the profile r^n whose pressure is a multiple of r^(n - 1) B(1 - r^2/a^2; 1/2, (1 - n)/2)."""
+    exponents = {sp.expand(1 - 2 * master.args[2]) for master in pressure.atoms(IncompleteBeta)}
+    (n,) = exponents if len(exponents) == 1 else (None,)
+    return n if n is not None and n.is_Symbol and not pressure.has(sp.Sum) else None
+
+
+def _of_power(depth: sp.Expr, n: sp.Symbol) -> Found:
+    """The axis up to n = 2 and the ring beyond; below n = 1 the pressure on the axis has no bound."""
+    outside, one, two = 1 - r_peak**2 / a**2, sp.Integer(1), sp.Integer(2)
+    level = 2 * (a / r_peak) ** (n - 3) / ((n - 2) * sp.sqrt(outside))
+    ring = sp.Eq(IncompleteBeta(outside, sp.S.Half, (3 - n) / 2), level)
+    middle = sp.powsimp(sp.diff(depth, a), combine="exp") * HOMOGENEOUS.pressure_scale / (n - 1)
+    cases = Case((one, n, two), sp.S.Zero), Case((two, n), ring)
+    return "root", cases, (Case((one, n), middle / sp.sqrt(outside)),)
 
 
 def _balance(depth: sp.Expr, b: sp.Expr) -> sp.Equality:

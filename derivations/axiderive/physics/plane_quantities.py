@@ -33,7 +33,7 @@ PLANE_COMPLETE = {
             arguments=(nt.L, nt.P),
         ),
         Quantity("xz", "zero_distance", "Place of first zero pressure", nt.x_zero, (), threshold=True,
-                 written="x_{0}", row="Place: of first zero pressure",
+                 written="x_{0}", row="Zero pressure",
                  summary="Distance from the middle where the pressure first vanishes on unloading."),
         Quantity("Pmin", "minimum_load", "Least line load of complete contact", nt.P, (), threshold=True,
                  written=r"P_{\mathrm{min}}", summary="Least line load of complete contact."),

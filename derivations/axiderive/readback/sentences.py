@@ -35,7 +35,7 @@ LISTED = {
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
-        r"0\le r\le a", r"|x|\le a", "r=a", r"x=\pm a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c",
+        r"0\le r\le a", r"|x|\le a", "r=a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c",
         "p(r;c)=0", "t<b", "g(t)=0",
     ),
     "a place or a case that a sketch or a note points to": (
@@ -48,7 +48,8 @@ LISTED = {
     "a number of the guide, computed in book.evidence": (r"0.3100\,p_0", r"0.4809\,a", r"p_0=1.6\,Y"),
     "a result of the work that is cited": (r"(1-2\nu)/(2-2\nu)", r"(1-\nu)\ln(3-4\nu)/(1-2\nu)"),
     "an equation that is a row beside it": ("g(a)=d", r"F_{\mathrm N}(a)=F_{\mathrm N}"),
-    "a symmetry, and the half that is printed": ("f(-x)=f(x)", r"x\ge 0"),
+    "the half of a symmetric field that is printed": (r"x\ge 0",),
+    "a power that has a page or a name of its own": ("n=1", "n=2", "n=4", "n=6"),
     "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
     "an order of magnitude": (
         r"a \ll  R", r"a \ll  R_1", r"a \ll  R_2", r"a \ll", r"h \ll  s", r"a-b \ll  R", r"a-b \ll  R_2",

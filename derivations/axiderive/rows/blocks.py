@@ -15,7 +15,7 @@ from .in_print import printed as in_print
 from .laws import universal_rows
 from .limits import limit_rows, reduction_rows
 from .row import Row, lines, ordered
-from .special import HOSTS, sum_rows
+from .special import HOSTS, ON_TIP, TIPS, sum_rows, tip_rows
 
 TITLES = {
     "normal": ("Normal contact", ""),
@@ -37,7 +37,10 @@ TITLES = {
         r"$g$, $F_{\mathrm N}$, $p$, $w$ of the graded half-space",
     ),
     "graded.tangential": ("Tangential contact, graded half-space", r"$c_{\mathrm T}(x)=H_x|x|^k$"),
-    "plane": ("Plane contact", r"load $P$ per length; $d$ relative to the surface at the distance $L$"),
+    "plane": (
+        "Plane contact",
+        r"load $P$ per length; $d$ relative to the surface at the distance $L$; formulas for $x\ge 0$",
+    ),
     "loads": ("Displacement", ""),
     "materials": ("Elastic constants", ""),
 }
@@ -91,7 +94,9 @@ def told(one: Row, profile_id: str) -> dict[str, Any]:
 def printed(one: Row, profile_id: str) -> dict[str, Any]:
     """A row as the template of the book sees it."""
     found = told(one, profile_id)
-    if found["small"].startswith("of first") and one.regions[0].condition:  # the range stands where the words would
+    if (
+        found["small"].startswith(("of first", "of greatest")) and one.regions[0].condition
+    ):  # the range stands where the words would
         found["label"] += f" {found['small']}"
     return found
 
@@ -153,12 +158,17 @@ def _further(
     limits = reduction_rows(problem.profile, entries)
     if system.pool is ROUND:
         limits = [*limit_rows(problem.profile, entries, evidence), *limits]
-    return [*sum_rows(problem.profile_id), *approach_rows(problem.profile, entries), *_limits(problem, limits)]
+    approached = approach_rows(problem.profile, entries)
+    if problem.profile_id in TIPS:
+        approached = [one | {"ruled": one["ruled"] or ON_TIP in one["small"]} for one in approached]
+    own = [*sum_rows(problem.profile_id), *tip_rows(problem.profile_id)]
+    return [*own, *approached, *_limits(problem, limits)]
 
 
 def _limits(problem: Problem, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The limits; those of a profile whose special cases stand in its entry are said there."""
-    return [one | {"ruled": True} for one in rows] if problem.profile_id in HOSTS.values() else rows
+    """The limits; a profile of the plane names them in its panel, and special cases stand in the entry."""
+    named = problem.system.pool.strip or problem.profile_id in HOSTS.values()
+    return [one | {"ruled": True} for one in rows] if named else rows
 
 
 def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:

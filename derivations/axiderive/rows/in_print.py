@@ -9,10 +9,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..entry import FOUR
+from ..notation import a, b
 from ..physics.adhesive import CONTROLS
 from ..physics.systems import System
+from .ranges import regions
 from .row import LETTER, WIDEST, Region, Row, fits_half
-from .special import SUMS
+from .special import SUMS, TIPS
 
 JOINT = r",\quad\enspace "
 """Between the formulas that share a row."""
@@ -35,7 +37,7 @@ OF_COMPLETE = {"graded.normal": ("k", "dF")}
 def printed(system: System, rows: Sequence[Row]) -> list[Row]:
     """The rows in print; those the book says by a rule are marked as listed."""
     if not rows or system.pool.strip:
-        return list(rows)
+        return [_beyond_tip(one) if system.pool.id(one.entry.profile.name) in TIPS else one for one in rows]
     if not rows[0].entry.profile.compact:
         return [replace(one, listed=one.suffix in OF_COMPLETE.get(system.name, ())) for one in rows]
     known = {one.suffix: one for one in rows}
@@ -44,6 +46,14 @@ def printed(system: System, rows: Sequence[Row]) -> list[Row]:
         if one.suffix in known:
             found += _row(system, one, known)
     return found
+
+
+def _beyond_tip(one: Row) -> Row:
+    """The row without what it says of a contact that ends on the tip, which is another profile to it."""
+    if one.kind != "formula":
+        return one
+    both = zip(one.regions, regions(one.entry), strict=True)
+    return replace(one, regions=tuple(region for region, (pairs, _) in both if (a, b) not in pairs))
 
 
 def _row(system: System, one: Row, known: dict[str, Row]) -> list[Row]:

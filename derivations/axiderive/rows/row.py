@@ -155,6 +155,10 @@ BETTER = {
         r"a=\frac{\sqrt{2} D}{\sqrt{2 D-q^{2} b^{2}+q \sqrt{4 D^{2}-4 D b^{2}+q^{2} b^{4}}}},"
         r"\qquad D=d R_1,\quad q=\frac{R_1-R_2}{R_2}",
     ),
+    "power_law.rp": (
+        r"\mathrm{B}\bigl(z;\tfrac{1}{2},\tfrac{3-n}{2}\bigr)=\frac{2}{(n-2) \sqrt{z}} \, "
+        r"\Bigl(\frac{a}{r_{\mathrm{max}}}\Bigr)^{n-3},\qquad z=1-\frac{r_{\mathrm{max}}^{2}}{a^{2}}",
+    ),
     "rounded_punch.rp": (
         r"\bigl(2-k^{2}\bigr)\,\mathrm{F}(\varphi,k)-2 \,\mathrm{E}(\varphi,k)"
         r"+\frac{\ell}{a r_{\mathrm{max}}} \, \Bigl(\frac{2 b^{2}}{q}+b \arccos \frac{b}{a}\Bigr)"
@@ -186,7 +190,7 @@ WIDEST = LINE + 15
 def _fits(one: Row) -> bool:
     """Whether every region of the row is at most two lines that fit."""
     if any(case.expr.has(r_peak) for case in one.entry.cases):
-        return isinstance(one.entry.cases[0].expr, sp.Equality)
+        return one.entry.status == "root" or len(one.regions) == len(one.regions[0].lines) == 1
     return one.entry.suffix != "pm" and all(
         len(region.lines) <= MOST_LINES and region.width <= WIDEST and r"\int" not in region.tex
         for region in one.regions

@@ -1,7 +1,7 @@
 """Profiles that are a special case or a sum of others, in print.
 
 A special case stands in the entry of its host, with its keys as anchors; a sum of simpler profiles says in one row
-what they add to at equal contact radius.
+what they add to at equal contact radius, and a rounded tip says what it is to a contact that ends on it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from ..notation import R1, R2, E_star, R, a, b, h, n, theta
 from ..physics.systems import pool_of, problem
 from ..print.formula import Printer
 from ..print.words import prose
-from ..profiles import load
 from ..profiles.profile import Piece
 from .row import Region
 
@@ -35,12 +34,15 @@ MEMBERS: dict[str, dict[int, str]] = {
     "concave_power": {2: "concave_paraboloid", 4: "concave_quartic"},
     "plane.concave_power": {2: "plane.concave_parabola", 4: "plane.concave_quartic"},
 }
-"""Profile of each power n; none where the formulas follow from those of the host."""
+"""Profile of each power n; none where the formulas follow from those of the host.
+
+A profile that has an entry of its own is not told again: the tables refer to its page.
+"""
 COLUMNS = {
     "power_law": (("d", "F", "aF", "p"), ("w",)),
-    "plane.power_law": (("P", "aP", "p", "s"), ("d",)),
+    "plane.power_law": (("P", "p", "s", "d"),),
     "concave_power": (("F", "dmin", "Fmin", "rz"), ("p", "w")),
-    "plane.concave_power": (("Pmin", "xz", "p"), ("s", "d")),
+    "plane.concave_power": (("Pmin", "xz", "p", "s", "d"),),
 }
 """What each of the tables of a host gives."""
 UNIT: dict[sp.Expr, sp.Expr] = {nt.A: sp.S.One, E_star: sp.S.One, h: sp.S.One, sp.tan(theta): sp.S.One, R: sp.S.Half}
@@ -76,20 +78,32 @@ def tables(host: str) -> list[dict[str, Any]]:
         {
             "heads": [NARROW.get(suffix, own[suffix].quantity.called) for suffix in suffixes],
             "suffixes": suffixes,
-            "rows": [_row(host, power, name, suffixes) for power, name in MEMBERS[host].items()],
+            "rows": [_row(host, power, suffixes) for power in told(host)],
         }
         for suffixes in COLUMNS[host]
     ]
 
 
-def _row(host: str, power: int, name: str, suffixes: tuple[str, ...]) -> dict[str, Any]:
-    entries = member(host, power)
-    profile = problem(name or host).profile
+def told(host: str) -> list[int]:
+    """The powers whose formulas stand in the tables: those without an entry of their own."""
+    return [power for power, name in MEMBERS[host].items() if not name or name in HOSTS]
+
+
+def elsewhere(host: str) -> list[dict[str, Any]]:
+    """The powers that have an entry of their own: power, profile and title."""
+    return [
+        {"power": power, "name": name, "title": prose(problem(name).profile.title)}
+        for power, name in MEMBERS.get(host, {}).items()
+        if power not in told(host)
+    ]
+
+
+def _row(host: str, power: int, suffixes: tuple[str, ...]) -> dict[str, Any]:
+    entries, name = member(host, power), MEMBERS[host][power]
     return {
         "power": power,
         "name": name,
-        "hosted": name in HOSTS,
-        "title": prose(profile.title) if name else "",
+        "title": prose(problem(name).profile.title) if name else "",
         "cells": [Printer()(value(entries, suffix, power)) for suffix in suffixes],
     }
 
@@ -120,6 +134,31 @@ SUMS = {
     "rounded_curved_punch": (Part(1, "paraboloid", {R: R1}), Part(1, "rounded_punch", {R: R2, b: b})),
 }  # fmt: skip
 
+TIPS = {"plane.rounded_wedge": Part(1, "plane.parabola", {R: b / sp.tan(theta)})}
+"""What a profile is to a contact that ends on its tip, a < b: the book does not print its formulas again."""
+ON_TIP = "a<b"
+
+
+def tip_rows(name: str) -> list[dict[str, Any]]:
+    """The row that stands for all formulas of a contact that ends on the tip."""
+    if name not in TIPS:
+        return []
+    part, entries = TIPS[name], problem(name).derive().values()
+    link, values = _linked(part), _values(part)
+    several = [entry.key for entry in entries if entry.status == "closed" and len(entry.cases) > 1]
+    return [
+        {
+            "half": False,
+            "kind": "sum",
+            "comment": " ".join(["sum", *several]),
+            "label": "Tip",
+            "small": f"${ON_TIP}$",
+            "tex": rf"\text{{{link}, page~\pageref{{sec:{part.name}}}, with }}{values}",
+            "remark": "",
+            "words": f"{link} with ${values}$",
+        }
+    ]
+
 
 def sum_rows(name: str) -> list[dict[str, Any]]:
     """The row of a profile that is a sum, none of any other."""
@@ -149,7 +188,7 @@ def _sign(part: Part, index: int) -> str:
 
 
 def _linked(part: Part) -> str:
-    return rf"\hyperref[sec:{part.name}]{{{load(part.name).title.lower()}}}"
+    return rf"\hyperref[sec:{part.name}]{{{problem(part.name).profile.title.lower()}}}"
 
 
 def _values(part: Part) -> str:

@@ -92,7 +92,7 @@ def _ring(entry: Entry, values: Floats) -> arb:
         equation = _case(entry, _balls(entry, values)).expr
         if not isinstance(equation, sp.Equality):
             return arb(0)
-        if entry.quantity.symbol == nt.r_peak:
+        if entry.quantity.symbol == nt.r_peak and entry.profile.breaks:
             (edge,), a = entry.profile.breaks, arb(values[nt.a])
             b = arb(values[edge])
             return b + (a - b) * share_of_peak(_plain(equation.lhs - equation.rhs), edge, b / a)
@@ -109,8 +109,8 @@ def _share_of_ring(rest: sp.Expr, n: float | arb) -> arb:
     def missed(share: arb) -> arb:
         return Ball({nt.n: acb(n), nt.a: acb(1), nt.r_zero: acb(share)}, False)(rest).real
 
-    # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation infinite
-    return _between(missed, arb(-80), (1 - 1 / arb(n)).sqrt().log(), f"no ring of zero pressure for n = {n}")
+    # up to the radius where 1 - r**2/a**2 is 1/n and a side of the equation of zero pressure infinite
+    return _between(missed, arb(-80), (1 - 1 / arb(n)).sqrt().log(), f"no ring for n = {n}")
 
 
 def share_of_peak(rest: sp.Expr, b: sp.Symbol, ratio: Any) -> arb:

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from .compact import end
+from .field import Element
 from .limits import Limit, Substitution
 from .problem import PUNCH, Case, Problem, Rule
-from .reading import Tree, UnknownError, put, tree
+from .reading import Tree, UnknownError, put, symbols, tree
 
 POWERS = range(4)
 """Powers of r^2 by which the slope is divided until it is seen to fall."""
 
 
 def radius(problem: Problem, suffix: str) -> None:
-    """Shows that a closed radius is the only zero of dp/dr inside the contact; an equation is left to `balance`."""
+    """Shows that a closed radius is the only zero of dp/dr inside the contact; an equation is left to those below."""
+    if any("n" in symbols(piece) for piece in problem.pieces):
+        of_power(problem)
+        return
     (case,) = problem.places("rp", problem.orders())
     if problem.records["rp"]["status"] == "root":
         balance(problem, case)
@@ -60,6 +64,66 @@ def balance(problem: Problem, case: Case) -> None:
         raise UnknownError(message)
 
 
+TAIL = "(n - 2)*r**(n - 2)/(2*a**(n - 1))"
+"""What the slope of the pressure under r**n is to the gap of the equation, times E* g'(a)/pi."""
+
+
+class Power:
+    """Pressure, its slope and E* g'(a)/pi under r**n, for any n, n = 2 + q, or n = 2 - 1/q with q > 1."""
+
+    def __init__(self, problem: Problem, more: tuple[tuple[Tree, str], ...] = (), n: str = "n") -> None:
+        self.field = field = problem.field(("r", "a"), *more)
+        self.values = {"n": field.read(tree(n))}
+        ((whole,), (sunk,)) = problem.closed("p"), problem.closed("d")
+        self.pressure = self.read(whole.expr)
+        self.slope = field.slope(self.pressure, "r")
+        self.scale = self.read(problem.table("M/pi")) * field.slope(self.read(sunk.expr), "a")
+
+    def read(self, formula: Tree) -> Element:
+        """The formula for this n."""
+        return self.field.read(formula, self.values)
+
+    def equation(self, left: Tree, right: Tree) -> tuple[Element, Element, Element]:
+        """The factor of the gap in the slope of the pressure, and the sides."""
+        return self.read(tree(TAIL)) * self.scale, self.read(left), self.read(right)
+
+
+def of_power(problem: Problem) -> None:
+    """Up to n = 2 the pressure falls; beyond, its slope is a positive multiple of a gap that falls through zero."""
+    cases = {case.chain: case.expr for case in problem.places("rp", {(1, "n", 2), (2, "n")})}
+    head, left, right = put(cases[2, "n"], {"r_peak": "r"})
+    beyond, below = Power(problem, n="2 + q"), Power(problem, ((1, "q"),), "2 - 1/q")
+    for own in (beyond, below):
+        factor, one, other = own.equation(left, right)
+        problem.vanishes("the slope of the pressure", own.slope - factor * (one - other))
+    below_zero = below.field.sign(factor * (one - other)) == -1
+    factor, one, other = beyond.equation(left, right)
+    field, gap, weight = beyond.field, one - other, beyond.read(tree("r**(n - 2)"))
+    positive = all(field.sign(part) == 1 for part in (factor, one, other)) and field.analytic(one)
+    falls = field.sign(field.slope(gap, "r")) == -1
+    if head not in ("Equality", "Eq") or cases[1, "n", 2] != 0 or not (below_zero and positive and falls):
+        message = "a slope that changes its sign at one radius, or for n < 2 at none, is not shown"
+        raise UnknownError(message)
+    # were the gap below zero up to some radius, the left side would grow faster than the right one towards the axis
+    risen = field.slope(weight * one, "r") - beyond.read(tree("(n - 2)*r**(n - 3)")) * gap
+    problem.vanishes("growth of the left side", risen)
+    problem.vanishes("the right side at the axis", Limit(field, "r", 0, problem.field(("a",)), 1).value(weight * other))
+    problem.vanishes("the left side at the edge", end(problem, left, ("r", "a"), "a", "r", 1))
+
+
+def pressure_of_power(problem: Problem) -> None:
+    """r dp/dr = (n - 1) (p - p_max), which is zero at the ring; for n < 2 the pressure goes to p_max on the axis."""
+    (own,) = problem.places("pp", {(1, "n")})
+    there = put(own.expr, {"r_peak": "r"})
+    for power in (Power(problem, ((1, "n"),)), Power(problem, ((1, "q"),), "2 - 1/q")):
+        greatest = power.read(there)
+        gap = power.pressure - greatest
+        problem.vanishes("the pressure at the ring", power.slope * power.read("r") - power.read(tree("n - 1")) * gap)
+    tail = power.read(tree(f"r*{TAIL}/(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (3 - n)/2)")) * power.scale
+    rest = power.pressure - greatest * power.read(tree("1 - r**2/a**2")) - tail
+    problem.vanishes("the pressure next to the axis", rest)
+
+
 def by_tangent(formula: Tree) -> Tree:
     """With acos(x) as atan(sqrt(1 - x^2)/x), for 0 < x < 1."""
     if not isinstance(formula, tuple):
@@ -71,6 +135,9 @@ def by_tangent(formula: Tree) -> Tree:
 
 def pressure(problem: Problem, suffix: str) -> None:
     """Shows the greatest pressure as the pressure at its radius; for a closed radius by their squares."""
+    if any("n" in symbols(piece) for piece in problem.pieces):
+        pressure_of_power(problem)
+        return
     (case,), (own,) = problem.entries["rp"], problem.places("pp", problem.orders())
     if problem.records["rp"]["status"] == "root":
         chain = (case.chain[0], "r", "a")

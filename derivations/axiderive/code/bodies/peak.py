@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import sympy as sp
+
 from ...entry import Entry
+from ...notation import a, r_peak
 from ...physics.medium import HOMOGENEOUS
 from ...stable.signs import facts_of
 from ..private import PrivateFunctions
@@ -20,19 +23,36 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
     """The private functions of both results, where the profile has them."""
     if "rp" not in entries:
         return
-    if entries["rp"].status == "root":
-        _beyond(compact, functions, entries["pp"].quantity.function)
+    ring, greatest = entries["rp"], entries["pp"]
+    if ring.status == "root":
+        build = _beyond if compact.b else _of_power
+        build(compact, functions, greatest)
         return
-    for suffix, name in (("rp", RADIUS), ("pp", entries["pp"].quantity.function)):
-        (case,) = entries[suffix].cases
-        form = functions.form(entries[suffix], case.expr, facts_of(case.chain))
+    for entry, name in ((ring, RADIUS), (greatest, greatest.quantity.function)):
+        (case,) = entry.cases
+        form = functions.form(entry, case.expr, facts_of(case.chain))
         functions.add(name, ("a",), functions.returned(form), functions.needs(form, ("a",)))
 
 
-def _beyond(compact: Compact, functions: PrivateFunctions, name: str) -> None:
+def _of_power(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
+    """By what is left of a**2 outside the ring, which says more than the radius next to the edge."""
+    functions.add(RADIUS, ("a",), ["return a * ring_of_greatest_pressure(n)"], {"n"})
+    rise = sp.Symbol("rise", positive=True)
+    (case,) = entry.cases
+    expr = case.expr.subs(r_peak, a * sp.sqrt(1 - 1 / rise**2))
+    form = functions.form(entry, expr, facts_of(case.chain))
+    *lines, value = functions.returned(form)
+    lines += ["rise = rise_to_greatest_pressure(n)", f"greatest = {value.removeprefix('return ')}"]
+    needs = functions.needs(form, ("a",)) - {str(rise)} | {"n"}
+    functions.add(entry.quantity.function, ("a",), [*lines, "return np.where(n > 1.0, greatest, np.inf)"], needs)
+
+
+def _beyond(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
     """By the share of the rounding that the radius lies in, which says more than the radius next to a = b."""
+    name = entry.quantity.function
     b, slope, (condition, _) = str(compact.b), compact.slopes["beyond"][0], compact.domain()
-    within = f"np.where({condition}, {{}}, np.nan)"
+    # without an edge ring and pressure have no bound, which the product of nothing and infinity does not say
+    within = f"np.where({condition}, np.where(a < np.inf, {{}}, a), np.nan)"
     ring = f"{b} + (a - {b}) * peak_share(a, {b})"
     functions.add(RADIUS, ("a",), [f"return {within.format(ring)}"], {b})
     growth = f"peak_integral_beyond({slope.with_parameters()}, peak_share(a, {b}), a, {b})"

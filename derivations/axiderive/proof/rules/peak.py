@@ -6,9 +6,10 @@ import itertools
 
 import sympy as sp
 
-from ...entry import Case
+from ...abel.masters import IncompleteBeta
+from ...entry import Case, Entry
 from ...notation import a, r, r_peak
-from ..algebra.domain import NotProvedError
+from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import canonical, normal, require_analytic, sign
 from ..algebra.identity import at
 from ..statement import require_regions, require_zero
@@ -18,6 +19,8 @@ from .compact import Compact
 def radius(proof: Compact) -> list[str]:
     """The ring, given as a formula or by an equation."""
     entry = proof.entries["rp"]
+    if (n := free_power(proof)) is not None:
+        return _of_power(proof, entry, n)
     regimes = tuple(case.chain for case in proof.entry("d").cases)
     require_regions(entry, regimes)
     (case,) = entry.cases
@@ -41,6 +44,52 @@ def _formula(proof: Compact, place: sp.Expr) -> list[str]:
         "sqrt(a^2 - r^2)/r dp/dr is a polynomial of r whose coefficients change sign once, and negative at r = a",
         require_zero(slope.subs(r, place), edge, f"dp/dr = 0 at r = {place}"),
     ]
+
+
+def free_power(proof: Compact) -> sp.Symbol | None:
+    """The exponent of a profile that is one power of r, where it is a parameter."""
+    exponents = {piece.expr.as_independent(r, as_Add=False)[1].as_base_exp()[1] for piece in proof.profile.pieces}
+    (n,) = exponents if len(exponents) == 1 else (None,)
+    return n if n in proof.profile.parameters else None
+
+
+def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
+    """With D = left - right of the equation, of which left is C, dp/dr = F D; D falls with r.
+
+    For n > 2, F > 0 and d/dr (r^(n - 2) C) = (n - 2) r^(n - 3) D. Were D < 0 up to some r, r^(n - 2) C would fall there
+    from a value above zero, but it would be less than r^(n - 2) times the right side, which goes to zero with r.
+    """
+    one, two = sp.Integer(1), sp.Integer(2)
+    require_regions(entry, ((one, n, two), (two, n)))
+    centre, ring = (case.expr for case in entry.cases)
+    (whole,) = proof.entry("p").cases
+    left, right = (side.subs(r_peak, r) for side in ring.args)
+    beyond, below = Domain(whole.chain, (two, n)), Domain(whole.chain, (one, n, two))
+    factor = (n - 2) * r ** (n - 2) * _scale(proof) / (2 * a ** (n - 1))
+    positive = all(sign(part, beyond) > 0 for part in (left, right, factor))
+    falls = sign(sp.diff(left - right, r), beyond) < 0 and sign(factor * (left - right), below) < 0
+    if centre != 0 or not (positive and falls):
+        message = "one change of the sign of dp/dr for n > 2, and none for n < 2, is not shown"
+        raise NotProvedError(message)
+    gap = sp.diff(whole.expr, r) - factor * (left - right)
+    grown = sp.diff(r ** (n - 2) * left, r) - (n - 2) * r ** (n - 3) * (left - right)
+    rim, axis = (
+        at(normal(canonical(side, beyond), beyond), r, end)
+        for side, end in ((left, a), (right * r ** (n - 2), sp.S.Zero))
+    )
+    return [
+        "left - right falls with r, and F and both sides are positive, for n > 2; F (left - right) < 0 for n < 2",
+        require_zero(gap, beyond, "n > 2: dp/dr = F (left - right)"),
+        require_zero(gap, below, "n < 2: dp/dr = F (left - right)"),
+        require_zero(grown, beyond, "d/dr (r^(n-2) left) = (n - 2) r^(n-3) (left - right)"),
+        require_zero(axis, beyond.at(r, sp.S.Zero), "r^(n-2) right -> 0 as r -> 0: left > right next to the axis"),
+        require_zero(rim, beyond.at(r, a), "left -> 0 < right at the edge"),
+    ]
+
+
+def _scale(proof: Compact) -> sp.Expr:
+    """E* g'(a)/pi, from the proved depth."""
+    return proof.medium.pressure_scale * sp.diff(proof.depth_of((a,)), a)
 
 
 def _balance(proof: Compact, case: Case) -> list[str]:
@@ -90,8 +139,11 @@ def _factor(right: sp.Expr, edge: sp.Expr, angle: sp.Expr, proof: Compact, chain
 
 def pressure(proof: Compact) -> list[str]:
     """p on that ring."""
-    (ring,), (own,) = proof.entries["rp"].cases, proof.entry("pp").cases
-    require_regions(proof.entries["pp"], (ring.chain,))
+    entry = proof.entry("pp")
+    if (n := free_power(proof)) is not None:
+        return _pressure_of_power(proof, entry, n)
+    (ring,), (own,) = proof.entries["rp"].cases, entry.cases
+    require_regions(entry, (ring.chain,))
     if proof.entries["rp"].status != "root":
         (whole,) = proof.entry("p").cases
         if not own.expr.is_positive or sign(whole.expr, proof.domain(whole.chain)) <= 0:
@@ -103,3 +155,20 @@ def pressure(proof: Compact) -> list[str]:
     (b,) = proof.profile.breaks
     outer = next(case for case in proof.entry("p").cases if case.chain == (b, r, a))
     return [require_zero(own.expr.subs(r_peak, r) - outer.expr, proof.domain(outer.chain), "p_max = p(r_max), r > b")]
+
+
+def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
+    """r dp/dr = (n - 1) [p - p_max(r)], so that p = p_max(r) where dp/dr = 0; on the axis r dp/dr -> 0."""
+    require_regions(entry, ((sp.Integer(1), n),))
+    (greatest,), (whole,) = entry.cases, proof.entry("p").cases
+    domain = Domain(whole.chain, (sp.Integer(1), n))
+    there = greatest.expr.subs(r_peak, r)
+    gap = r * sp.diff(whole.expr, r) - (n - 1) * (whole.expr - there)
+    steps = [require_zero(gap, domain, "r dp/dr = (n - 1) [p - p_max(r)], and dp/dr = 0 at r = r_max > 0")]
+    below = Domain(whole.chain, (sp.Integer(1), n, sp.Integer(2)))
+    tail = (2 - n) * r ** (n - 1) * IncompleteBeta(1 - r**2 / a**2, sp.S.Half, (3 - n) / 2) / (2 * a ** (n - 1))
+    split = whole.expr - there * (1 - r**2 / a**2) + _scale(proof) / (n - 1) * tail
+    return [
+        *steps,
+        require_zero(split, below, "n < 2: p = p_max(r) (1 - r^2/a^2) - r^(n-1) B times a number, B bounded as r -> 0"),
+    ]
