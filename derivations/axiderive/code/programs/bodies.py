@@ -12,22 +12,17 @@ from dataclasses import dataclass, field
 from dis import get_instructions
 from functools import cache
 from importlib import import_module
+from inspect import unwrap
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
 
-NEEDS_ARRAYS = frozenset(
-    (
-        "integral",
-        "integral_by_panels",
-        "in_groups",
-        "pressure_integral",
-        "gauss_legendre",
-        "enumerate",
-    )
-)
-"""Names that a body may not refer to: rules with nodes along an axis, and sums over coefficients."""
+NEEDS_ARRAYS = frozenset(("integral_by_panels", "gauss_legendre", "enumerate"))
+"""Names that a body may not refer to: nodes along an axis, and sums over coefficients."""
+PLAIN = "_runtime.plain"
+RULES = frozenset(("integral", "integral_in_strip", "integral_by_length", "in_groups", "over_radii", "at_many_radii"))
+"""Rules of `_runtime.integrals` that `_runtime.plain` has for one number."""
 HEAD = '"""Bodies of {title} over plain numbers: the same text with `math` for NumPy."""\n\n'
 
 
@@ -77,20 +72,21 @@ class Twins:
     def _taken(self, function: FunctionType, twin: Twin) -> Iterator[FunctionType]:
         """What else has to be taken along for a function; what it imports is noted in the twin."""
         space, own = function.__globals__, self._module(function)
-        for name in sorted(_globals(function.__code__)):
+        for name in sorted(_globals(function.__code__) | self._decorators(function)):
             value: Any = space.get(name)
             if name not in space or value is np:
                 continue
-            if self._is_own(value, FunctionType) and value.__closure__ is None:
-                yield value
-                if self._module(value) != own or value.__name__ != name:
-                    taken = name if value.__name__ == name else f"{value.__name__} as {name}"
-                    twin.imports.setdefault(f"_programs.bodies.{self._module(value)}", set()).add(taken)
+            inner = self._body(value)
+            if self._is_rule(value):
+                twin.imports.setdefault(PLAIN, set()).add(name)
+            elif inner is not None:
+                yield inner
+                if self._module(inner) != own or inner.__name__ != name:
+                    taken = name if inner.__name__ == name else f"{inner.__name__} as {name}"
+                    twin.imports.setdefault(f"_programs.bodies.{self._module(inner)}", set()).add(taken)
             elif self._is_own(value, ModuleType):
-                path = value.__name__.removeprefix(f"{self.package}.")
-                twin.modules[name] = path
-                for attribute in sorted(_attributes_of(function, name)):
-                    yield getattr(value, attribute)
+                twin.modules[name] = value.__name__.removeprefix(f"{self.package}.")
+                yield from filter(None, [self._body(getattr(value, a)) for a in sorted(_attributes_of(function, name))])
             elif isinstance(value, ModuleType):
                 twin.others.add(value.__name__)
             else:
@@ -98,6 +94,15 @@ class Twins:
         for name in sorted(_annotated(self._text(function))):
             if name in space and name != "np":
                 twin.imports.setdefault(own, set()).add(name)
+
+    def _body(self, value: Any) -> FunctionType | None:
+        """The function of a module of the package behind a name, without its decorators; None for anything else."""
+        inner = unwrap(value) if isinstance(value, FunctionType) else value
+        return inner if self._is_own(inner, FunctionType) and inner.__closure__ is None else None
+
+    def _is_rule(self, value: Any) -> bool:
+        own = isinstance(value, FunctionType) and self._module(value) == "_runtime.integrals"
+        return own and value.__name__ in RULES
 
     def sources(self) -> dict[str, str]:
         """The texts of all twins by dotted name below the package."""
@@ -122,6 +127,10 @@ class Twins:
         head = HEAD.format(title=f"axicontact.{path}")
         return head + "\n".join(lines) + "".join(f"\n\n\n{text}" for text in texts) + "\n"
 
+    def _decorators(self, function: FunctionType) -> frozenset[str]:
+        known = self._module(function) in self.texts
+        return _decorators(self._text(function)) if known else frozenset()
+
     def _text(self, function: FunctionType) -> str:
         return _bodies(self.texts[self._module(function)])[function.__name__]
 
@@ -144,10 +153,10 @@ class Twins:
         return any(step.opname == "IMPORT_NAME" for step in get_instructions(code))
 
     def _called(self, function: FunctionType) -> list[FunctionType]:
-        names, space = _names(function.__code__), function.__globals__
+        names, space = _names(function.__code__) | self._decorators(function), function.__globals__
         spaces = [space, *(vars(m) for n in names if self._is_own(m := space.get(n), ModuleType))]
         called: list[Any] = [known.get(name) for known in spaces for name in names]
-        return [other for other in called if self._is_own(other, FunctionType)]
+        return [inner for other in called if not self._is_rule(other) and (inner := self._body(other)) is not None]
 
     def _of_arrays(self, owner: str, name: str) -> bool:
         """Whether plain numbers have nothing of that name; `sum` is one of NumPy, and of Python without `np` before."""
@@ -202,6 +211,14 @@ def _bodies(text: str) -> dict[str, str]:
 
 def _defined(text: str) -> list[str]:
     return list(_bodies(text))
+
+
+@cache
+def _decorators(text: str) -> frozenset[str]:
+    """The names that the decorators of a function use."""
+    (function,) = ast.parse(text).body
+    assert isinstance(function, ast.FunctionDef)
+    return frozenset(part.id for one in function.decorator_list for part in ast.walk(one) if isinstance(part, ast.Name))
 
 
 @cache
