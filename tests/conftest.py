@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable, Iterator
 from importlib import import_module
-from pathlib import Path
 from types import ModuleType
 
 import pytest
 from hypothesis import HealthCheck, settings
-from plane_modules import PACKAGE, entries, written
 from stored_book import CATALOGUE, KEYS, evidence, kernels, stored
 
-from axiderive.code import python
-from axiderive.code.plane import module_sources
-from axiderive.profiles import plane
+from axiderive.code import python, tables
+from axiderive.entry import Entry
+from axiderive.physics import normal
+from axiderive.physics.medium import Medium
+from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.scene.linker import sources
 from axiderive.web import html_sources
 
@@ -34,25 +33,36 @@ WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materia
 def kernels_of_the_catalogue() -> Iterator[None]:
     """To fit them anew takes six seconds; one test compares them, see `test_runtime`."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(python, "kernels_source", kernels)
-        patch.setattr(sources, "kernels_source", kernels)
+        for module in (tables, python, sources):
+            patch.setattr(module, "kernels_source", kernels)
         yield
 
 
-@pytest.fixture(scope="module")
-def plane_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    folder = tmp_path_factory.mktemp("plane")
-    written(folder, PACKAGE, module_sources({name: entries(name) for name in plane.NAMES}))
-    sys.path.insert(0, str(folder))
-    yield folder
-    sys.path.remove(str(folder))
-    for name in [name for name in sys.modules if name.startswith(PACKAGE)]:
-        del sys.modules[name]
+@pytest.fixture(scope="session", autouse=True)
+def profiles_of_the_catalogue_are_derived_once() -> Iterator[None]:
+    """A profile of the catalogue as it stands on a half-space: fifty tests ask for the same entries of the cone.
+
+    A profile that a test has changed is another object, and is derived anew.
+    """
+    found: dict[tuple[str, Medium], dict[str, Entry]] = {}
+    genuine = normal._Compact.entries
+
+    def entries(own: normal._Compact) -> dict[str, Entry]:
+        if own.profile.name not in COMPACT_NAMES or own.profile is not load(own.profile.name):
+            return genuine(own)
+        key = own.profile.name, own.medium
+        if key not in found:
+            found[key] = genuine(own)
+        return dict(found[key])
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(normal._Compact, "entries", entries)
+        yield
 
 
 @pytest.fixture
-def plane_module(plane_folder: Path) -> Callable[[str], ModuleType]:
-    return lambda name: import_module(f"{PACKAGE}.plane.{name}")
+def plane_module() -> Callable[[str], ModuleType]:
+    return lambda name: import_module(f"axicontact.plane.{name}")
 
 
 @pytest.fixture(scope="session")
