@@ -13,9 +13,10 @@ from stored_book import CATALOGUE, KEYS, evidence, kernels, stored
 
 from axiderive.code import python, tables
 from axiderive.entry import Entry
-from axiderive.physics import normal
-from axiderive.physics.medium import Medium
-from axiderive.profiles import COMPACT_NAMES, load
+from axiderive.physics import complete, normal, plane
+from axiderive.physics.medium import HOMOGENEOUS, Medium
+from axiderive.physics.systems import POOLS
+from axiderive.profiles.profile import Profile
 from axiderive.scene.linker import sources
 from axiderive.web import html_sources
 
@@ -40,23 +41,31 @@ def kernels_of_the_catalogue() -> Iterator[None]:
 
 @pytest.fixture(scope="session", autouse=True)
 def profiles_of_the_catalogue_are_derived_once() -> Iterator[None]:
-    """A profile of the catalogue as it stands on a half-space: fifty tests ask for the same entries of the cone.
+    """A profile of the catalogue as it stands, on a half-space or as a strip: fifty tests ask for those of the cone.
 
     A profile that a test has changed is another object, and is derived anew.
     """
-    found: dict[tuple[str, Medium], dict[str, Entry]] = {}
-    genuine = normal._Compact.entries
+    found: dict[tuple[int, Medium | None], dict[str, Entry]] = {}
 
-    def entries(own: normal._Compact) -> dict[str, Entry]:
-        if own.profile.name not in COMPACT_NAMES or own.profile is not load(own.profile.name):
-            return genuine(own)
-        key = own.profile.name, own.medium
+    def once(profile: Profile, medium: Medium | None, genuine: Callable[[], dict[str, Entry]]) -> dict[str, Entry]:
+        if not any(profile.name in pool.names and profile is pool.load(profile.name) for pool in POOLS):
+            return genuine()
+        key = id(profile), medium  # which is loaded once, and stays
         if key not in found:
-            found[key] = genuine(own)
+            found[key] = genuine()
         return dict(found[key])
 
+    compact, face, strip, plane_face = (
+        normal._Compact.entries, complete.derive, plane._Compact.entries, plane._Complete.entries
+    )  # fmt: skip
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(normal._Compact, "entries", entries)
+        patch.setattr(normal._Compact, "entries", lambda own: once(own.profile, own.medium, lambda: compact(own)))
+        patch.setattr(
+            complete, "derive",
+            lambda profile, medium=HOMOGENEOUS: once(profile, medium, lambda: face(profile, medium)),
+        )  # fmt: skip
+        patch.setattr(plane._Compact, "entries", lambda own: once(own.profile, None, lambda: strip(own)))
+        patch.setattr(plane._Complete, "entries", lambda own: once(own.profile, None, lambda: plane_face(own)))
         yield
 
 

@@ -24,7 +24,16 @@ from axiderive.store import sources
 HANGS = 600
 """Seconds after which a build counts as hanging: it takes a few, and a minute where many share the machine."""
 
-ARGUMENTS = ["build", "--only", "loads.uniform,loads.hertzian,loads.punch", "--no-pdf", "--points", "4"]
+ARGUMENTS = [
+    "build",
+    "--only",
+    "loads.uniform,loads.hertzian,loads.punch",
+    "--no-pdf",
+    "--points",
+    "4",
+    "--digits",
+    "20",
+]
 # the folder of the project holds cache and catalogue; here each build gets one of its own, and is killed with all of
 # its workers when it has touched that folder so many times, and so many seconds have passed since
 PROGRAM = """
