@@ -76,7 +76,7 @@ def test_cone_and_truncated_cone_against_the_book(ratio: sp.Expr) -> None:
             assert abs(got / want - 1) < AGREEMENT
 
 
-@pytest.mark.parametrize("name", few(NAMES, ["cone", "truncated_cone"]))
+@pytest.mark.parametrize("name", few(NAMES, ["cone", "flat_punch"]))
 def test_every_entry_agrees_with_its_definition(name: str) -> None:
     """Depth, force, pressure, displacement at the extremes; all else is covered by the build's own run."""
     profile = load(name)
