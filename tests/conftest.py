@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable, Iterator
 from importlib import import_module
-from pathlib import Path
 from types import ModuleType
 
 import pytest
 from hypothesis import HealthCheck, settings
-from plane_modules import PACKAGE, entries, written
 from stored_book import CATALOGUE, KEYS, evidence, kernels, stored
 
-from axiderive.code import python
-from axiderive.code.plane import module_sources
-from axiderive.profiles import plane
+from axiderive.code import python, tables
+from axiderive.entry import Entry
+from axiderive.physics import complete, normal, plane
+from axiderive.physics.medium import HOMOGENEOUS, Medium
+from axiderive.physics.systems import POOLS
+from axiderive.profiles.profile import Profile
 from axiderive.scene.linker import sources
 from axiderive.web import html_sources
 
@@ -34,25 +34,44 @@ WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materia
 def kernels_of_the_catalogue() -> Iterator[None]:
     """To fit them anew takes six seconds; one test compares them, see `test_runtime`."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(python, "kernels_source", kernels)
-        patch.setattr(sources, "kernels_source", kernels)
+        for module in (tables, python, sources):
+            patch.setattr(module, "kernels_source", kernels)
         yield
 
 
-@pytest.fixture(scope="module")
-def plane_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    folder = tmp_path_factory.mktemp("plane")
-    written(folder, PACKAGE, module_sources({name: entries(name) for name in plane.NAMES}))
-    sys.path.insert(0, str(folder))
-    yield folder
-    sys.path.remove(str(folder))
-    for name in [name for name in sys.modules if name.startswith(PACKAGE)]:
-        del sys.modules[name]
+@pytest.fixture(scope="session", autouse=True)
+def profiles_of_the_catalogue_are_derived_once() -> Iterator[None]:
+    """A profile of the catalogue as it stands, on a half-space or as a strip: fifty tests ask for those of the cone.
+
+    A profile that a test has changed is another object, and is derived anew.
+    """
+    found: dict[tuple[int, Medium | None], dict[str, Entry]] = {}
+
+    def once(profile: Profile, medium: Medium | None, genuine: Callable[[], dict[str, Entry]]) -> dict[str, Entry]:
+        if not any(profile.name in pool.names and profile is pool.load(profile.name) for pool in POOLS):
+            return genuine()
+        key = id(profile), medium  # which is loaded once, and stays
+        if key not in found:
+            found[key] = genuine()
+        return dict(found[key])
+
+    compact, face, strip, plane_face = (
+        normal._Compact.entries, complete.derive, plane._Compact.entries, plane._Complete.entries
+    )  # fmt: skip
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(normal._Compact, "entries", lambda own: once(own.profile, own.medium, lambda: compact(own)))
+        patch.setattr(
+            complete, "derive",
+            lambda profile, medium=HOMOGENEOUS: once(profile, medium, lambda: face(profile, medium)),
+        )  # fmt: skip
+        patch.setattr(plane._Compact, "entries", lambda own: once(own.profile, None, lambda: strip(own)))
+        patch.setattr(plane._Complete, "entries", lambda own: once(own.profile, None, lambda: plane_face(own)))
+        yield
 
 
 @pytest.fixture
-def plane_module(plane_folder: Path) -> Callable[[str], ModuleType]:
-    return lambda name: import_module(f"{PACKAGE}.plane.{name}")
+def plane_module() -> Callable[[str], ModuleType]:
+    return lambda name: import_module(f"axicontact.plane.{name}")
 
 
 @pytest.fixture(scope="session")

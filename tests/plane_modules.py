@@ -15,9 +15,6 @@ from axiderive.entry import Entry
 from axiderive.physics.plane import derive
 from axiderive.profiles import plane
 
-PACKAGE = "emitted_plane"
-
-
 ACCURACY = 5e-15
 """Of a value away from zeros, relative; 2.5e-15 is measured (power law, rounded punch)."""
 CONCAVE = [name for name in plane.COMPLETE_NAMES if name.startswith("concave")]

@@ -36,6 +36,11 @@ def stored(key: str) -> dict[str, Entry]:
     return read_entries(problem(key), record["entries"])
 
 
+def suffixes(key: str) -> tuple[str, ...]:
+    """The quantities of a problem, without reading their formulas."""
+    return tuple(json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["entries"])
+
+
 @cache
 def kernels() -> str:
     """The fitted kernels of the run time as the catalogue holds them."""

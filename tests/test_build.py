@@ -18,9 +18,10 @@ import pytest
 import sympy as sp
 from selected import few
 
-from axiderive.build import pool, work
+from axiderive.build import emission, pool, work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings, derivation_key, verification_key
+from axiderive.code import tables
 from axiderive.notation import R, a, b, r, theta
 from axiderive.physics.systems import problem, problems
 from axiderive.profiles.profile import Piece, Sketch
@@ -207,6 +208,56 @@ ONE = 1
     ):
         assert digest_with(second=second.replace(old, new)) != base
     assert digest_with("engine.first", first=first.replace("return 4", "return 5")) != digest_with("engine.first")
+
+
+def test_what_files_say_is_kept_by_their_contents(tmp_path, monkeypatch):
+    """Nothing is read twice, a changed file is, and a damaged store is none."""
+    monkeypatch.setattr(sources, "__file__", str(tmp_path / "engine" / "store" / "sources.py"))
+    (tmp_path / "engine" / "store").mkdir(parents=True)
+    (tmp_path / "engine" / "store" / "sources.py").write_text("")
+    texts = {"first": "from .second import g\n\ndef f():\n    return g.h\n", "second": "def g():\n    return 2\n"}
+    read, store = [], Cache(tmp_path / "cache")
+    genuine = sources._read
+
+    def noted(name, *given):
+        read.append(name)
+        return genuine(name, *given)
+
+    monkeypatch.setattr(sources, "_read", noted)
+
+    def digest_in(cache, **changed):
+        for name in ("_module", "_source"):
+            monkeypatch.setattr(sources, name, sources_own[name].__wrapped__)
+        for own, text in {"__init__": "", **texts, **changed}.items():
+            (tmp_path / "engine" / f"{own}.py").write_text(text)
+        read.clear()
+        with sources.kept(cache):
+            return sources.import_digest.__wrapped__("engine.first.f")
+
+    sources_own = {name: getattr(sources, name) for name in ("_module", "_source")}
+    plain = digest_in(Cache(tmp_path / "none", fresh=True))
+    assert set(read) >= {"engine.first", "engine.second"}
+    assert digest_in(store) == plain
+    assert set(read) >= {"engine.first", "engine.second"}
+    assert digest_in(store) == plain
+    assert read == []
+    assert digest_in(store, second="def g():\n    return 3\n") != plain
+    assert read == ["engine.second"]
+    (path,) = (tmp_path / "cache").rglob("*.json")
+    path.write_bytes(path.read_bytes()[:-9])
+    assert digest_in(store) == plain
+    assert set(read) >= {"engine.first", "engine.second"}
+
+
+def test_kernels_are_fitted_once_for_the_same_sources(tmp_path, monkeypatch):
+    fitted, store = [], Cache(tmp_path)
+    monkeypatch.setattr(tables, "kernels_source", lambda: fitted.append(1) or "text")
+    assert [emission.kernels(store), emission.kernels(store), len(fitted)] == ["text", "text", 1]
+    emission.kernels(Cache(tmp_path, fresh=True))
+    assert len(fitted) == 2
+    monkeypatch.setattr(emission, "import_digest", lambda *names: "of other sources")
+    emission.kernels(store)
+    assert len(fitted) == 3
 
 
 def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch):

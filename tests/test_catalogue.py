@@ -18,6 +18,8 @@ from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
 from axiderive.physics.systems import BODIES, BY_NAME, SYSTEMS, Problem, problems
+from axiderive.stable.measure import closure
+from axiderive.stable.records import MEASURED
 from axiderive.store.index import loads
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"
@@ -137,13 +139,23 @@ def test_package_lists_what_it_holds() -> None:
 
 
 def test_the_evidence_was_made_by_this_engine_of_these_entries() -> None:
-    """What a build has checked is asked for by the digest of its inputs, and not checked again here."""
+    """What a build has checked and measured is asked for by the digest of its inputs, and not done again here."""
     settings, stale = Settings(), []
+    modules = {
+        path.relative_to(CATALOGUE).as_posix(): path.read_text() for path in (CATALOGUE / "axicontact").rglob("*.py")
+    }
     receipts = json.loads((CATALOGUE / "evidence" / "receipts.json").read_bytes())
     for key, problem in PROBLEMS.items():
         made_of = work.checking_key(problem, record(key)["entries"], settings)
         if receipts[key]["checks"] != work.receipt(made_of, checks_of(record(key)["evidence"])):
             stale.append(key)
+        assert ("evaluation" in receipts[key]) == (problem.system in MEASURED)
+        if problem.system in MEASURED:
+            sources = closure(modules, problem.module)
+            measured_of = work.evaluation_key(problem, record(key)["entries"], sources)
+            errors = record(key)["evidence"]["evaluation"]
+            if receipts[key]["evaluation"] != work.receipt(measured_of, errors):
+                stale.append(f"{key} (measured errors)")
     if receipts["chapter11"]["record"] != work.receipt(work.chapter_key(), record("chapter11")):
         stale.append("chapter11")
     assert not stale, f"the engine or the entries have changed since: run make build for {', '.join(stale[:5])} ..."

@@ -8,7 +8,7 @@ import json
 import re
 import textwrap
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any
 
 import mpmath as mp
@@ -49,7 +49,7 @@ def test_every_equation_has_a_check() -> None:
     assert {n for n, equation in runner.equations().items() if equation.corrected} == MISPRINTED
 
 
-@pytest.mark.parametrize("section", few(SECTIONS, ["flat punch", "adhesive"]))
+@pytest.mark.parametrize("section", few(SECTIONS, ["adhesive", "graded adhesive"]))
 def test_section(section: str) -> None:
     assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=1, draws=1))
 
@@ -62,7 +62,7 @@ def test_section_with_many_draws(section: str) -> None:
 
 def test_more_digits_are_reached_on_demand() -> None:
     """The rules of quadrature scale with the precision."""
-    rows = runner.run([4, 24, 42, 68, 83, 104], digits=55, seed=3, draws=1)
+    rows = runner.run([4, 24, 42, 68, 83], digits=55, seed=3, draws=1)
     assert all(row.verdict == "OK" for row in rows), "\n" + runner.table(rows)
 
 
@@ -98,10 +98,16 @@ def test_a_correction_of_a_correct_equation_fails() -> None:
     assert runner.check(replace(equation, corrected=equation.formula), draws=1).verdict == "fails"
 
 
-def test_errata_are_the_misprints_and_the_remarks() -> None:
-    found = errata(DIGITS, seed=4)
-    assert [e.place for e in found[: len(MISPRINTED)]] == [f"(11.{n})" for n in sorted(MISPRINTED)]
-    assert all(e.printed != e.right and e.reason and e.evidence for e in found[: len(MISPRINTED)])
+@pytest.mark.parametrize("made", ["by the build", pytest.param("now", marks=pytest.mark.slow)])
+def test_errata_are_the_misprints_and_the_remarks(made: str) -> None:
+    """Those of the catalogue too: `test_catalogue` asks by digest whether they were made by this engine."""
+    if made == "now":
+        found = [asdict(erratum) for erratum in errata(DIGITS, seed=4)]
+    else:
+        found = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())["errata"]
+    misprints = found[: len(MISPRINTED)]
+    assert [e["place"] for e in misprints] == [f"(11.{n})" for n in sorted(MISPRINTED)]
+    assert all(e["printed"] != e["right"] and e["reason"] and e["evidence"] for e in misprints)
     assert len(found) == len(MISPRINTED) + len(REMARKS)
 
 

@@ -189,7 +189,7 @@ def held_out(seed: int) -> None:
     assert max(errors) < ROUNDING, (text, errors)
 
 
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_random_piecewise_polynomial_is_derived_certified_and_emitted(seed):
     held_out(seed)
 

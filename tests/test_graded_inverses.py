@@ -84,7 +84,9 @@ def test_loads_are_known_where_the_radius_is_the_largest(name: str, k: float) ->
     own = {"R": 1.3} if name == "sphere" else {"h": 0.7, "b": 1.3}
     module, given, power = emitted(f"normal.{name}"), {**own, "H": 2.5, "k": k}, 1 + mp.mpf(k)
     h, b, unit = own.get("h", 1.3), 1.3, 2.5 * own.get("h", 1.3) * mp.mpf(1.3) ** power
-    states = [(b * a, h * d, unit * F) for a, d, F in (loads_of_a_vertical_end(gap, k) for gap in GAPS)]
+    # quadratures of the steepest ones take a second each
+    gaps = GAPS[::2] if k < -0.1 else GAPS
+    states = [(b * a, h * d, unit * F) for a, d, F in (loads_of_a_vertical_end(gap, k) for gap in gaps)]
     a = np.array([float(state[0]) for state in states])
     d, F = (np.array([float(state[i]) for state in states]) for i in (1, 2))
     # those of the doubles, by dF/dd = 2 H/(1 + k) a**(1 + k)

@@ -19,7 +19,7 @@ from axiderive.profiles.profile import Piece, Profile, Sketch
 
 B1, B2 = sp.symbols("b1 b2", positive=True)
 DIGITS = 30
-FEW, MANY = range(5), range(5, 40)
+FEW, MANY = range(3), range(3, 40)
 
 
 def random_polynomial(source: random.Random) -> sp.Expr:

@@ -27,6 +27,12 @@ PROFILES = (
     "truncated_paraboloid", "rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch",
     "sphere_tipped_cone", "flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic",
 )  # fmt: skip
+ALWAYS = ("cone", "sphere", "truncated_paraboloid", "rounded_curved_punch", "concave_power")
+PLAIN = (
+    *ALWAYS, "sphere_tipped_cone", "quartic", "power_law", "polynomial", "truncated_cone", "flat_punch",
+    "capped_cylinder", "concave_paraboloid", "concave_quartic",
+)  # fmt: skip
+"""Those of which no mutant may be accepted, and whose formulas are accepted, in a plain run too."""
 SEED = 1882
 LENGTHS = (nt.r, nt.a, nt.b, nt.R, nt.R1, nt.R2)
 Entries = dict[str, Entry]
@@ -181,7 +187,7 @@ def mutants(name: str) -> tuple[Mutant, ...]:
     return tuple(out)
 
 
-@pytest.mark.parametrize("name", few(PROFILES, PROFILES[::4], pytest.mark.slow))
+@pytest.mark.parametrize("name", few(PROFILES, ALWAYS, pytest.mark.slow))
 def test_no_mutant_is_accepted(name: str) -> None:
     profile = profiles.load(name)
     accepted = [
@@ -192,18 +198,22 @@ def test_no_mutant_is_accepted(name: str) -> None:
     assert not accepted, "\n".join(accepted)
 
 
-@pytest.mark.parametrize("name", PROFILES)
+@pytest.mark.parametrize("name", few(PROFILES, PLAIN, pytest.mark.slow))
 def test_the_true_formula_behind_every_mutant_is_accepted(name: str) -> None:
     certificates = certify_profile(profiles.load(name), true_entries(name))
     assert {mutant.suffix for mutant in mutants(name)} <= {s for s, c in certificates.items() if c.proved}
     assert mutants(name)
 
 
-def test_there_are_enough_mutants_of_every_kind() -> None:
-    found = [mutant.kind for name in PROFILES for mutant in mutants(name)]
-    assert len(found) >= 100
+@pytest.mark.parametrize(
+    ("names", "least"),
+    [pytest.param(ALWAYS, 4, id="plain run"), pytest.param(PROFILES, 10, id="all", marks=pytest.mark.slow)],
+)
+def test_there_are_enough_mutants_of_every_kind(names: tuple[str, ...], least: int) -> None:
+    found = [mutant.kind for name in names for mutant in mutants(name)]
+    assert len(found) >= 10 * least
     for kind in ("sign", "factor", "exponent", "symbol", "constant", "branch", "primitive"):
-        assert found.count(kind) >= 10, kind
+        assert found.count(kind) >= least, kind
 
 
 def test_mutants_are_the_same_in_every_run() -> None:

@@ -69,8 +69,17 @@ QUICK = [
 ]
 
 
+DEFINED = [(physics, name, suffix) for physics, name, some in QUICK for suffix in some.split()]
+SECONDS = {
+    ("tangential", "paraboloid", "tau"),  # whose changed formula is compared in a plain run
+    *(("graded", "capped_cylinder", suffix) for suffix in ("F", "w", "dF")),
+    *(("graded adhesive", "sphere", suffix) for suffix in ("ac", "Fc", "am", "dm")),
+}
+"""The build has compared all of them, and `test_catalogue` asks for its checks by digest."""
+
+
 @pytest.mark.parametrize(
-    ("physics", "name", "suffix"), [(physics, name, suffix) for physics, name, some in QUICK for suffix in some.split()]
+    ("physics", "name", "suffix"), few(DEFINED, [row for row in DEFINED if row not in SECONDS], pytest.mark.slow)
 )
 def test_entry_is_its_definition(physics, name, suffix):
     evidence = check(physics, name, suffix, points=2)
@@ -121,7 +130,7 @@ def test_creep_and_relaxation_belong_together():
         assert abs(wrong.convolution(mp.mpf(1), 45) - 1) > mp.mpf("1e-3")
 
 
-UNITS_OF = ("paraboloid", "truncated_cone", "sphere_tipped_cone", "power")
+UNITS_OF = ("paraboloid", "truncated_cone", "power")
 EVERYWHERE = [
     (physics, name)
     for physics in SYSTEMS
@@ -132,7 +141,7 @@ EVERYWHERE = [
 
 @pytest.mark.parametrize(
     ("physics", "name"),
-    [row for row in EVERYWHERE if row[1] in UNITS_OF],
+    few(EVERYWHERE, [row for row in EVERYWHERE if row[1] in UNITS_OF], pytest.mark.slow),
 )
 def test_units(physics, name):
     profile, entries = derived(physics, name)
@@ -206,7 +215,7 @@ def all_evidence(key: str) -> None:
         assert any(check.passed and check.worst for check in own), f"{entry.key} was not compared with anything"
 
 
-@pytest.mark.parametrize("key", few(SAMPLE, ["cone.adh", "cone.fgm", "plane.parabola", "loads.power"]))
+@pytest.mark.parametrize("key", few(SAMPLE, ["plane.parabola", "loads.power"]))
 def test_evidence_of_a_problem(key):
     all_evidence(key)
 
@@ -228,7 +237,7 @@ CORRUPTED = (
     ("key", "suffix"),
     few(
         CORRUPTED,
-        [("cone.adh", "am"), ("cone.vis", "step_sls"), ("plane.wedge", "s"), ("loads.uniform", "w")],
+        [("cone.vis", "step_sls"), ("plane.wedge", "s"), ("loads.uniform", "w")],
         pytest.mark.slow,
     ),
 )

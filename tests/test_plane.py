@@ -7,6 +7,7 @@ import mpmath as mp
 import pytest
 import sympy as sp
 from selected import few
+from stored_book import suffixes
 
 from axiderive import notation as nt
 from axiderive.checks import plane_closure, plane_quadrature, units
@@ -36,7 +37,8 @@ def entries(name):
 
 
 def all_keys():
-    return [(name, suffix) for name in profiles.NAMES for suffix in entries(name)]
+    # what a derivation gives is not asked for while tests are collected, by every worker; `test_interface` compares
+    return [(name, suffix) for name in profiles.NAMES for suffix in suffixes(f"plane.{name}")]
 
 
 def value(name, suffix, values, digits=30):
@@ -45,6 +47,7 @@ def value(name, suffix, values, digits=30):
 
 @pytest.mark.parametrize("name", profiles.NAMES)
 def test_interface(name):
+    assert set(entries(name)) == set(suffixes(f"plane.{name}"))
     functions = {entry.quantity.function for entry in entries(name).values()}
     if name in profiles.COMPACT_NAMES:
         assert functions == COMPACT
@@ -60,6 +63,10 @@ def test_every_formula_is_certified(name):
     assert {key: c.reason for key, c in certificates.items() if not c.proved} == {}
 
 
+SECONDS = ("concave_power", "concave_quartic", "rounded_wedge")
+"""Of which every corrupted formula takes seconds: other concave faces and breaks stand for them in a plain run."""
+
+
 def mutants(expr):
     """Wrong sign, factor and exponent, and a length taken for its double in one place."""
     if isinstance(expr, sp.Eq):
@@ -71,7 +78,7 @@ def mutants(expr):
     return out + ([expr.subs(functions[0], functions[0].subs(nt.a, 2 * nt.a))] if functions else [])
 
 
-@pytest.mark.parametrize("name", profiles.NAMES)
+@pytest.mark.parametrize("name", few(profiles.NAMES, [n for n in profiles.NAMES if n not in SECONDS], pytest.mark.slow))
 def test_no_corrupted_formula_is_certified(name):
     profile, found, tried = profiles.load(name), entries(name), 0
     for suffix, entry in found.items():
@@ -88,7 +95,7 @@ INTEGRALS = [k for k in all_keys() if k[0] != "eccentric_punch"]
 
 
 @pytest.mark.parametrize(
-    ("name", "suffix"), few(INTEGRALS, [k for k in INTEGRALS if k[0] in ("wedge", "rounded_punch")])
+    ("name", "suffix"), few(INTEGRALS, [k for k in INTEGRALS if k[0] == "wedge" or k == ("rounded_punch", "P")])
 )
 def test_defining_integral(name, suffix):
     evidence = plane_quadrature.check(profiles.load(name), entries(name), suffix, digits=46, points=5, seed=3)
@@ -96,7 +103,7 @@ def test_defining_integral(name, suffix):
     assert evidence.required >= 36
 
 
-@pytest.mark.parametrize("name", few(profiles.NAMES, ["wedge", "rounded_punch"]))
+@pytest.mark.parametrize("name", few(profiles.NAMES, ["wedge", "parabola"]))
 def test_pressure_closes_the_integral_equation(name):
     for evidence in plane_closure.check_profile(profiles.load(name), entries(name), digits=26, points=2, seed=5):
         assert evidence.passed, evidence
@@ -177,7 +184,9 @@ def test_least_load_keeps_the_contact_closed(n):
     nearest, small = (x_0, mp.mpf(10) ** -40) if x_0 > 0 else (mp.mpf(10) ** -20, mp.mpf(10) ** (-20 * (n - 1)))
     assert abs(p(nearest, least)) < small * p(mp.mpf("1.99"), least)
     assert p(nearest, least * (1 - 2 * small)) < 0
-    assert all(p(mp.mpf(i) / 50, least) > 0 for i in range(1, 100) if abs(mp.mpf(i) / 50 - x_0) > 1e-3)
+    # at an odd n a value takes a tenth of a second, its series being the limit of others
+    places = range(1, 100, 9 if n % 2 == 1 else 1)
+    assert all(p(mp.mpf(i) / 50, least) > 0 for i in places if abs(mp.mpf(i) / 50 - x_0) > 1e-3)
     assert (x_0 > 0) == (n > 2)
 
 

@@ -14,8 +14,10 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from plane_modules import ACCURACY, CONCAVE, PACKAGE, SMOOTH, entries
+from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries
+from stored_book import CATALOGUE
 
+from axiderive.code.plane import module_sources
 from axiderive.profiles import plane
 
 EPS = 2.0**-52
@@ -67,10 +69,17 @@ def test_the_example_of_every_function_runs(name: str, plane_module: Callable[[s
     assert runner.summarize(verbose=False) == (0, 2 * len(expected(name)))
 
 
-def test_text_is_linted_and_formatted(plane_folder: Path) -> None:
+def test_the_committed_text_is_what_the_entries_give() -> None:
+    """Which is what all other tests import."""
+    made = module_sources({name: entries(name) for name in plane.NAMES})
+    assert {path: (CATALOGUE / path).read_text() for path in made} == made
+    assert {Path(path).stem for path in made} == {*plane.NAMES, "__init__"}
+
+
+def test_text_is_linted_and_formatted() -> None:
     rules = Path(__file__).parents[1] / "pyproject.toml"
     for command in (["check", "-q"], ["format", "--check", "-q"]):
-        call = [sys.executable, "-m", "ruff", *command, "--config", str(rules), str(plane_folder / PACKAGE / "plane")]
+        call = [sys.executable, "-m", "ruff", *command, "--config", str(rules), str(CATALOGUE / "axicontact" / "plane")]
         done = subprocess.run(call, capture_output=True, text=True)
         if "No module named ruff" in done.stderr:
             pytest.skip("ruff is not installed")
@@ -251,7 +260,7 @@ def test_one_number_is_computed_without_arrays(
     """On both sides of the middle, but for a load that leans away: an array of one number takes ten times as long."""
     module = plane_module(name)
     call = getattr(module, function)
-    blocks, over = import_module(f"{PACKAGE}._runtime.arrays.blocks"), []
+    blocks, over = import_module("axicontact._runtime.arrays.blocks"), []
     own = blocks.over_arrays
     monkeypatch.setattr(blocks, "over_arrays", lambda *given: over.append(given) or own(*given))
     field = next(iter(given.values()))
@@ -271,7 +280,7 @@ def test_one_number_is_computed_without_arrays(
 def test_a_break_far_inside_costs_a_few_panels(rule: str, plane_module: Callable[[str], ModuleType]) -> None:
     """A hundred decades took 26 of them; the strips that are left out add nothing, as little far out as at the edge."""
     growth = plane_module("rounded_wedge")._growth_beyond
-    integral = getattr(import_module(f"{PACKAGE}._runtime.physics.plane"), rule)
+    integral = getattr(import_module("axicontact._runtime.physics.plane"), rule)
     calls = []
 
     def counted(t: np.ndarray, root: np.ndarray, *parameters: np.ndarray) -> np.ndarray:

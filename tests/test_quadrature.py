@@ -76,7 +76,7 @@ def test_cone_and_truncated_cone_against_the_book(ratio: sp.Expr) -> None:
             assert abs(got / want - 1) < AGREEMENT
 
 
-@pytest.mark.parametrize("name", few(NAMES, ["cone", "rounded_cone"]))
+@pytest.mark.parametrize("name", few(NAMES, ["cone", "flat_punch"]))
 def test_every_entry_agrees_with_its_definition(name: str) -> None:
     """Depth, force, pressure, displacement at the extremes; all else is covered by the build's own run."""
     profile = load(name)
@@ -105,7 +105,11 @@ MUTATIONS = {
 @pytest.mark.parametrize(
     ("name", "suffix", "mutation"),
     [
-        *itertools.product(["cone", "truncated_paraboloid"], ["p"], ["factor off by 1e-38", "sign", "a for r"]),
+        *itertools.product(["cone"], ["p"], ["factor off by 1e-38", "sign", "a for r"]),
+        *(
+            pytest.param("truncated_paraboloid", "p", name, marks=pytest.mark.slow)
+            for name in ("factor off by 1e-38", "sign", "a for r")
+        ),
         ("truncated_cone", "d", "branch of the inverse cosine"),
         ("truncated_cone", "F", "branch of the inverse cosine"),
         ("truncated_paraboloid", "p", "modulus for parameter"),

@@ -39,8 +39,13 @@ def test_the_module_agrees_with_the_definition_and_its_test_runs(profile, kind, 
     assert not [other for other in prefix if other != kind and prefix[other] in page]
 
 
-@pytest.mark.parametrize("profile", ["cone", "rounded_cone"])
-@pytest.mark.parametrize("k", [-0.3, 0.4])
+@pytest.mark.parametrize(
+    ("profile", "k"),
+    [
+        ("cone", -0.3), ("rounded_cone", 0.4),
+        pytest.param("cone", 0.4, marks=pytest.mark.slow), pytest.param("rounded_cone", -0.3, marks=pytest.mark.slow),
+    ],
+)  # fmt: skip
 def test_radii_under_tension_are_found_again(profile, k):
     """A negative force or depth is a field like any other, down to pull-off; below it there is no contact."""
     source = GRADED.format(profile, f"H = 1e6\nk = {k}", "adhesive").replace("= true", "= { dgamma = 0.05 }")

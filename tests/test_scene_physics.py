@@ -18,8 +18,13 @@ from axiderive.scene.linker import sources
     [
         'profile = "q*r**2 + c*r**4"\n[parameters]\nq = 3\nc = "2 mm^-3"\n[physics]\nadhesive = { dgamma = 0.1 }\n',
         'profile = "q*r**2 + Max(0, r - b)*tan(theta)"\n[parameters]\nb = 0.002\n[physics]\nadhesive = true\n',
-        'profile = "rounded_punch"\n[parameters]\nR = "2 mm"\nb = "5 mm"\n[physics]\ntangential = { mu = 0.2 }\n',
-        'profile = "concave_paraboloid"\n[medium]\nE_star = "2 GPa"\n',
+        'profile = "truncated_cone"\n[parameters]\nb = "5 mm"\n[physics]\ntangential = { mu = 0.2 }\n',
+        pytest.param(
+            'profile = "rounded_punch"\n[parameters]\nR = "2 mm"\nb = "5 mm"\n[physics]\ntangential = { mu = 0.2 }\n',
+            marks=pytest.mark.slow,
+        ),
+        # `test_scene_matrix` composes one in every run
+        pytest.param('profile = "concave_paraboloid"\n[medium]\nE_star = "2 GPa"\n', marks=pytest.mark.slow),
         'profile = "cone"\n[parameters]\ntheta = "10 deg"\n[medium]\nkind = "power_law"\nH = 1e6\nk = 0.3\n',
         f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\nadhesive = {{ dgamma = 0.1 }}\n',
         f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\ntangential = true\n',
@@ -29,6 +34,7 @@ from axiderive.scene.linker import sources
         "expression with adhesion",
         "break and free parameters",
         "tangential",
+        "tangential of a rounding",
         "complete",
         "graded",
         "adhesive outside the normal form",

@@ -100,11 +100,12 @@ def _row(name: str, **changed: str) -> Further:
 
 
 @pytest.mark.parametrize("name", SUMS)
-def test_the_parts_of_a_sum_add_to_its_entries(name: str) -> None:
+@pytest.mark.parametrize("count", [1, pytest.param(3, marks=pytest.mark.slow)])
+def test_the_parts_of_a_sum_add_to_its_entries(name: str, count: int) -> None:
     """At points of every case to forty digits, from the data; and the row in print says the same."""
     entries = stored(name)
     for suffix in ("d", "F", "p", "w"):
-        for case, values in points_of(entries[suffix], "formula", entries, 2, 5):
+        for case, values in points_of(entries[suffix], "formula", entries, count, 5):
             total = mp.mpf(0)
             with mp.workdps(2 * DIGITS):
                 for part in SUMS[name]:

@@ -39,9 +39,22 @@ def package(published: Published, cache: Cache) -> dict[str, str]:
     key = digest([work.FORMAT, "package", source_digest(*work.WRITING), records])
     texts = cache.get(key)
     if texts is None:
-        texts = package_sources(_derived(published))
+        texts = package_sources(_derived(published), kernels(cache))
         cache.put(key, texts)
     return dict(texts)
+
+
+def kernels(cache: Cache) -> str:
+    """The text of `kernels.py`, which no profile changes: to fit them anew is a fourth of a small build."""
+    from ..code import tables
+
+    versions = [work.installed(name) for name in ("mpmath", "python-flint")]
+    key = digest([work.FORMAT, "kernels", versions, import_digest("axiderive.code.tables.kernels_source")])
+    text = cache.get(key)
+    if text is None:
+        text = tables.kernels_source()
+        cache.put(key, text)
+    return str(text)
 
 
 def _derived(published: Published) -> dict[str, dict[str, Entry]]:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..store.cache import Cache, digest
-from ..store.sources import import_digest, modules_of, source_digest
+from ..store.sources import import_digest, kept, modules_of, source_digest
 
 if TYPE_CHECKING:
     from ..entry import Entry
@@ -162,9 +162,10 @@ def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mappi
     entries: dict[str, Any] = {}
     try:
         problem, cache = systems.problem(key), Cache(Path(folder), fresh)
-        entries = _derived(problem, cache)
-        checks = None if fresh else kept_checks(problem, entries, settings, standing)
-        evidence = _verified(problem, entries, cache, settings, checks)
+        with kept(cache):
+            entries = _derived(problem, cache)
+            checks = None if fresh else kept_checks(problem, entries, settings, standing)
+            evidence = _verified(problem, entries, cache, settings, checks)
     except OSError:
         raise
     except Exception as error:  # a defect in one problem must not take the others with it

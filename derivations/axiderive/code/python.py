@@ -37,13 +37,16 @@ if TYPE_CHECKING:
 NODE_COUNTS = (8, 16, 24, 32, 64, 128)
 
 
-def module_sources(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
-    """What all packages share and `axicontact.normal`, as `{path: text}` for entries by profile name and suffix."""
+def module_sources(derived: Mapping[str, Mapping[str, Entry]], kernels: str | None = None) -> dict[str, str]:
+    """What all packages share and `axicontact.normal`, as `{path: text}` for entries by profile name and suffix.
+
+    `kernels` is the text of `kernels.py` where it is known; to fit them takes six seconds.
+    """
     names = sorted(derived)
     files = {f"{PACKAGE}/{path}": text for path, text in runtime_sources().items()}
     files[f"{PACKAGE}/py.typed"] = ""
     files[f"{PACKAGE}/{PLACE}/nodes.py"] = nodes_source(NODE_COUNTS)
-    files[f"{PACKAGE}/{PLACE}/kernels.py"] = kernels_source()
+    files[f"{PACKAGE}/{PLACE}/kernels.py"] = kernels_source() if kernels is None else kernels
     files[f"{PACKAGE}/normal/__init__.py"] = _environment().get_template("physics.py.j2").render(names=names)
     for name in names:
         files[f"{PACKAGE}/normal/{name}.py"] = module_source(derived[name])
@@ -175,13 +178,13 @@ Derived = Mapping[str, Mapping[str, Entry]]
 """Entries by key of the problem and suffix."""
 
 
-def package_sources(derived: Derived) -> dict[str, str]:
-    """The files of the package as `{path below catalogue/: text}`."""
+def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, str]:
+    """The files of the package as `{path below catalogue/: text}`; with `kernels` as `module_sources` takes it."""
     families: dict[str, dict[str, Mapping[str, Entry]]] = {system.name: {} for system in systems.SYSTEMS}
     for key, entries in derived.items():
         problem = systems.problem(key)
         families[problem.system.name][problem.name] = entries
-    files = module_sources(families["normal"])
+    files = module_sources(families["normal"], kernels)
     normal_texts = {name: files[f"{PACKAGE}/normal/{name}.py"] for name in families["normal"]}
     files |= physics.module_sources(families, normal_texts)
     files |= graded.module_sources(families["graded.normal"], families)

@@ -24,6 +24,7 @@ from ..exits import FAILED, INCOMPLETE, CommandError
 from ..physics import systems
 from ..store.cache import Cache, digest
 from ..store.index import nearest
+from ..store.sources import kept
 from ..store.writing import RECEIPTS, ensure_writable, publish, stale_files, write_atomic
 
 MOST_REMARKS = 5
@@ -47,7 +48,7 @@ def build(arguments: argparse.Namespace) -> int:
     keys = [problem.key for problem in systems.problems(names)]
     measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
     ahead = Ahead(wanted=not (arguments.no_pdf or arguments.check or partial))
-    with Progress(len(keys), quiet=arguments.quiet).running() as progress:
+    with kept(cache), Progress(len(keys), quiet=arguments.quiet).running() as progress:
         catalogue = build_catalogue(
             names,
             cache=cache,

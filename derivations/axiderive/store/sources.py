@@ -5,10 +5,14 @@ from __future__ import annotations
 import ast
 import hashlib
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cache, cached_property
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
+
+from .cache import Cache, digest
 
 VIEWS = ("axiderive.book.latex",)
 """Modules that an entry asks for only to show itself."""
@@ -52,6 +56,7 @@ def import_digest(*names: str) -> str:
             pending.append(_place(*own.imported[name]))
         if name is None:
             pending += [_place(*own.imported[local]) for local in own.for_effect]
+    _KEPT.save()
     return hashlib.sha256("".join(sorted(found)).encode()).hexdigest()
 
 
@@ -60,17 +65,56 @@ def modules_of(package: str) -> list[str]:
     return [f"{package}.{path.stem}" for path in _files(package) if path.suffix == ".py" and path.stem != "__init__"]
 
 
+@contextmanager
+def kept(cache: Cache) -> Iterator[None]:
+    """In here what the files of the engine say is kept in a cache, by their contents: to read all takes two seconds."""
+    global _KEPT
+    outer, _KEPT = _KEPT, _Kept(cache)
+    try:
+        yield
+    finally:
+        _KEPT = outer
+
+
+@dataclass
+class _Kept:
+    """What modules say by name, each with the digest of the file that says it."""
+
+    cache: Cache | None = None
+    records: dict[str, Any] = field(default_factory=dict)
+    changed: bool = False
+
+    def __post_init__(self) -> None:
+        self.key = digest(["statements", hashlib.sha256(Path(__file__).read_bytes()).hexdigest()])
+        self.records = (self.cache and self.cache.get(self.key)) or {}
+
+    def record(self, name: str, source: Path) -> Any:
+        """What a module says, from the cache or from its file."""
+        content = source.read_bytes()
+        made_of = hashlib.sha256(content).hexdigest()
+        known = self.records.get(name)
+        if known is None or known["file"] != made_of:
+            known = self.records[name] = {"file": made_of, **_read(name, content, source.name == "__init__.py")}
+            self.changed = True
+        return known
+
+    def save(self) -> None:
+        """Into the cache, if there is one and something new to be kept."""
+        if self.cache and self.changed:
+            self.cache.put(self.key, self.records)
+            self.changed = False
+
+
+_KEPT = _Kept()
+
+
 @dataclass(frozen=True)
 class _Statement:
-    node: ast.stmt
+    code: str
+    """SHA-256 of what the statement computes, without docstrings and own imports."""
     binds: frozenset[str]
     uses: frozenset[tuple[str, str]]
     """Names, each with the attribute that is taken of it, or an empty one."""
-
-    @cached_property
-    def code(self) -> str:
-        """SHA-256 of what the statement computes, without docstrings and own imports."""
-        return hashlib.sha256(_code(self.node).encode()).hexdigest()
 
 
 @dataclass(frozen=True)
@@ -105,11 +149,24 @@ def _place(module: str, name: str) -> Place:
 def _module(name: str) -> _Module:
     source = _source(name)
     assert source is not None
-    tree = ast.parse(source.read_bytes())
-    package = name.split(".") if source.name == "__init__.py" else name.split(".")[:-1]
+    record = _KEPT.record(name, source)
+    statements = (
+        _Statement(code, frozenset(binds), frozenset((used, attribute) for used, attribute in uses))
+        for code, binds, uses in record["statements"]
+    )
+    imported = {local: (module, own) for local, (module, own) in record["imported"].items()}
+    return _Module(name, tuple(statements), imported)
+
+
+def _read(name: str, content: bytes, is_package: bool) -> dict[str, Any]:
+    """The statements of a module and what it imports of the engine, as JSON holds them."""
+    tree = ast.parse(content)
+    package = name.split(".") if is_package else name.split(".")[:-1]
     body = [part for one in tree.body if not _silent(one) for part in _parts(one)]
-    statements = tuple(_Statement(one, _binds(one), frozenset(_uses(one))) for one in body)
-    return _Module(name, statements, dict(_imported(tree, package)))
+    statements = [
+        [hashlib.sha256(_code(one).encode()).hexdigest(), sorted(_binds(one)), sorted(set(_uses(one)))] for one in body
+    ]
+    return {"statements": statements, "imported": dict(_imported(tree, package))}
 
 
 @cache

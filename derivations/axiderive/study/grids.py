@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from scipy import integrate, signal
+from scipy import integrate
 
 from .problems import RADIUS
 from .rivals import punch_pressure
@@ -81,18 +81,24 @@ def _convolution(density: Array, cell: float, size: int) -> Array:
     zeroth, first = np.diff(2 * np.sqrt(lag)), np.diff(2 / 3 * lag**1.5)
     far, near = first - lag[:-1] * zeroth, lag[1:] * zeroth - first
     total = np.zeros(size)
-    total[1:] += signal.fftconvolve(density[:-1], far)[: size - 1]
+    total[1:] += _convolved(density[:-1], far)[: size - 1]
     inner = density.copy()
     inner[0] = 0.0
-    total[: size - 1] += signal.fftconvolve(inner, near)[: size - 1]
+    total[: size - 1] += _convolved(inner, near)[: size - 1]
     return math.sqrt(cell) * total
 
 
 def _convolution_of_steps(density: Array, cell: float) -> Array:
     """The same for a density that is constant in each cell."""
     weights = np.diff(2 * np.sqrt(np.arange(len(density) + 1, dtype=np.float64)))
-    total = signal.fftconvolve(density, weights)[: len(density)]
+    total = _convolved(density, weights)[: len(density)]
     return math.sqrt(cell) * np.append(0.0, total)
+
+
+def _convolved(one: Array, other: Array) -> Array:
+    from scipy import signal  # which brings scipy.stats along: half a second that no other method needs
+
+    return np.asarray(signal.fftconvolve(one, other))
 
 
 def _silent(function: Callable[[float], float], x: float) -> float:
