@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._runtime.arrays.blocks import Program, largest
+from .._programs.bodies import materials as bodies
 
 C0 = np.array(1.0)
 C1 = np.array(2.0)
@@ -60,6 +61,28 @@ def block_effective_shear_modulus_all_signed(out, E_1, nu_1, E_2, nu_2, t0, t1):
     np.divide(t1, E_2, t1)
     np.add(t0, t1, t1)
     np.divide(C1, t1, out)
+
+
+def graded_modulus(E_0, c_0, k, nu):
+    if E_0.__class__ is c_0.__class__ is k.__class__ is nu.__class__ is float and E_0 > 1e-30 and (E_0 < 1e+30) and (c_0 > 1e-30) and (c_0 < 1e+30) and (k > 1e-30) and (k < 1.0) and (nu > 1e-30) and (nu < 0.5):
+        try:
+            value = bodies._graded_modulus(E_0, c_0, k, nu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def h_N(k, nu):
+    if k.__class__ is nu.__class__ is float and k > 1e-30 and (k < 1.0) and (nu > 1e-30) and (nu < 0.5):
+        try:
+            value = bodies._h_N(k, nu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

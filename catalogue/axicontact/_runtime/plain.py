@@ -12,12 +12,15 @@ from functools import cache
 from operator import not_
 from types import SimpleNamespace
 
+from .integrals import STRIPS
 from .nodes import gauss_legendre
 
 PANELS = 4
 """Panels of a rule beyond which its sum is left to the arrays, which carry what rounding loses."""
 Pairs = list[tuple[float, float]]
 """Nodes of a rule with their weights."""
+Strip = tuple[Callable[[float], float], float, float, bool, float]
+"""An integrand, the end of its interval, a factor, whether it holds, and what else is."""
 
 
 def rule(lengths: tuple[tuple[float, int], ...]) -> Callable[[float], Pairs]:
@@ -42,6 +45,53 @@ def _pairs(count: int, panels: int) -> Pairs:
     return [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in panel]
 
 
+def integral(integrand: Callable[[float], float], stop: float, count: int) -> float:
+    """Integral from 0 to `stop` with `count` nodes."""
+    return math.fsum([weight * integrand(node * stop) for node, weight in _pairs(count, 1)]) * stop
+
+
+def integral_in_strip(
+    integrand: Callable[[float], float],
+    stop: float,
+    width: float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> float:
+    """Integral from 0 to `stop` with as many nodes as its length in units of `width` asks for."""
+    return math.fsum([weight * integrand(node * stop) for node, weight in rule(lengths)(stop / width)]) * stop
+
+
+integral_by_length = integral_in_strip
+
+
+def in_groups(
+    rule_of: Callable[..., tuple[Callable[[float], float], float, float, bool, float]],
+) -> Callable[..., float]:
+    """The integral of a rule, as over arrays, at one point."""
+
+    def at(slope: Callable[..., float], parameters: tuple[float, ...], *lengths: float, width: float = 1.0) -> float:
+        integrand, stop, factor, holds, otherwise = rule_of(lambda *t: slope(*t, *parameters), *lengths)
+        return factor * integral_in_strip(integrand, stop, width) if holds else otherwise
+
+    return at
+
+
+def over_radii(courses: object) -> Callable[[Callable[..., float]], Callable[..., float]]:
+    """The rule itself: there is one radius."""
+    return lambda rule_of: rule_of
+
+
+at_many_radii = over_radii
+
+
+def _minimum(x: float, y: float) -> float:
+    """Not a number where one of them is none, unlike Python's."""
+    return x if x < y or x != x else y
+
+
+def _maximum(x: float, y: float) -> float:
+    return x if x > y or x != x else y
+
+
 def _sqrt(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else math.nan
 
@@ -51,11 +101,11 @@ MATH = SimpleNamespace(
     sqrt=_sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=math.log, log1p=math.log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
     sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh,
-    abs=abs, minimum=min, maximum=max, isfinite=math.isfinite, any=bool, all=bool, count_nonzero=bool,
+    abs=abs, minimum=_minimum, maximum=_maximum, isfinite=math.isfinite, any=bool, all=bool, count_nonzero=bool,
     # bodies write it out: ~True is -2, and an error from Python 3.16 on
     logical_not=not_,
     where=lambda condition, x, y: x if condition else y,
     asarray=lambda x, dtype=None: x, full_like=lambda x, value: value,
-    ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0,
+    ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0, vectorize=lambda function, otypes=None: function,
 )  # fmt: skip
 """What a body that iterates finds as `np` where its arguments are plain numbers."""

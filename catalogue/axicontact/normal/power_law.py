@@ -12,7 +12,8 @@ import numpy as np
 from .._runtime.functions import lower_power, nth_root, without_root
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.shapes.powers import power_displacement, power_pressure
-from .._runtime.special import gamma_ratio
+from .._runtime.shapes.ring import ring_of_greatest_pressure, rise_to_greatest_pressure
+from .._runtime.special import PeakPressure, gamma_ratio
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -24,6 +25,7 @@ __all__ = [
     "force",
     "force_from_depth",
     "mean_pressure",
+    "peak_pressure",
     "pressure",
     "profile",
     "radius_from_depth",
@@ -577,6 +579,59 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, A=A, n=n, E_star=E_star)
 
 
+def peak_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> PeakPressure:
+    """Greatest pressure, and the radius of the ring on which it is.
+
+    p_peak = A*E_star*a**(n - 1)*n*gamma(n/2 + 1)/(sqrt(pi)*sqrt(1 - r_peak**2/a**2)*(n - 1)*gamma((n + 1)/2))
+    r_peak = 0   for 1 < n < 2
+    r_peak from IncompleteBeta(1 - r_peak**2/a**2, 1/2, 3/2 - n/2) = 2*(a/r_peak)**(n - 3)/(sqrt(1 -
+    r_peak**2/a**2)*(n - 2))   for 2 < n
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    PeakPressure
+        Named tuple of pressure [Pa] and radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. Handbook: power_law.rp, power_law.pp.
+
+    References
+    ----------
+    chapter 11, equation (11.23); Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.peak_pressure(1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value.pressure, 6)
+    0.772294
+    """
+    require(A=A, n=n, E_star=E_star)
+    pressure = elementwise(_peak_pressure, a, A=A, n=n, E_star=E_star)
+    radius = elementwise(_peak_radius, a, n=n, unused=(A, E_star))
+    return PeakPressure(pressure, radius)
+
+
 def _profile(r: Array, A: Array, n: Array) -> Array:
     return A * r**n
 
@@ -616,6 +671,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 def _mean_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     return 2 * E_star * n * A / (np.sqrt(np.pi) * (n + 1)) * lower_power(a, n) * kappa
+
+
+def _peak_radius(a: Array, n: Array) -> Array:
+    return a * ring_of_greatest_pressure(n)
+
+
+def _peak_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    rise = rise_to_greatest_pressure(n)
+    greatest = E_star * n * A * rise / (np.sqrt(np.pi) * (n - 1)) * lower_power(a, n) * kappa
+    return np.where(n > 1.0, greatest, np.inf)
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:

@@ -700,12 +700,12 @@ def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _peak_radius(a: Array, b: Array) -> Array:
-    return np.where(a >= b, b + (a - b) * peak_share(a, b), np.nan)
+    return np.where(a >= b, np.where(a < np.inf, b + (a - b) * peak_share(a, b), a), np.nan)
 
 
 def _peak_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     growth = peak_integral_beyond(_slope_beyond, (R, b), peak_share(a, b), a, b)
-    return np.where(a >= b, E_star / np.pi * growth, np.nan)
+    return np.where(a >= b, np.where(a < np.inf, E_star / np.pi * growth, a), np.nan)
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:

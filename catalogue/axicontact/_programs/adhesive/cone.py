@@ -7,6 +7,7 @@ from math import atan, atan2, log1p, sqrt, tan
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.adhesive import cone as bodies
 
 C0 = np.array(3.141592653589793)
 C1 = np.array(0.5)
@@ -468,6 +469,28 @@ def block_pressure_all(out, r, a, theta, E_star, dgamma, t0, t1, t2, t3, t4, m0,
     if some37 != size:
         np.copyto(t2, C6, where=~m0)
     np.subtract(t1, t2, out)
+
+
+def radius_from_depth(d, theta, E_star, dgamma):
+    if d.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, theta, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, theta, E_star, dgamma):
+    if F.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, theta, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

@@ -7,6 +7,7 @@ from math import atan2, pow, sqrt
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.adhesive import quartic as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(8.0)
@@ -627,6 +628,28 @@ def block_pressure_all(out, r, a, A, E_star, dgamma, t0, t1, t2, t3, t4, m0, m1,
     if some40 != size:
         np.copyto(t4, C29, where=~m0)
     np.subtract(t1, t4, out)
+
+
+def radius_from_depth(d, A, E_star, dgamma):
+    if d.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and d > 1e-30 and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, A, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, A, E_star, dgamma):
+    if F.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is float and F > 1e-30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, A, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

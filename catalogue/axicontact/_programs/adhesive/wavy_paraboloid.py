@@ -7,6 +7,7 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.adhesive import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
 C1 = np.array(0.0018387596444350194)
@@ -570,6 +571,17 @@ def block_depth_all(out, a, R, h, wavelength, E_star, dgamma, t0, t1, t2, t3, t4
     np.sqrt(out, out)
     np.multiply(t1, out, out)
     np.subtract(t0, out, out)
+
+
+def displacement(r, a, R, h, wavelength, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._displacement(r, a, R, h, wavelength, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def force(a, R, h, wavelength, E_star, dgamma):
@@ -1308,6 +1320,17 @@ def block_force_all(out, a, R, h, wavelength, E_star, dgamma, t0, t1, t2, t3, t4
     np.multiply(t10, t7, t7)
     np.multiply(t6, t7, t7)
     np.subtract(t0, t7, out)
+
+
+def pressure(r, a, R, h, wavelength, E_star, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R, h, wavelength, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

@@ -170,6 +170,17 @@ def block_depth_all(out, a, h, s, t0, t1, t2, m0):
         np.copyto(out, C19, where=~m0)
 
 
+def depth_from_force(F, h, s, E_star):
+    if F.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, h, s, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def displacement(r, a, h, s):
     if r.__class__ is a.__class__ is h.__class__ is s.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
         try:
@@ -231,6 +242,17 @@ def force(a, h, s, E_star):
                     return value
                 return None
             return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force_from_depth(d, h, s, E_star):
+    if d.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, h, s, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -346,6 +368,17 @@ def radius_from_depth(d, h, s):
     if d.__class__ is h.__class__ is s.__class__ is float and d > 1e-30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30):
         try:
             value = bodies._radius_from_depth(d, h, s)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, h, s, E_star):
+    if F.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
         except (ArithmeticError, ValueError):

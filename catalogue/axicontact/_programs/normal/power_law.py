@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
+from math import asinh, atan2, exp, expm1, fsum, hypot, inf, isfinite, log, log1p, pow, sinh, sqrt
 
 import numpy as np
 
@@ -33,7 +33,8 @@ C20 = np.array(np.inf)
 C21 = np.array(3.5449077018110318)
 C22 = np.array(2.0)
 RULE_0 = rule(((inf, 64),))
-RULE_1 = rule(((16.0, 64), (inf, 128)))
+RULE_1 = rule(((1.5, 32), (8.0, 64), (inf, 128)))
+RULE_2 = rule(((16.0, 64), (inf, 128)))
 
 
 def depth(a, A, n):
@@ -950,6 +951,181 @@ def block_mean_pressure_all(out, a, A, n, E_star, t0, t1, t2, t3, m0):
     np.multiply(t2, out, out)
 
 
+def peak_pressure(a, A, n, E_star):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if n > 1.0:
+                v7 = n / 2.0 + 0.5
+                v9 = v7 + 1.75
+                v13 = (v7 + 0.5) * (v7 + 1.5)
+                v27 = 1.0 / (v9 * v9)
+                v69 = n > 2.0
+                if v69:
+                    v72 = (n if v69 else 3.0) - 2.0
+                    v80 = 2.0 / (3.141592653589793 * v72) * sqrt(1.0 + 4.215 * v72)
+                    v83 = v80 * v80
+                    v84 = asinh(v80)
+                    v89 = 1.0 + v83
+                    v99 = 0.5 * (v72 - 1.0)
+                    v102 = []
+                    for node, weight in RULE_1(v84 / 1.0):
+                        v85 = node * v84
+                        v86 = sinh(v85)
+                        v87 = v86 * v86
+                        v90 = (v83 - v87) / v89
+                        v101 = exp(v99 * (log1p(-v90) if v90 < 0.5 else log((1.0 + v87) / v89)))
+                        v102.append(weight * v101)
+                    v102 = fsum(v102) * v84
+                    v104 = hypot(1.0, v80) / (v72 * v102)
+                    v106 = v104 * v104
+                    v107 = asinh(v104)
+                    v112 = 1.0 + v106
+                    v124 = []
+                    for node, weight in RULE_1(v107 / 1.0):
+                        v108 = node * v107
+                        v109 = sinh(v108)
+                        v110 = v109 * v109
+                        v113 = (v106 - v110) / v112
+                        v123 = exp(v99 * (log1p(-v113) if v113 < 0.5 else log((1.0 + v110) / v112)))
+                        v124.append(weight * v123)
+                    v124 = fsum(v124) * v107
+                    v126 = hypot(1.0, v104) / (v72 * v124)
+                    v128 = v126 * v126
+                    v129 = asinh(v126)
+                    v134 = 1.0 + v128
+                    v146 = []
+                    for node, weight in RULE_1(v129 / 1.0):
+                        v130 = node * v129
+                        v131 = sinh(v130)
+                        v132 = v131 * v131
+                        v135 = (v128 - v132) / v134
+                        v145 = exp(v99 * (log1p(-v135) if v135 < 0.5 else log((1.0 + v132) / v134)))
+                        v146.append(weight * v145)
+                    v146 = fsum(v146) * v129
+                    v148 = hypot(1.0, v126) / (v72 * v146)
+                    v150 = v148 * v148
+                    v151 = asinh(v148)
+                    v156 = 1.0 + v150
+                    v168 = []
+                    for node, weight in RULE_1(v151 / 1.0):
+                        v152 = node * v151
+                        v153 = sinh(v152)
+                        v154 = v153 * v153
+                        v157 = (v150 - v154) / v156
+                        v167 = exp(v99 * (log1p(-v157) if v157 < 0.5 else log((1.0 + v154) / v156)))
+                        v168.append(weight * v167)
+                    v168 = fsum(v168) * v151
+                    v170 = hypot(1.0, v148) / (v72 * v168)
+                    v172 = v170 * v170
+                    v173 = asinh(v170)
+                    v178 = 1.0 + v172
+                    v190 = []
+                    for node, weight in RULE_1(v173 / 1.0):
+                        v174 = node * v173
+                        v175 = sinh(v174)
+                        v176 = v175 * v175
+                        v179 = (v172 - v176) / v178
+                        v189 = exp(v99 * (log1p(-v179) if v179 < 0.5 else log((1.0 + v176) / v178)))
+                        v190.append(weight * v189)
+                    v190 = fsum(v190) * v173
+                    v195 = hypot(1.0, 1.0 / (hypot(1.0, v170) / (v72 * v190)))
+                else:
+                    v195 = 1.0
+                v199 = n - 1.0
+                value = E_star * n * A * v195 / (1.7724538509055159 * v199) * (pow(a, n) / a if a > 0.0 else pow(a, v199)) * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0))))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return inf
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def peak_radius(a, n, A=1.0, E_star=1.0):
+    if a.__class__ is n.__class__ is A.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (n > 1e-30) and (n < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v3 = n > 2.0
+            if v3:
+                v6 = (n if v3 else 3.0) - 2.0
+                v15 = 2.0 / (3.141592653589793 * v6) * sqrt(1.0 + 4.215 * v6)
+                v18 = v15 * v15
+                v19 = asinh(v15)
+                v24 = 1.0 + v18
+                v35 = 0.5 * (v6 - 1.0)
+                v38 = []
+                for node, weight in RULE_1(v19 / 1.0):
+                    v20 = node * v19
+                    v21 = sinh(v20)
+                    v22 = v21 * v21
+                    v25 = (v18 - v22) / v24
+                    v37 = exp(v35 * (log1p(-v25) if v25 < 0.5 else log((1.0 + v22) / v24)))
+                    v38.append(weight * v37)
+                v38 = fsum(v38) * v19
+                v40 = hypot(1.0, v15) / (v6 * v38)
+                v42 = v40 * v40
+                v43 = asinh(v40)
+                v48 = 1.0 + v42
+                v60 = []
+                for node, weight in RULE_1(v43 / 1.0):
+                    v44 = node * v43
+                    v45 = sinh(v44)
+                    v46 = v45 * v45
+                    v49 = (v42 - v46) / v48
+                    v59 = exp(v35 * (log1p(-v49) if v49 < 0.5 else log((1.0 + v46) / v48)))
+                    v60.append(weight * v59)
+                v60 = fsum(v60) * v43
+                v62 = hypot(1.0, v40) / (v6 * v60)
+                v64 = v62 * v62
+                v65 = asinh(v62)
+                v70 = 1.0 + v64
+                v82 = []
+                for node, weight in RULE_1(v65 / 1.0):
+                    v66 = node * v65
+                    v67 = sinh(v66)
+                    v68 = v67 * v67
+                    v71 = (v64 - v68) / v70
+                    v81 = exp(v35 * (log1p(-v71) if v71 < 0.5 else log((1.0 + v68) / v70)))
+                    v82.append(weight * v81)
+                v82 = fsum(v82) * v65
+                v84 = hypot(1.0, v62) / (v6 * v82)
+                v86 = v84 * v84
+                v87 = asinh(v84)
+                v92 = 1.0 + v86
+                v104 = []
+                for node, weight in RULE_1(v87 / 1.0):
+                    v88 = node * v87
+                    v89 = sinh(v88)
+                    v90 = v89 * v89
+                    v93 = (v86 - v90) / v92
+                    v103 = exp(v35 * (log1p(-v93) if v93 < 0.5 else log((1.0 + v90) / v92)))
+                    v104.append(weight * v103)
+                v104 = fsum(v104) * v87
+                v106 = hypot(1.0, v84) / (v6 * v104)
+                v108 = v106 * v106
+                v109 = asinh(v106)
+                v114 = 1.0 + v108
+                v126 = []
+                for node, weight in RULE_1(v109 / 1.0):
+                    v110 = node * v109
+                    v111 = sinh(v110)
+                    v112 = v111 * v111
+                    v115 = (v108 - v112) / v114
+                    v125 = exp(v35 * (log1p(-v115) if v115 < 0.5 else log((1.0 + v112) / v114)))
+                    v126.append(weight * v125)
+                v126 = fsum(v126) * v109
+                v132 = 1.0 / hypot(1.0, hypot(1.0, v106) / (v6 * v126))
+            else:
+                v132 = 0.0
+            value = a * v132
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def pressure(r, a, A, n, E_star):
     if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -972,7 +1148,7 @@ def pressure(r, a, A, n, E_star):
                         v115 = 2.0 * v107
                         v120 = -v83
                         v135 = []
-                        for node, weight in RULE_1(v112 / 1.0):
+                        for node, weight in RULE_2(v112 / 1.0):
                             v114 = node * v112
                             if v82:
                                 v123 = v107 - v114

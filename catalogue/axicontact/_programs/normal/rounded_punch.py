@@ -26,45 +26,46 @@ C12 = np.array(1.0)
 C13 = np.array(2.0)
 C14 = np.array(3.0)
 C15 = np.array(3.141592653589793)
-C16 = np.array(0.5)
-C17 = np.array(0.12827354898170515)
-C18 = np.array(-0.08537629858560956)
-C19 = np.array(-0.34978015250902605)
-C20 = np.array(-0.10405059669273957)
-C21 = np.array(-0.08765327937448042)
-C22 = np.array(-0.4772419575052842)
-C23 = np.array(0.38349751482672906)
-C24 = np.array(1.0469984444287406)
-C25 = np.array(0.794760015908848)
-C26 = np.array(0.1149645347882279)
-C27 = np.array(-0.06926472558036255)
-C28 = np.array(-0.31444204894787914)
-C29 = np.array(-0.2390379601501764)
-C30 = np.array(0.04986013028191364)
-C31 = np.array(-0.5656511106697105)
-C32 = np.array(0.40679449633872505)
-C33 = np.array(0.9810539884681267)
-C34 = np.array(-0.4236107740803188)
-C35 = np.array(-0.7280932856903389)
-C36 = np.array(-0.5654421276068213)
-C37 = np.array(2.6585313791299607)
-C38 = np.array(3.041993387839565)
-C39 = np.array(6.614635192925051)
-C40 = np.array(3.2652455639861833)
-C41 = np.array(3.7400666747981277)
-C42 = np.array(0.7820861356091064)
-C43 = np.array(0.6103669238924068)
-C44 = np.array(-0.5666998006616584)
-C45 = np.array(0.04536948009045464)
-C46 = np.array(-2.400498198321689)
-C47 = np.array(5.236318487533406)
-C48 = np.array(-0.12866702903721514)
-C49 = np.array(10.22650141856869)
-C50 = np.array(1.6664471112564958)
-C51 = np.array(5.805939962105047)
-C52 = np.array(0.5497321630557888)
-C53 = np.array(np.nan)
-C54 = np.array(0.0)
+C16 = np.array(np.inf)
+C17 = np.array(0.5)
+C18 = np.array(0.12827354898170515)
+C19 = np.array(-0.08537629858560956)
+C20 = np.array(-0.34978015250902605)
+C21 = np.array(-0.10405059669273957)
+C22 = np.array(-0.08765327937448042)
+C23 = np.array(-0.4772419575052842)
+C24 = np.array(0.38349751482672906)
+C25 = np.array(1.0469984444287406)
+C26 = np.array(0.794760015908848)
+C27 = np.array(0.1149645347882279)
+C28 = np.array(-0.06926472558036255)
+C29 = np.array(-0.31444204894787914)
+C30 = np.array(-0.2390379601501764)
+C31 = np.array(0.04986013028191364)
+C32 = np.array(-0.5656511106697105)
+C33 = np.array(0.40679449633872505)
+C34 = np.array(0.9810539884681267)
+C35 = np.array(-0.4236107740803188)
+C36 = np.array(-0.7280932856903389)
+C37 = np.array(-0.5654421276068213)
+C38 = np.array(2.6585313791299607)
+C39 = np.array(3.041993387839565)
+C40 = np.array(6.614635192925051)
+C41 = np.array(3.2652455639861833)
+C42 = np.array(3.7400666747981277)
+C43 = np.array(0.7820861356091064)
+C44 = np.array(0.6103669238924068)
+C45 = np.array(-0.5666998006616584)
+C46 = np.array(0.04536948009045464)
+C47 = np.array(-2.400498198321689)
+C48 = np.array(5.236318487533406)
+C49 = np.array(-0.12866702903721514)
+C50 = np.array(10.22650141856869)
+C51 = np.array(1.6664471112564958)
+C52 = np.array(5.805939962105047)
+C53 = np.array(0.5497321630557888)
+C54 = np.array(np.nan)
+C55 = np.array(0.0)
 RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
 
 
@@ -554,38 +555,40 @@ def peak_pressure(a, R, b, E_star):
     if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
         try:
             if a >= b:
-                if a > b:
-                    v5 = sqrt(b / a)
-                    if v5 < 0.5:
-                        v14 = 0.5 - v5
-                        v122 = ((((((((0.12827354898170515 * v14 + -0.08537629858560956) * v14 + -0.34978015250902605) * v14 + -0.10405059669273957) * v14 + -0.08765327937448042) * v14 + -0.4772419575052842) * v14 + 0.38349751482672906) * v14 + 1.0469984444287406) * v14 + 0.794760015908848) / ((((((((0.1149645347882279 * v14 + -0.06926472558036255) * v14 + -0.31444204894787914) * v14 + -0.2390379601501764) * v14 + 0.04986013028191364) * v14 + -0.5656511106697105) * v14 + 0.40679449633872505) * v14 + 0.9810539884681267) * v14 + 1.0)
+                if a < inf:
+                    if a > b:
+                        v5 = sqrt(b / a)
+                        if v5 < 0.5:
+                            v14 = 0.5 - v5
+                            v122 = ((((((((0.12827354898170515 * v14 + -0.08537629858560956) * v14 + -0.34978015250902605) * v14 + -0.10405059669273957) * v14 + -0.08765327937448042) * v14 + -0.4772419575052842) * v14 + 0.38349751482672906) * v14 + 1.0469984444287406) * v14 + 0.794760015908848) / ((((((((0.1149645347882279 * v14 + -0.06926472558036255) * v14 + -0.31444204894787914) * v14 + -0.2390379601501764) * v14 + 0.04986013028191364) * v14 + -0.5656511106697105) * v14 + 0.40679449633872505) * v14 + 0.9810539884681267) * v14 + 1.0)
+                        else:
+                            v8 = v5 if v5 > 0.5 or v5 != v5 else 0.5
+                            v65 = 1.0 - (v8 if v8 < 1.0 or v8 != v8 else 1.0)
+                            v122 = (((((((((-0.4236107740803188 * v65 + -0.7280932856903389) * v65 + -0.5654421276068213) * v65 + 2.6585313791299607) * v65 + 3.041993387839565) * v65 + 6.614635192925051) * v65 + 3.2652455639861833) * v65 + 3.7400666747981277) * v65 + 0.7820861356091064) * v65 + 0.6103669238924068) / (((((((((-0.5666998006616584 * v65 + 0.04536948009045464) * v65 + -2.400498198321689) * v65 + 5.236318487533406) * v65 + -0.12866702903721514) * v65 + 10.22650141856869) * v65 + 1.6664471112564958) * v65 + 5.805939962105047) * v65 + 0.5497321630557888) * v65 + 1.0)
+                        v123 = v5 / (1.0 + v5) * v122
+                        v124 = a - b
+                        v126 = b + v123 * v124
+                        v131 = sqrt((v124 if v124 > 0.0 or v124 != v124 else 0.0) * (a + b))
+                        v139 = asinh(sqrt((1.0 - v123) * (a + v126) / (v123 * (v126 + b))))
+                        v146 = 2.0 - -1.0 * expm1(-2.0 * v139)
+                        v149 = v146 if v146 > 0.0 else inf
+                        v162 = b * b
+                        v169 = b / R
+                        v174 = []
+                        for node, weight in RULE_0(v139 / 1.0):
+                            v151 = node * v139
+                            v161 = v131 * (exp(-v151) * (2.0 - -1.0 * expm1(-2.0 * (v139 - v151))) / v149)
+                            v173 = (2.0 * v161 / R - v169 * atan2(v161, b)) * v161 / sqrt(v162 + v161 * v161)
+                            v174.append(weight * v173)
+                        v174 = fsum(v174) * v139
+                        v175 = v174
                     else:
-                        v8 = v5 if v5 > 0.5 or v5 != v5 else 0.5
-                        v65 = 1.0 - (v8 if v8 < 1.0 or v8 != v8 else 1.0)
-                        v122 = (((((((((-0.4236107740803188 * v65 + -0.7280932856903389) * v65 + -0.5654421276068213) * v65 + 2.6585313791299607) * v65 + 3.041993387839565) * v65 + 6.614635192925051) * v65 + 3.2652455639861833) * v65 + 3.7400666747981277) * v65 + 0.7820861356091064) * v65 + 0.6103669238924068) / (((((((((-0.5666998006616584 * v65 + 0.04536948009045464) * v65 + -2.400498198321689) * v65 + 5.236318487533406) * v65 + -0.12866702903721514) * v65 + 10.22650141856869) * v65 + 1.6664471112564958) * v65 + 5.805939962105047) * v65 + 0.5497321630557888) * v65 + 1.0)
-                    v123 = v5 / (1.0 + v5) * v122
-                    v124 = a - b
-                    v126 = b + v123 * v124
-                    v131 = sqrt((v124 if v124 > 0.0 or v124 != v124 else 0.0) * (a + b))
-                    v139 = asinh(sqrt((1.0 - v123) * (a + v126) / (v123 * (v126 + b))))
-                    v146 = 2.0 - -1.0 * expm1(-2.0 * v139)
-                    v149 = v146 if v146 > 0.0 else inf
-                    v162 = b * b
-                    v169 = b / R
-                    v174 = []
-                    for node, weight in RULE_0(v139 / 1.0):
-                        v151 = node * v139
-                        v161 = v131 * (exp(-v151) * (2.0 - -1.0 * expm1(-2.0 * (v139 - v151))) / v149)
-                        v173 = (2.0 * v161 / R - v169 * atan2(v161, b)) * v161 / sqrt(v162 + v161 * v161)
-                        v174.append(weight * v173)
-                    v174 = fsum(v174) * v139
-                    v175 = v174
-                else:
-                    v175 = 0.0
-                value = E_star / 3.141592653589793 * v175
-                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                    return value
-                return None
+                        v175 = 0.0
+                    value = E_star / 3.141592653589793 * v175
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return a
             return nan
         except (ArithmeticError, ValueError):
             pass
@@ -596,18 +599,20 @@ def peak_radius(a, b, R=1.0, E_star=1.0):
     if a.__class__ is b.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (b > 1e-30) and (b < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
         try:
             if a >= b:
-                v5 = sqrt(b / a)
-                if v5 < 0.5:
-                    v14 = 0.5 - v5
-                    v122 = ((((((((0.12827354898170515 * v14 + -0.08537629858560956) * v14 + -0.34978015250902605) * v14 + -0.10405059669273957) * v14 + -0.08765327937448042) * v14 + -0.4772419575052842) * v14 + 0.38349751482672906) * v14 + 1.0469984444287406) * v14 + 0.794760015908848) / ((((((((0.1149645347882279 * v14 + -0.06926472558036255) * v14 + -0.31444204894787914) * v14 + -0.2390379601501764) * v14 + 0.04986013028191364) * v14 + -0.5656511106697105) * v14 + 0.40679449633872505) * v14 + 0.9810539884681267) * v14 + 1.0)
-                else:
-                    v8 = v5 if v5 > 0.5 or v5 != v5 else 0.5
-                    v65 = 1.0 - (v8 if v8 < 1.0 or v8 != v8 else 1.0)
-                    v122 = (((((((((-0.4236107740803188 * v65 + -0.7280932856903389) * v65 + -0.5654421276068213) * v65 + 2.6585313791299607) * v65 + 3.041993387839565) * v65 + 6.614635192925051) * v65 + 3.2652455639861833) * v65 + 3.7400666747981277) * v65 + 0.7820861356091064) * v65 + 0.6103669238924068) / (((((((((-0.5666998006616584 * v65 + 0.04536948009045464) * v65 + -2.400498198321689) * v65 + 5.236318487533406) * v65 + -0.12866702903721514) * v65 + 10.22650141856869) * v65 + 1.6664471112564958) * v65 + 5.805939962105047) * v65 + 0.5497321630557888) * v65 + 1.0)
-                value = b + (a - b) * (v5 / (1.0 + v5) * v122)
-                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                    return value
-                return None
+                if a < inf:
+                    v7 = sqrt(b / a)
+                    if v7 < 0.5:
+                        v16 = 0.5 - v7
+                        v124 = ((((((((0.12827354898170515 * v16 + -0.08537629858560956) * v16 + -0.34978015250902605) * v16 + -0.10405059669273957) * v16 + -0.08765327937448042) * v16 + -0.4772419575052842) * v16 + 0.38349751482672906) * v16 + 1.0469984444287406) * v16 + 0.794760015908848) / ((((((((0.1149645347882279 * v16 + -0.06926472558036255) * v16 + -0.31444204894787914) * v16 + -0.2390379601501764) * v16 + 0.04986013028191364) * v16 + -0.5656511106697105) * v16 + 0.40679449633872505) * v16 + 0.9810539884681267) * v16 + 1.0)
+                    else:
+                        v10 = v7 if v7 > 0.5 or v7 != v7 else 0.5
+                        v67 = 1.0 - (v10 if v10 < 1.0 or v10 != v10 else 1.0)
+                        v124 = (((((((((-0.4236107740803188 * v67 + -0.7280932856903389) * v67 + -0.5654421276068213) * v67 + 2.6585313791299607) * v67 + 3.041993387839565) * v67 + 6.614635192925051) * v67 + 3.2652455639861833) * v67 + 3.7400666747981277) * v67 + 0.7820861356091064) * v67 + 0.6103669238924068) / (((((((((-0.5666998006616584 * v67 + 0.04536948009045464) * v67 + -2.400498198321689) * v67 + 5.236318487533406) * v67 + -0.12866702903721514) * v67 + 10.22650141856869) * v67 + 1.6664471112564958) * v67 + 5.805939962105047) * v67 + 0.5497321630557888) * v67 + 1.0)
+                    value = b + (a - b) * (v7 / (1.0 + v7) * v124)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return a
             return nan
         except (ArithmeticError, ValueError):
             pass
@@ -618,212 +623,222 @@ def prepare_peak_radius_a(b):
     return (b,)
 
 
-def block_peak_radius_a(out, a, b, t0, t1, t2, t3, t4, t5, m0, m1, f0, f1):
+def block_peak_radius_a(out, a, b, t0, t1, t2, t3, t4, t5, m0, m1, m2, f0, f1):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    some127 = np.count_nonzero(m0)
-    if some127:
-        np.subtract(a, b, out)
-        np.divide(b, a, t0)
-        np.sqrt(t0, t0)
-        np.add(C12, t0, t1)
-        np.divide(t0, t1, t1)
-        np.less(t0, C16, m1)
-        some122 = np.count_nonzero(m1)
-        if some122:
-            np.minimum(t0, f0, out=t2)
-            np.subtract(C16, t2, t2)
-            np.multiply(C17, t2, t3)
-            np.add(t3, C18, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C19, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C20, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C21, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C22, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C23, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C24, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C25, t3)
-            np.multiply(C26, t2, t4)
-            np.add(t4, C27, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C28, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C29, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C30, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C31, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C32, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C33, t4)
-            np.multiply(t4, t2, t2)
-            np.add(t2, C12, t2)
-            np.divide(t3, t2, t2)
-        if some122 != size:
-            other122 = t3 if some122 else t2
-            np.maximum(t0, f0, out=other122)
-            np.minimum(other122, f1, out=other122)
-            np.subtract(C12, other122, other122)
-            np.multiply(C34, other122, t4)
-            np.add(t4, C35, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C36, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C37, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C38, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C39, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C40, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C41, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C42, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C43, t4)
-            np.multiply(C44, other122, t5)
-            np.add(t5, C45, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C46, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C47, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C48, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C49, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C50, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C51, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C52, t5)
-            np.multiply(t5, other122, other122)
-            np.add(other122, C12, other122)
-            np.divide(t4, other122, other122)
-            if some122:
-                np.copyto(t2, other122, where=~m1)
-        np.multiply(t1, t2, t2)
-        np.multiply(out, t2, t2)
-        np.add(b, t2, out)
-    if some127 != size:
-        np.copyto(out, C53, where=~m0)
+    some130 = np.count_nonzero(m0)
+    if some130:
+        np.less(a, C16, m1)
+        some128 = np.count_nonzero(m1)
+        if some128:
+            np.subtract(a, b, out)
+            np.divide(b, a, t0)
+            np.sqrt(t0, t0)
+            np.add(C12, t0, t1)
+            np.divide(t0, t1, t1)
+            np.less(t0, C17, m2)
+            some124 = np.count_nonzero(m2)
+            if some124:
+                np.minimum(t0, f0, out=t2)
+                np.subtract(C17, t2, t2)
+                np.multiply(C18, t2, t3)
+                np.add(t3, C19, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C20, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C21, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C22, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C23, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C24, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C25, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C26, t3)
+                np.multiply(C27, t2, t4)
+                np.add(t4, C28, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C29, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C30, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C31, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C32, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C33, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C34, t4)
+                np.multiply(t4, t2, t2)
+                np.add(t2, C12, t2)
+                np.divide(t3, t2, t2)
+            if some124 != size:
+                other124 = t3 if some124 else t2
+                np.maximum(t0, f0, out=other124)
+                np.minimum(other124, f1, out=other124)
+                np.subtract(C12, other124, other124)
+                np.multiply(C35, other124, t4)
+                np.add(t4, C36, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C37, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C38, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C39, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C40, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C41, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C42, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C43, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C44, t4)
+                np.multiply(C45, other124, t5)
+                np.add(t5, C46, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C47, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C48, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C49, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C50, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C51, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C52, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C53, t5)
+                np.multiply(t5, other124, other124)
+                np.add(other124, C12, other124)
+                np.divide(t4, other124, other124)
+                if some124:
+                    np.copyto(t2, other124, where=~m2)
+            np.multiply(t1, t2, t2)
+            np.multiply(out, t2, t2)
+            np.add(b, t2, out)
+        if some128 != size:
+            np.copyto(out, a, where=~m1)
+    if some130 != size:
+        np.copyto(out, C54, where=~m0)
 
 
 def prepare_peak_radius_all():
     return ()
 
 
-def block_peak_radius_all(out, a, b, t0, t1, t2, t3, t4, t5, m0, m1, f0, f1):
+def block_peak_radius_all(out, a, b, t0, t1, t2, t3, t4, t5, m0, m1, m2, f0, f1):
     size = out.size
     np.greater_equal(a, b, m0)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    some127 = np.count_nonzero(m0)
-    if some127:
-        np.subtract(a, b, out)
-        np.divide(b, a, t0)
-        np.sqrt(t0, t0)
-        np.add(C12, t0, t1)
-        np.divide(t0, t1, t1)
-        np.less(t0, C16, m1)
-        some122 = np.count_nonzero(m1)
-        if some122:
-            np.minimum(t0, f0, out=t2)
-            np.subtract(C16, t2, t2)
-            np.multiply(C17, t2, t3)
-            np.add(t3, C18, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C19, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C20, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C21, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C22, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C23, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C24, t3)
-            np.multiply(t3, t2, t3)
-            np.add(t3, C25, t3)
-            np.multiply(C26, t2, t4)
-            np.add(t4, C27, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C28, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C29, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C30, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C31, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C32, t4)
-            np.multiply(t4, t2, t4)
-            np.add(t4, C33, t4)
-            np.multiply(t4, t2, t2)
-            np.add(t2, C12, t2)
-            np.divide(t3, t2, t2)
-        if some122 != size:
-            other122 = t3 if some122 else t2
-            np.maximum(t0, f0, out=other122)
-            np.minimum(other122, f1, out=other122)
-            np.subtract(C12, other122, other122)
-            np.multiply(C34, other122, t4)
-            np.add(t4, C35, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C36, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C37, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C38, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C39, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C40, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C41, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C42, t4)
-            np.multiply(t4, other122, t4)
-            np.add(t4, C43, t4)
-            np.multiply(C44, other122, t5)
-            np.add(t5, C45, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C46, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C47, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C48, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C49, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C50, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C51, t5)
-            np.multiply(t5, other122, t5)
-            np.add(t5, C52, t5)
-            np.multiply(t5, other122, other122)
-            np.add(other122, C12, other122)
-            np.divide(t4, other122, other122)
-            if some122:
-                np.copyto(t2, other122, where=~m1)
-        np.multiply(t1, t2, t2)
-        np.multiply(out, t2, t2)
-        np.add(b, t2, out)
-    if some127 != size:
-        np.copyto(out, C53, where=~m0)
+    some130 = np.count_nonzero(m0)
+    if some130:
+        np.less(a, C16, m1)
+        some128 = np.count_nonzero(m1)
+        if some128:
+            np.subtract(a, b, out)
+            np.divide(b, a, t0)
+            np.sqrt(t0, t0)
+            np.add(C12, t0, t1)
+            np.divide(t0, t1, t1)
+            np.less(t0, C17, m2)
+            some124 = np.count_nonzero(m2)
+            if some124:
+                np.minimum(t0, f0, out=t2)
+                np.subtract(C17, t2, t2)
+                np.multiply(C18, t2, t3)
+                np.add(t3, C19, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C20, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C21, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C22, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C23, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C24, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C25, t3)
+                np.multiply(t3, t2, t3)
+                np.add(t3, C26, t3)
+                np.multiply(C27, t2, t4)
+                np.add(t4, C28, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C29, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C30, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C31, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C32, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C33, t4)
+                np.multiply(t4, t2, t4)
+                np.add(t4, C34, t4)
+                np.multiply(t4, t2, t2)
+                np.add(t2, C12, t2)
+                np.divide(t3, t2, t2)
+            if some124 != size:
+                other124 = t3 if some124 else t2
+                np.maximum(t0, f0, out=other124)
+                np.minimum(other124, f1, out=other124)
+                np.subtract(C12, other124, other124)
+                np.multiply(C35, other124, t4)
+                np.add(t4, C36, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C37, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C38, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C39, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C40, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C41, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C42, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C43, t4)
+                np.multiply(t4, other124, t4)
+                np.add(t4, C44, t4)
+                np.multiply(C45, other124, t5)
+                np.add(t5, C46, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C47, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C48, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C49, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C50, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C51, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C52, t5)
+                np.multiply(t5, other124, t5)
+                np.add(t5, C53, t5)
+                np.multiply(t5, other124, other124)
+                np.add(other124, C12, other124)
+                np.divide(t4, other124, other124)
+                if some124:
+                    np.copyto(t2, other124, where=~m2)
+            np.multiply(t1, t2, t2)
+            np.multiply(out, t2, t2)
+            np.add(b, t2, out)
+        if some128 != size:
+            np.copyto(out, a, where=~m1)
+    if some130 != size:
+        np.copyto(out, C54, where=~m0)
 
 
 def pressure(r, a, R, b, E_star):
@@ -894,7 +909,7 @@ def block_profile_r(out, r, b, v7, t0, m0):
         raise FloatingPointError
     some10 = np.count_nonzero(m0)
     if some10:
-        np.copyto(out, C54)
+        np.copyto(out, C55)
     if some10 != size:
         other10 = t0 if some10 else out
         np.subtract(r, b, other10)
@@ -916,7 +931,7 @@ def block_profile_all(out, r, R, b, t0, t1, m0):
         raise FloatingPointError
     some10 = np.count_nonzero(m0)
     if some10:
-        np.copyto(out, C54)
+        np.copyto(out, C55)
     if some10 != size:
         other10 = t0 if some10 else out
         np.subtract(r, b, other10)
@@ -996,8 +1011,8 @@ BLOCKS = {
         ('a', 'R', 'b', 'E_star'): Program(('a', 'R', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=7, masks=1, filled=(0.42,)),
     },
     ('_peak_radius', 1, 'a', 'b'): {
-        ('a',): Program(('a',), prepare_peak_radius_a, block_peak_radius_a, scratch=6, masks=2, filled=(0.5, 1.0)),
-        ('a', 'b'): Program(('a', 'b'), prepare_peak_radius_all, block_peak_radius_all, scratch=6, masks=2, filled=(0.5, 1.0)),
+        ('a',): Program(('a',), prepare_peak_radius_a, block_peak_radius_a, scratch=6, masks=3, filled=(0.5, 1.0)),
+        ('a', 'b'): Program(('a', 'b'), prepare_peak_radius_all, block_peak_radius_all, scratch=6, masks=3, filled=(0.5, 1.0)),
     },
     ('_profile', 1, 'r', 'R', 'b'): {
         ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),

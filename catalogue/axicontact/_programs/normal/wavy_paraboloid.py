@@ -573,6 +573,17 @@ def depth_from_force(F, R, h, wavelength, E_star):
     return None
 
 
+def displacement(r, a, R, h, wavelength):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30):
+        try:
+            value = bodies._displacement(r, a, R, h, wavelength)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R, h, wavelength, E_star):
     if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -2039,6 +2050,17 @@ def block_mean_pressure_all(out, a, R, h, wavelength, E_star, t0, t1, t2, t3, t4
         np.divide(t10, t0, out)
     if some475 != size:
         np.copyto(out, C147, where=~m0)
+
+
+def pressure(r, a, R, h, wavelength, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R, h, wavelength, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def profile(r, R, h, wavelength):

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.plane import rounded_punch as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(0.0)
@@ -61,6 +62,17 @@ def depth(L, a, R, b):
                     return 0.0
                 return nan
             return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def half_width_from_load(P, R, b, E_star):
+    if P.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and P > 1e-30 and (P < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._half_width_from_load(P, R, b, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None

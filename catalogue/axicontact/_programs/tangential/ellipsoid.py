@@ -196,6 +196,17 @@ def tangential_force(a, c, h, b, E_star, mu):
     return None
 
 
+def traction(r, a, c, h, b, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._traction(r, a, c, h, b, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'h', 'b', 'E_star', 'G_star', 'mu'): {
         ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=1),

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.tangential import gaussian as bodies
 
 C0 = np.array(1.567077144036674e-13)
 C1 = np.array(-3.840375691006307e-12)
@@ -176,6 +177,17 @@ def block_full_slip_displacement_all(out, a, h, s, E_star, G_star, mu, t0, t1, t
     if some74 != size:
         np.copyto(t0, C19, where=~m0)
     np.multiply(out, t0, out)
+
+
+def stick_radius(F_x, a, h, s, E_star, mu):
+    if F_x.__class__ is a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._stick_radius(F_x, a, h, s, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def tangential_displacement(a, c, h, s, E_star, G_star, mu):

@@ -7,6 +7,7 @@ from math import expm1, inf, log1p, nan, pow, sqrt
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.tangential import power_law as bodies
 
 C0 = np.array(0.5)
 C1 = np.array(1.75)
@@ -1084,6 +1085,17 @@ def block_tangential_force_all(out, a, c, A, n, E_star, mu, t0, t1, t2, t3, m0):
     np.expm1(t1, t1)
     np.negative(t1, t1)
     np.multiply(out, t1, out)
+
+
+def traction(r, a, c, A, n, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is A.__class__ is n.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._traction(r, a, c, A, n, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

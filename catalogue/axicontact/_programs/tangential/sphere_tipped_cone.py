@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.tangential import sphere_tipped_cone as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(0.5)
@@ -152,6 +153,17 @@ def block_full_slip_displacement_all(out, a, R, theta, E_star, G_star, mu, t0, t
         if some47:
             np.copyto(t2, other47, where=~m0)
     np.multiply(out, t2, out)
+
+
+def stick_radius(F_x, a, R, theta, E_star, mu):
+    if F_x.__class__ is a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._stick_radius(F_x, a, R, theta, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def tangential_displacement(a, c, R, theta, E_star, G_star, mu):

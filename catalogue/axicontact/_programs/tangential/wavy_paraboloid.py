@@ -509,6 +509,39 @@ def stick_radius(F_x, a, R, h, wavelength, E_star, mu):
     return None
 
 
+def tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu):
+    if a.__class__ is c.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is G_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (G_star > 1e-30) and (G_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def tangential_force(a, c, R, h, wavelength, E_star, mu):
+    if a.__class__ is c.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._tangential_force(a, c, R, h, wavelength, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def traction(r, a, c, R, h, wavelength, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._traction(r, a, c, R, h, wavelength, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'): {
         ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=5, masks=1, filled=(4.0,)),

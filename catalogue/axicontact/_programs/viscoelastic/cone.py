@@ -7,6 +7,7 @@ from math import exp, expm1, inf, pow, sin, sqrt, tan
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.viscoelastic import cone as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(2.0)
@@ -83,6 +84,39 @@ def block_ramp_force_kelvin_voigt_all(out, t, theta, v, E, eta, t0, t1, m0):
         np.multiply(other19, t1, other19)
         if some19:
             np.copyto(out, other19, where=~m0)
+
+
+def ramp_force_maxwell(t, v, theta, E, tau):
+    if t.__class__ is v.__class__ is theta.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_maxwell(t, v, theta, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_power_creep(t, v, theta, E, alpha, t_0):
+    if t.__class__ is v.__class__ is theta.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._ramp_force_power_creep(t, v, theta, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is theta.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def step_force_kelvin_voigt(t, d, theta, E, eta):

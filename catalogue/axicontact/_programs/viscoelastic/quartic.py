@@ -7,6 +7,7 @@ from math import exp, expm1, inf, pow, sin, sqrt
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.viscoelastic import quartic as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(0.8)
@@ -91,6 +92,39 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, v, E, eta, t0, t1, m0):
         np.multiply(other21, t1, other21)
         if some21:
             np.copyto(out, other21, where=~m0)
+
+
+def ramp_force_maxwell(t, v, A, E, tau):
+    if t.__class__ is v.__class__ is A.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_maxwell(t, v, A, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_power_creep(t, v, A, E, alpha, t_0):
+    if t.__class__ is v.__class__ is A.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._ramp_force_power_creep(t, v, A, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def ramp_force_standard_solid(t, v, A, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is A.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._ramp_force_standard_solid(t, v, A, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def step_force_kelvin_voigt(t, d, A, E, eta):

@@ -72,7 +72,7 @@ def power_law_radius(value: Array, a_c: Array, least: Array, p: Array, q: float,
     m = p / q + np.zeros_like(value)
     e = np.where(least < 0.0, 1.0 - value / np.where(least < 0.0, least, -1.0), np.inf)
     e = np.where(np.abs(e) < ROUNDING, 0.0, e)
-    s = _growth(np.atleast_1d(np.where(e > 0.0, e, 1.0)), np.atleast_1d(m)).reshape(np.shape(e))
+    s = _growth(np.where(e > 0.0, e, 1.0), m)
     a = a_c * (1.0 + np.where(e == 0.0, 0.0, s)) ** (1.0 / q)
     return np.where(e < 0.0, np.nan, np.where(np.isfinite(e), a, np.where(value >= 0.0, plain, np.nan)))
 
@@ -98,7 +98,7 @@ def _growth(e: Array, m: Array) -> Array:
     for _ in range(3):
         far = np.expm1(np.log1p((m - 1.0) * e + m * far) / m)
     start = np.where(e * m < 1.0, np.sqrt(2.0 * e / m), far)
-    return inverse(curve, e, start, (float(np.minimum(m, 2.0).min()), float(np.maximum(m, 2.0).max())))
+    return inverse(curve, e, start, (np.minimum(m, 2.0), np.maximum(m, 2.0)))
 
 
 Load = Callable[[Array], Array]

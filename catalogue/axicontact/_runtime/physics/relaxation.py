@@ -11,7 +11,7 @@ from ..functions import gamma, gamma_quotient
 from ..integrals import integral
 from ..interface import Array
 
-SWITCH, TERMS = 40.0, 170
+SWITCH, TERMS, ROUNDING = 40.0, 170, 2.0**-54
 
 
 def fading(x: Array, m: Array) -> Array:
@@ -20,10 +20,15 @@ def fading(x: Array, m: Array) -> Array:
     term, total = np.exp(-low), np.exp(-low)
     for k in range(1, TERMS):
         term = term * low / k
-        total = total + term * (m / (m + k))
+        more = term * (m / (m + k))
+        total = total + more
+        if not np.count_nonzero(more > ROUNDING * total):
+            break
+    if not np.count_nonzero(x > SWITCH):
+        return total
     high = np.maximum(x, SWITCH)
     tail = integral(lambda y: m * np.exp((m - 1.0) * np.log1p(-y) - high * y), 0.999999 * SWITCH / high, 64)
-    return np.where(x <= SWITCH, total, np.where(np.isinf(x), 0.0, tail))
+    return np.where(x <= SWITCH, total, np.where(x < np.inf, tail, 0.0))
 
 
 def ramp_maxwell(t: Array, m: Array, E: Array, tau: Array) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 
 from ...._runtime.functions import Array, Sequence
 from ...._runtime.plain import MATH as np
@@ -17,8 +18,38 @@ def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
     return above / below
 
 
+def sine_root(x: Array, R: Array, theta: Array) -> Array:
+    """sqrt(x**2 - (R*sin(theta))**2), and zero for x below; a sine close to 1 is rounded away from its angle."""
+    sine, cosine = R * np.sin(theta), R * np.cos(theta)
+    square = np.where(cosine < sine, cosine * cosine - (R - x) * (R + x), (x - sine) * (x + sine))
+    return np.sqrt(np.maximum(square, 0.0))
+
+
 def nth_root(x: Array, n: Array, more: int = 0) -> Array:
     """x**(1/(n + more)) for x >= 0; Newton's step makes good what the rounded exponent did, up to ln(x) units."""
     degree = n + more
     y = x ** (1.0 / degree)
     return np.where((x > 0.0) & (x < np.inf), y + y * ((x / (y**n * y**more) - 1.0) / degree), y)
+
+
+def lower_power(x: Array, n: Array) -> Array:
+    """x**(n - 1) for x >= 0; the rounding of n - 1 would cost up to ln(x) units."""
+    return np.where(x > 0.0, x**n / x, x ** (n - 1.0))
+
+
+def from_start(v: Array, top: Sequence[float], bottom: Sequence[float], start: float) -> Array:
+    """start + v P(v)/Q(v), where the start is most of it."""
+    return start + v * rational(v, top, bottom)
+
+
+def gamma(x: Array) -> Array:
+    return np.vectorize(math.gamma, otypes=[float])(x)
+
+
+def gamma_quotient(x: Array, y: Array) -> Array:
+    """Gamma(x)/Gamma(y), where each of them may be too large."""
+
+    def quotient(x: float, y: float) -> float:
+        return math.gamma(x) / math.gamma(y) if x < 100.0 else math.exp(math.lgamma(x) - math.lgamma(y))
+
+    return np.vectorize(quotient, otypes=[float])(x, y)

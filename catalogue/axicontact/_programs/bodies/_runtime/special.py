@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 
-from ...._programs.bodies._runtime.functions import rational
-from ...._runtime.special import ARCTAN_GAP, Array, Callable, DAWSON, HANKEL_P_0, HANKEL_P_1, HANKEL_Q_0, HANKEL_Q_1, ROOT_GAP, STRUVE_0, STRUVE_1, STRUVE_TAIL_0, STRUVE_TAIL_1, Sequence, TANH_GAP, _NEAR, _SWITCH
+from ...._programs.bodies._runtime.functions import from_start, rational
+from ...._runtime.special import ARCTAN_GAP, Array, Callable, DAWSON, GAMMA_RATIO, HANKEL_P_0, HANKEL_P_1, HANKEL_Q_0, HANKEL_Q_1, ROOT_GAP, STRUVE_0, STRUVE_1, STRUVE_TAIL_0, STRUVE_TAIL_1, Sequence, TANH_GAP, _NEAR, _SWITCH
 from ...._runtime.plain import MATH as np
 
 
@@ -25,6 +25,13 @@ def tanh_gap(y: Array, x: Array) -> Array:
     """y - x for x = tanh(y) >= 0; as the cube of x, which may be rounded less often than the angle."""
     t = np.minimum(y, 1.0)
     return np.where(y < 1.0, x * (x * x) * rational(t * t, *TANH_GAP), y - x)
+
+
+def gamma_ratio(x: Array) -> Array:
+    """Gamma(x + 1/2)/Gamma(x) for x > 0, from that at x + 2."""
+    w, below = x + 1.75, (x + 0.5) * (x + 1.5)
+    down = np.where(x < 1.0, x * (x + 1.0) / below, 1.0 - (x + 0.75) / below)
+    return down * np.sqrt(w) * from_start(1.0 / (w * w), *GAMMA_RATIO)
 
 
 def dawson(x: Array) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse
+from ...._programs.bodies._runtime.shapes.arcs import arc_strips
 from ...._programs.bodies._runtime.special import tanh_gap
 from ....normal.ellipsoid import Array
 from ...._runtime.plain import MATH as np
@@ -28,6 +29,15 @@ def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array
 def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (b - a)) / 2
     return E_star * h * (a**2 * angle / b + b * tanh_gap(angle, a / b))
+
+
+def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    root_br = np.sqrt((b - r) * (r + b))
+    root = np.sqrt((a - r) * (a + r))
+    root_ba = np.sqrt((b - a) * (a + b))
+    pressed = E_star * h / np.pi * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b)
+    inside = np.where(r < a, pressed, 0.0)
+    return np.where(a <= b, inside, np.nan)
 
 
 def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:

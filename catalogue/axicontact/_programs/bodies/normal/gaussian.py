@@ -4,6 +4,7 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse_below
+from ...._programs.bodies._runtime.rules import force_integral
 from ...._programs.bodies._runtime.special import dawson
 from ....normal.gaussian import Array
 from ...._runtime.plain import MATH as np
@@ -20,6 +21,11 @@ def _depth(a: Array, h: Array, s: Array) -> Array:
     return np.where(a <= 1.5019752682686114 * s, 2 * h * dawson(z) * z, np.nan)
 
 
+def _force(a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    tip = 2 * E_star * force_integral(lambda t: _slope(t, h, s), a, 32)
+    return np.where(a <= 1.5019752682686114 * s, tip, np.nan)
+
+
 def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
     def curve(a: Array) -> tuple[Array, Array]:
         value = _depth(a, h, s)
@@ -31,3 +37,28 @@ def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:
 
     largest = 1.5019752682686114 * s * np.ones_like(d)
     return inverse_below(curve, d, largest, (1.0, 2.0), like)
+
+
+def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
+    def curve(a: Array) -> tuple[Array, Array]:
+        value = _force(a, h, s, E_star)
+        return value, 2 * E_star * a**2 * _slope(a, h, s) / value
+
+    def like(short: Array) -> Array:
+        rest = (0.9994039, 0.6765872, -1.514105, 16.18697, -61.13223, 108.1267, -95.20743, 32.86326)
+        return between(np.log(short / 1.360193), (1.659, 2.0), (0.1392, 3.0), -6.0, rest)
+
+    largest = 1.5019752682686114 * s * np.ones_like(F)
+    return inverse_below(curve, F, largest, (1.0, 3.0), like)
+
+
+def _force_from_depth(d: Array, h: Array, s: Array, E_star: Array) -> Array:
+    a = _radius_from_depth(d, h, s)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, h, s)), 0.0)
+    return _force(a, h, s, E_star) + change
+
+
+def _depth_from_force(F: Array, h: Array, s: Array, E_star: Array) -> Array:
+    a = _radius_from_force(F, h, s, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, h, s, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, h, s) + change

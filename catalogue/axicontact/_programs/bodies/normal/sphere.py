@@ -4,6 +4,7 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse
+from ...._programs.bodies._runtime.shapes.arcs import arc_strips
 from ...._programs.bodies._runtime.special import tanh_gap
 from ....normal.sphere import Array
 from ...._runtime.plain import MATH as np
@@ -28,6 +29,15 @@ def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
 def _force(a: Array, R: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (R - a)) / 2
     return E_star * (a**2 * angle + R**2 * tanh_gap(angle, a / R))
+
+
+def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root = np.sqrt((R - a) * (a + R))
+    root_ar = np.sqrt((a - r) * (a + r))
+    pressed = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R))
+    inside = np.where(r < a, pressed, 0.0)
+    return np.where(a <= R, inside, np.nan)
 
 
 def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:

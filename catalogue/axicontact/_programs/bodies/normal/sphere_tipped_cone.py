@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 
+from ...._programs.bodies._runtime.functions import sine_root
+from ...._programs.bodies._runtime.rules import force_integral_beyond
 from ...._programs.bodies._runtime.shapes.across import inverse_across
+from ...._programs.bodies._runtime.special import tanh_gap
 from ....normal.sphere_tipped_cone import Array
 from ...._runtime.plain import MATH as np
 
@@ -34,6 +37,24 @@ def _depth_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     return np.where(a < b, tip, beyond)
 
 
+def _depth(a: Array, R: Array, theta: Array) -> Array:
+    return _depth_at(a, sine_root(a, R, theta), R, theta)
+
+
+def _force_at(a: Array, reach: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
+    angle = np.arcsinh(inner / root)
+    tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
+    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
+    return tip + beyond
+
+
+def _force(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    return _force_at(a, sine_root(a, R, theta), R, theta, E_star)
+
+
 def _slope_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     """Rate g'(a) of the indentation depth on both sides of the break."""
     b = R * np.sin(theta)
@@ -49,3 +70,25 @@ def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
         return _depth_at(a, root, R, theta), rate
 
     return inverse_across(curve, d, b, 2.0, R, powers=(2.0, 1.0))
+
+
+def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = 2 * E_star * a**2 * _slope_at(a, root, R, theta)
+        return _force_at(a, root, R, theta, E_star), rate
+
+    return inverse_across(curve, F, b, 3.0, R, powers=(2.0, 2.0))
+
+
+def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    a = _radius_from_depth(d, R, theta)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, theta)), 0.0)
+    return _force(a, R, theta, E_star) + change
+
+
+def _depth_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    a = _radius_from_force(F, R, theta, E_star)
+    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, theta, E_star)) / (2 * E_star * a), 0.0)
+    return _depth(a, R, theta) + change

@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 
+from ...._programs.bodies._runtime.rules import displacement_integral_waves, pressure_integral_waves
 from ...._programs.bodies._runtime.shapes.waves import inverse_over_waves
 from ...._programs.bodies._runtime.special import struve_h0, struve_h1
 from ....normal.wavy_paraboloid import Array
 from ...._runtime.plain import MATH as np
+
+
+def _profile(r: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    return 2 * h * np.sin(np.pi / wavelength * r) ** 2 + r**2 / (2 * R)
+
+
+def _slope(t: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    z = 2 * np.pi / wavelength * t
+    plus = 4 * np.pi**2 * h / wavelength**2 * t + np.pi**2 * h / wavelength * struve_h0(z) + 2 * t / R
+    minus = 2 * np.pi**3 * h / wavelength**2 * t * struve_h1(z)
+    return plus - minus
 
 
 def _depth(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
@@ -19,6 +32,18 @@ def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Ar
     plus = 2 * np.pi**2 * h / wavelength * a * struve_h0(z) + 4 * a**2 / (3 * R)
     minus = np.pi * h * struve_h1(z)
     return E_star * a * (plus - minus)
+
+
+def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    within = pressure_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
+    return np.where(r < a, E_star / np.pi * within, 0.0)
+
+
+def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array) -> Array:
+    tip = displacement_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
+    outside = 2 / np.pi * tip
+    inside = _depth(a, R, h, wavelength) - _profile(r, R, h, wavelength)
+    return np.where(r > a, outside, inside)
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:

@@ -4,9 +4,18 @@ from __future__ import annotations
 
 
 from ...._programs.bodies.normal import sphere as normal
-from ...._programs.bodies._runtime.physics.slip import stick_force
-from ....tangential.sphere import Array
+from ...._programs.bodies._runtime.physics.slip import growth_below, stick_force
+from ....tangential.sphere import Array, CLOSE
 from ...._runtime.plain import MATH as np
+
+
+def _traction(r: Array, a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, R, E_star)
+    stuck = normal._pressure(r, c, R, E_star)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    gain = E_star / np.pi * growth_below(normal._slope, (R,), 0, r, c, a, R, close)
+    return mu * np.where(close, gain, sliding - stuck)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, E_star: Array, mu: Array) -> Array:

@@ -4,9 +4,34 @@ from __future__ import annotations
 
 
 from ...._programs.bodies.normal import wavy_paraboloid as normal
-from ...._programs.bodies._runtime.physics.slip import stick_force
-from ....tangential.wavy_paraboloid import Array
+from ...._programs.bodies._runtime.physics.slip import growth_waves, stick_force
+from ....tangential.wavy_paraboloid import Array, CLOSE
 from ...._runtime.plain import MATH as np
+
+
+def _tangential_force(a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:
+    whole, sticking = normal._force(a, R, h, wavelength, E_star), normal._force(c, R, h, wavelength, E_star)
+    close = sticking >= CLOSE * whole
+    gain = 2.0 * E_star * growth_waves(normal._slope, (R, h, wavelength), 2, 0.0, c, a, wavelength, close)
+    return mu * np.where(close, gain, whole - sticking)
+
+
+def _traction(r: Array, a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:
+    sliding = normal._pressure(r, a, R, h, wavelength, E_star)
+    stuck = normal._pressure(r, c, R, h, wavelength, E_star)
+    # both are infinite at a tip, and where the slope of the profile jumps
+    close = (r < c) & (stuck >= CLOSE * sliding)
+    gain = E_star / np.pi * growth_waves(normal._slope, (R, h, wavelength), 0, r, c, a, wavelength, close)
+    return mu * np.where(close, gain, sliding - stuck)
+
+
+def _tangential_displacement(
+    a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, G_star: Array, mu: Array
+) -> Array:
+    whole, sticking = normal._depth(a, R, h, wavelength), normal._depth(c, R, h, wavelength)
+    close = sticking >= CLOSE * whole
+    gain = growth_waves(normal._slope, (R, h, wavelength), 1, 0.0, c, a, wavelength, close)
+    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:

@@ -3,8 +3,39 @@
 from __future__ import annotations
 
 
-from ....._runtime.physics.relaxation import Array
+from ....._programs.bodies._runtime.functions import gamma, gamma_quotient
+from ....._runtime.physics.relaxation import Array, ROUNDING, SWITCH, TERMS
+from ....._runtime.plain import integral
 from ....._runtime.plain import MATH as np
+
+
+def fading(x: Array, m: Array) -> Array:
+    """1F1(1; m + 1; -x) = int_0^1 m (1 - y)**(m - 1) exp(-x y) dy for x >= 0 and m >= 1: positive terms only."""
+    low = np.minimum(x, SWITCH)
+    term, total = np.exp(-low), np.exp(-low)
+    for k in range(1, TERMS):
+        term = term * low / k
+        more = term * (m / (m + k))
+        total = total + more
+        if not np.count_nonzero(more > ROUNDING * total):
+            break
+    if not np.count_nonzero(x > SWITCH):
+        return total
+    high = np.maximum(x, SWITCH)
+    tail = integral(lambda y: m * np.exp((m - 1.0) * np.log1p(-y) - high * y), 0.999999 * SWITCH / high, 64)
+    return np.where(x <= SWITCH, total, np.where(x < np.inf, tail, 0.0))
+
+
+def ramp_maxwell(t: Array, m: Array, E: Array, tau: Array) -> Array:
+    return E * fading(t / tau, m)
+
+
+def ramp_standard_solid(t: Array, m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+    return E_inf + E_1 * fading(t / tau, m)
+
+
+def ramp_power_creep(t: Array, m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    return E * (t_0 / t) ** alpha * gamma_quotient(1.0 + m, 1.0 + m - alpha) / gamma(1.0 + alpha)
 
 
 def relaxation_maxwell(t: Array, E: Array, tau: Array) -> Array:
