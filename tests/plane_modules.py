@@ -31,7 +31,9 @@ def written(folder: Path, package: str, sources: dict[str, str]) -> None:
     tables = {"nodes.py": nodes_source(NODE_COUNTS), "kernels.py": kernels()}
     tables |= symbols_sources({"theta", "R", "A", "b", "h", "n", "a", "E_star"})
     files = {"__init__.py": "", **runtime_sources(), **{f"{PLACE}/{name}": text for name, text in tables.items()}}
-    files |= {str(Path(path).relative_to("axicontact")): text for path, text in sources.items()}
+    files |= {"plane/__init__.py": ""} | {
+        str(Path(path).relative_to("axicontact")): text for path, text in sources.items()
+    }
     files |= {
         path.removeprefix("axicontact/"): text
         for path, text in program_sources({f"axicontact/{path}": text for path, text in files.items()}).items()
