@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -53,14 +54,24 @@ def value(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) ->
 
 def number(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
     """The value by mpmath at 30 digits; a definite integral by mpmath's quadrature."""
-    expr = expr.subs(known)
     with mp.workdps(30):
         for integral in expr.atoms(sp.Integral):
-            variable, lower, upper = integral.limits[0]
-            integrand = sp.lambdify(variable, integral.function, NUMERIC)
+            variable, lower, upper = integral.subs(known).limits[0]
+            integrand = sp.lambdify(variable, integral.subs(known).function, NUMERIC)
             ends = [mp.mpf(str(sp.N(end, 30))) for end in (lower, upper)]
             expr = expr.subs(integral, sp.Float(str(mp.re(mp.quad(integrand, ends, maxdegree=6))), 30))
-        return sp.Float(str(mp.re(sp.lambdify((), expr, NUMERIC)())), 30)
+        return sp.Float(str(mp.re(function(expr, known)())), 30)
+
+
+def function(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr], *unknown: sp.Symbol) -> Callable[..., Any]:
+    """The expression as a function of what is unknown, over mpmath's numbers of the digits it works with.
+
+    Numbers put into the expression by SymPy would take ten times as long.
+    """
+    symbols = sorted(expr.free_symbols - {*unknown}, key=str)
+    values = [mp.mpf(str(sp.N(known[symbol], 40))) for symbol in symbols]
+    evaluate = sp.lambdify((*unknown, *symbols), expr, NUMERIC)
+    return lambda *given: evaluate(*given, *values)
 
 
 def _plain(expr: sp.Expr) -> sp.Expr:
@@ -90,7 +101,7 @@ POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
 
 def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
     for case in entry.cases:
-        lengths = [sp.N(sp.sympify(x).subs(known), 30) for x in case.chain]
+        lengths = [sp.N(known.get(x, x) if x.is_Atom else x.subs(known), 30) for x in map(sp.sympify, case.chain)]
         if all(x < y for x, y in zip(lengths, lengths[1:], strict=False) if x.is_number and y.is_number):
             return case
     message = f"{entry.key}: no case applies at {known}"

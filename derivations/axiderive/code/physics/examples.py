@@ -146,9 +146,8 @@ class _Numeric:
         known = {**self.at, self.unknown: sp.Float(str(x), 30)}
         case = example._case(self.entry, known)
         if case not in self.compiled:
-            others = {symbol: value for symbol, value in self.at.items() if symbol != self.unknown}
-            expr = example._plain(self.form(case.expr)).subs(others)
-            self.compiled[case] = sp.lambdify(self.unknown, expr, example.NUMERIC)
+            expr = example._plain(self.form(case.expr))
+            self.compiled[case] = example.function(expr, self.at, self.unknown)
         return mp.re(self.compiled[case](x))
 
 
