@@ -61,9 +61,11 @@ def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     """
     one, two = sp.Integer(1), sp.Integer(2)
     require_regions(entry, ((one, n, two), (two, n)))
-    centre, ring = (case.expr for case in entry.cases)
+    said = {case.chain: case.expr for case in entry.cases}
+    centre, ring = said[one, n, two], said[two, n]
     (whole,) = proof.entry("p").cases
-    left, right = (side.subs(r_peak, r) for side in ring.args)
+    # what is no equation has sides that do not differ, which the signs below refuse
+    left, right = (side.subs(r_peak, r) for side in (ring.args if isinstance(ring, sp.Eq) else (ring, ring)))
     beyond, below = Domain(whole.chain, (two, n)), Domain(whole.chain, (one, n, two))
     factor = (n - 2) * r ** (n - 2) * _scale(proof) / (2 * a ** (n - 1))
     positive = all(sign(part, beyond) > 0 for part in (left, right, factor))
