@@ -666,7 +666,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
     ),
     "peak._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
     "peak._of_power: require_regions(entry, ((one, n, two), (two, n)))": (
-        lambda: regions("power_law", "rp", (a, h), (sp.Integer(2), n)),
+        lambda: beside("power_law", "rp", Case((a, h), sp.Integer(7))),
         ONCE,
     ),
     "peak._of_power: one change of the sign of dp/dr for n > 2, and none for n <": (
