@@ -72,7 +72,7 @@ class _Adhesive:
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
             body = [*writer.checks(symbols), *self.order()]
-            signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
+            signed = dict.fromkeys(fields, fields[0])
             body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', [], keywords, **signed)}")
             notes = f"Valid for {self.profile.validity}. NaN below pull-off."
             if self.power is None:

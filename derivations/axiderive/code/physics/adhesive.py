@@ -143,7 +143,7 @@ class _Adhesive:
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
             body += self.order()
-            signed = {fields[0]: f'numbers("{fields[0]}", {fields[0]})'}
+            signed = dict.fromkeys(fields, fields[0])
             body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
             notes = self.notes_of_inverse()
         else:
