@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -364,7 +364,7 @@ def radius_from_depth(
     1.000023
     """
     normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -418,7 +418,7 @@ def radius_from_force(
     1.000004
     """
     normal._check(R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R1=R1, R2=R2, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(

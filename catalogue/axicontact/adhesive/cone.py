@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     XI,
     PullOff,
@@ -314,7 +314,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgam
     0.99995
     """
     require(theta=theta, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, theta=theta, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -359,7 +359,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike, dgam
     1.000001
     """
     require(theta=theta, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, theta=theta, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -339,7 +339,7 @@ def radius_from_depth(d: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     0.999907
     """
     require(h=h, s=s, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), h=h, s=s, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, h=h, s=s, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -389,7 +389,7 @@ def radius_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: Array
     0.999985
     """
     require(h=h, s=s, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), h=h, s=s, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, h=h, s=s, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

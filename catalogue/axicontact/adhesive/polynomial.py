@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients
+from .._runtime.interface import Array, Result, elementwise, require, require_coefficients
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -331,7 +331,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: 
     """
     A = require_coefficients(A)
     require(E_star=E_star, dgamma=dgamma)
-    return elementwise(partial(_radius_from_depth, A=A), d=numbers("d", d), E_star=E_star, dgamma=dgamma)
+    return elementwise(partial(_radius_from_depth, A=A), d=d, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -379,7 +379,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: 
     """
     A = require_coefficients(A)
     require(E_star=E_star, dgamma=dgamma)
-    return elementwise(partial(_radius_from_force, A=A), F=numbers("F", F), E_star=E_star, dgamma=dgamma)
+    return elementwise(partial(_radius_from_force, A=A), F=F, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import nth_root
-from .._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from .._runtime.interface import Array, Result, elementwise, require, require_order
 from .._runtime.physics.adhesion import (
     XI,
     PullOff,
@@ -341,7 +341,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
         " force(a) and depth(a) for the states of equilibrium",
         n=n,
     )
-    return elementwise(_radius_from_depth, d=numbers("d", d), A=A, n=n, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, A=A, n=n, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -397,7 +397,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: Array
         " force(a) and depth(a) for the states of equilibrium",
         n=n,
     )
-    return elementwise(_radius_from_force, F=numbers("F", F), A=A, n=n, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, A=A, n=n, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import nth_root
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     XI,
     PullOff,
@@ -314,7 +314,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: 
     0.999999
     """
     require(A=A, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), A=A, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, A=A, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -359,7 +359,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, dgamma: 
     0.999956
     """
     require(A=A, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), A=A, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, A=A, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -352,7 +352,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     0.999922
     """
     require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -403,7 +403,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     0.99996
     """
     require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(

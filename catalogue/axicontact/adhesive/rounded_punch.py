@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require, require_reach
+from .._runtime.interface import Array, Result, elementwise, require, require_reach
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -345,7 +345,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     1.619998
     """
     require(R=R, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -394,7 +394,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: Array
     1.620016
     """
     require(R=R, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -330,7 +330,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: 
     1.000023
     """
     require(R=R, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -377,7 +377,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, dgamma: 
     0.999997
     """
     require(R=R, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import sine_root
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -344,7 +344,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: A
     1.000043
     """
     require(R=R, theta=theta, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, theta=theta, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, theta=theta, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -397,7 +397,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: A
     1.000032
     """
     require(R=R, theta=theta, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, theta=theta, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, theta=theta, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require, require_reach
+from .._runtime.interface import Array, Result, elementwise, require, require_reach
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -344,7 +344,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     1.000022
     """
     require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -393,7 +393,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: A
     1.000006
     """
     require(theta=theta, b=b, E_star=E_star, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, b=b, E_star=E_star, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, theta=theta, b=b, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, numbers, require
+from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.adhesion import (
     Branches,
     PullOff,
@@ -380,9 +380,7 @@ def radius_from_depth(
     1.000024
     """
     normal._check(R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma)
-    return elementwise(
-        _radius_from_depth, d=numbers("d", d), R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma
-    )
+    return elementwise(_radius_from_depth, d=d, R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -436,9 +434,7 @@ def radius_from_force(
     1.000005
     """
     normal._check(R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma)
-    return elementwise(
-        _radius_from_force, F=numbers("F", F), R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma
-    )
+    return elementwise(_radius_from_force, F=F, R=R, h=h, wavelength=wavelength, E_star=E_star, dgamma=dgamma)
 
 
 def pull_off(

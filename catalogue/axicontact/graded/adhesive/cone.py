@@ -18,7 +18,7 @@ from ..._runtime.graded.punch import (
     tension,
     unloading_radius,
 )
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import PullOff, power_law_radius, require_control
 from ..normal import cone as normal
 
@@ -346,7 +346,7 @@ def radius_from_depth(d: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
     0.999978
     """
     require(theta=theta, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, theta=theta, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -395,7 +395,7 @@ def radius_from_force(F: ArrayLike, *, theta: ArrayLike, H: ArrayLike, k: ArrayL
     0.999964
     """
     require(theta=theta, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, theta=theta, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, theta: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_below, require_control
 from ..normal import ellipsoid as normal
 
@@ -351,7 +351,7 @@ def radius_from_depth(
     0.999982
     """
     require(h=h, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), h=h, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, h=h, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -406,7 +406,7 @@ def radius_from_force(
     0.999997
     """
     require(h=h, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), h=h, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, h=h, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

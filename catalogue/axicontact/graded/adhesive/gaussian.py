@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_to, require_control
 from ..normal import gaussian as normal
 
@@ -354,7 +354,7 @@ def radius_from_depth(
     1.000026
     """
     require(h=h, s=s, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, h=h, s=s, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -409,7 +409,7 @@ def radius_from_force(
     0.999912
     """
     require(h=h, s=s, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), h=h, s=s, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, h=h, s=s, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

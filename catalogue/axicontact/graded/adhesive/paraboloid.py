@@ -18,7 +18,7 @@ from ..._runtime.graded.punch import (
     tension,
     unloading_radius,
 )
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import PullOff, power_law_radius, require_control
 from ..normal import paraboloid as normal
 
@@ -334,7 +334,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     0.999959
     """
     require(R=R, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -383,7 +383,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     1.000003
     """
     require(R=R, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:

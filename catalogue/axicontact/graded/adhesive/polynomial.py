@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients
+from ..._runtime.interface import Array, Result, elementwise, require, require_coefficients
 from ..._runtime.physics.adhesion import Branches, PullOff, decades, lowest, require_control
 from ..normal import polynomial as normal
 
@@ -339,7 +339,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     """
     A = require_coefficients(A)
     require(H=H, k=k, dgamma=dgamma)
-    return elementwise(partial(_radius_from_depth, A=A), d=numbers("d", d), H=H, k=k, dgamma=dgamma)
+    return elementwise(partial(_radius_from_depth, A=A), d=d, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -390,7 +390,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     """
     A = require_coefficients(A)
     require(H=H, k=k, dgamma=dgamma)
-    return elementwise(partial(_radius_from_force, A=A), F=numbers("F", F), H=H, k=k, dgamma=dgamma)
+    return elementwise(partial(_radius_from_force, A=A), F=F, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:

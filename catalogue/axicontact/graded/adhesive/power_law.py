@@ -18,7 +18,7 @@ from ..._runtime.graded.punch import (
     tension,
     unloading_radius,
 )
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.interface import Array, Result, elementwise, require, require_order
 from ..._runtime.physics.adhesion import PullOff, power_law_radius, require_control
 from ..normal import power_law as normal
 
@@ -363,7 +363,7 @@ def radius_from_depth(
         n=n,
         k=k,
     )
-    return elementwise(_radius_from_depth, d=numbers("d", d), A=A, n=n, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, A=A, n=n, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -424,7 +424,7 @@ def radius_from_force(
         n=n,
         k=k,
     )
-    return elementwise(_radius_from_force, F=numbers("F", F), A=A, n=n, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, A=A, n=n, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

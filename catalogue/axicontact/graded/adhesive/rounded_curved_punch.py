@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_around, require_control
 from ..normal import rounded_curved_punch as normal
 
@@ -387,7 +387,7 @@ def radius_from_depth(
     1.499967
     """
     require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -448,7 +448,7 @@ def radius_from_force(
     1.499995
     """
     require(R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R1=R1, R2=R2, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_reach
+from ..._runtime.interface import Array, Result, elementwise, require, require_reach
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_beyond, require_control
 from ..normal import rounded_punch as normal
 
@@ -361,7 +361,7 @@ def radius_from_depth(
     1.620012
     """
     require(R=R, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -418,7 +418,7 @@ def radius_from_force(
     1.62004
     """
     require(R=R, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

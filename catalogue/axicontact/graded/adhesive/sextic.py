@@ -18,7 +18,7 @@ from ..._runtime.graded.punch import (
     tension,
     unloading_radius,
 )
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import PullOff, power_law_radius, require_control
 from ..normal import sextic as normal
 
@@ -335,7 +335,7 @@ def radius_from_depth(d: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     1.000008
     """
     require(A=A, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), A=A, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, A=A, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -384,7 +384,7 @@ def radius_from_force(F: ArrayLike, *, A: ArrayLike, H: ArrayLike, k: ArrayLike,
     1.000006
     """
     require(A=A, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), A=A, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, A=A, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, A: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:

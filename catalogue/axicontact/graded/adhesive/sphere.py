@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_below, require_control
 from ..normal import sphere as normal
 
@@ -340,7 +340,7 @@ def radius_from_depth(d: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     1.0
     """
     require(R=R, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> Result:
@@ -391,7 +391,7 @@ def radius_from_force(F: ArrayLike, *, R: ArrayLike, H: ArrayLike, k: ArrayLike,
     1.000021
     """
     require(R=R, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(control: str = "force", *, R: ArrayLike, H: ArrayLike, k: ArrayLike, dgamma: ArrayLike) -> PullOff:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_around, require_control
 from ..normal import sphere_tipped_cone as normal
 
@@ -371,7 +371,7 @@ def radius_from_depth(
     1.000031
     """
     require(R=R, theta=theta, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, theta=theta, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -435,7 +435,7 @@ def radius_from_force(
     1.000007
     """
     require(R=R, theta=theta, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, theta=theta, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, theta=theta, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_reach
+from ..._runtime.interface import Array, Result, elementwise, require, require_reach
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_beyond, require_control
 from ..normal import truncated_paraboloid as normal
 
@@ -349,7 +349,7 @@ def radius_from_depth(
     1.000004
     """
     require(R=R, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -403,7 +403,7 @@ def radius_from_force(
     0.999991
     """
     require(R=R, b=b, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, b=b, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, b=b, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, numbers, require
+from ..._runtime.interface import Array, Result, elementwise, require
 from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_of_waves, require_control
 from ..normal import wavy_paraboloid as normal
 
@@ -385,7 +385,7 @@ def radius_from_depth(
     1.000007
     """
     normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_depth, d=numbers("d", d), R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_depth, d=d, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
 
 
 def radius_from_force(
@@ -446,7 +446,7 @@ def radius_from_force(
     0.999998
     """
     normal._check(R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
-    return elementwise(_radius_from_force, F=numbers("F", F), R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
+    return elementwise(_radius_from_force, F=F, R=R, h=h, wavelength=wavelength, H=H, k=k, dgamma=dgamma)
 
 
 def pull_off(
