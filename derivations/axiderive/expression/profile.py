@@ -190,15 +190,12 @@ def _vanishes(height: sp.Expr) -> bool:
 
 def _sketch(expression: Expression) -> Sketch:
     """Lengths of 1, exponents of no special case, breaks at 1, 1.4, ..., and a contact beyond the last of them."""
-    values, at = [], 1.0
+    values = []
     exponents = {symbol for power in expression.tree.atoms(sp.Pow) for symbol in power.exp.free_symbols}
     for symbol in expression.parameters:
         if symbol in expression.breaks:
-            values.append((symbol, round(1.0 + 0.4 * expression.breaks.index(symbol), 3)))
-        elif symbol.name == "theta":
-            values.append((symbol, ANGLE))
+            number = round(1.0 + 0.4 * expression.breaks.index(symbol), 3)
         else:
-            values.append((symbol, 1.5 if symbol in exponents else 1.0))
-    if expression.breaks:
-        at = round(1.4 + 0.4 * (len(expression.breaks) - 1), 3)
-    return Sketch(tuple(values), a=at)
+            number = ANGLE if symbol.name == "theta" else 1.5 if symbol in exponents else 1.0
+        values.append((symbol, number))
+    return Sketch(tuple(values), a=round(1.0 + 0.4 * len(expression.breaks), 3))
