@@ -11,7 +11,7 @@ from ...letters import name_of
 from ...notation import n
 from ..physics import text
 from ..physics.adhesive import stated
-from ..physics.branches import own_units, radii, returned, unknowns
+from ..physics.branches import SAMPLED, own_units, pull_off, radii, returned, sampled, search, unknowns
 from ..physics.text import Function
 from ..text import python
 from .families import family
@@ -136,17 +136,15 @@ class _Adhesive:
         """Between refined changes of sign of the growth."""
         writer, needs = self.writer, [*self.material, "dgamma"]
         geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
-        grid, high = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
-        lines = [f"return graded_branches(normal._rate, {geometry}, {grid}, {high}, H, k, dgamma, control)"]
-        writer.rule("_branches", [], [*needs, "control"], lines)
+        grid = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
+        steepness = f"a ** ((1.0 + k) / 2.0) * normal._rate({', '.join(['a', *self.geometry])})"
+        level = "least_steepness(control, H, k, dgamma)"
+        own, samples, found = search(self.profile, self.geometry, needs, grid, steepness, level)
+        writer.rule("_samples", [], own, samples, SAMPLED)
+        writer.private[-1] = sampled(writer.private[-1])
+        writer.rule("_branches", [], [*needs, "control"], found)
         writer.private[-1] = writer.private[-1].replace("-> Array", "-> Branches")
-        units = own_units(self.profile, self.geometry, "H")
-        lines = [
-            *units,
-            f"found = _branches({both}, control)",
-            'load = _force if control == "force" else _depth',
-            *returned(f"lowest(found, lambda a: load(a, {both}))", units),
-        ]
+        lines = pull_off(own_units(self.profile, self.geometry, "H"), needs)
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
             units = own_units(self.profile, self.geometry, "H", field)

@@ -92,9 +92,9 @@ UP = "..."
 """From a module of a graded package to the root."""
 SHARED = (
     "physics.adhesion: PullOff, power_law_radius, require_control",
-    "physics.adhesion: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond",
-    "physics.adhesion: radii_of_waves, radii_to",
-    "interface: Array, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
+    "physics.branches: Branches, Samples, branches, decades, exponent_of, lowest, radii_around, radii_below",
+    "physics.branches: radii_beyond, radii_of_waves, radii_to",
+    "interface: Array, Kept, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
     "functions: sine_root",
     "integrals: difference_root",
     "shapes.ring: lifted_at_zero_pressure, ring_of_zero_pressure",

@@ -82,10 +82,11 @@ def number(expr: sp.Expr) -> str:
 
 
 IMPORTS = (
-    "physics.adhesion: PullOff, XI, hess_retraction, lift, power_law_radius, pull, require_control, tension",
-    "physics.adhesion: Branches, branches, decades, exponent_of, lowest, radii_around, radii_below, radii_beyond",
-    "physics.adhesion: radii_of_waves, radii_to",
-    "interface: Array, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
+    "physics.adhesion: PullOff, XI, hess_retraction, least_steepness, lift, power_law_radius, pull, require_control",
+    "physics.adhesion: tension",
+    "physics.branches: Branches, Samples, branches, decades, exponent_of, lowest, radii_around, radii_below",
+    "physics.branches: radii_beyond, radii_of_waves, radii_to",
+    "interface: Array, Kept, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
     *OFFERED,
     "physics.stable: growth, stable_radius",
     "physics.unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
