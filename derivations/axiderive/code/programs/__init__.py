@@ -21,7 +21,7 @@ from ..imports import PLACE
 from ..public import PACKAGE
 from .blocks import Blocks
 from .bodies import Twins
-from .expressions import expression
+from .expressions import RULE, expression
 from .graph import Lengths, Node, needed, trace
 from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum
 
@@ -179,7 +179,7 @@ class _Module:
             arguments = _arguments(calls[0].formula)
             words = calls[0].words
             result = None if words else trace(calls[0].formula, arguments, ())
-            whole = result or (None if words else trace(calls[0].formula, arguments, (), roots=True))
+            whole = None if words else trace(calls[0].formula, arguments, (), roots=True)
             over = whole and expression(name.removeprefix("_"), arguments, whole)
             self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
             self._plain(name, calls, arguments, result)
@@ -194,6 +194,8 @@ class _Module:
     def expressions(self) -> str:
         """The formulas in closed form over any array library `xp`, empty if there are none."""
         head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
+        if any(RULE in text for text in self.over):
+            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}expressions import {RULE}"
         return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
