@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from .graph import Node, needed
 from .plain import OPERATORS, is_sum
 
-LONGEST = 1000
+LONGEST = 500
 """Lines beyond which an expression is not written: choices within rules and roots are written once for each."""
 RULE = "rule_along"
 """The function of `axicontact.expressions` that gives nodes and weights."""
