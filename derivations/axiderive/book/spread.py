@@ -46,7 +46,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
     return {
         "name": profile_id,
-        "title": prose(profile.title),
+        "title": prose(f"Plane {profile.title[0].lower()}{profile.title[1:]}" if pool.strip else profile.title),
         "number": number,
         "chapter": int(number.partition(".")[0]),
         "subtitle": prose(profile.subtitle),

@@ -68,7 +68,7 @@ def html_sources(
         timing = study.timing(measured, ruled(models[i])) if measured else None
         shown = page(models[i], derived, evidence, modules)
         files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
-    matrix = {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
+    matrix = {"columns": COLUMNS, "rows": _matrix(front["kinds"], models), "legend": LEGEND}
     files["index.html"] = site.render("index", front | matrix | home(front, models))
     parts = [(title, address) for title, address, _ in PARTS if address.startswith("reading")]
     files["reading.html"] = site.render("reading", front | {"parts": parts})
@@ -85,10 +85,10 @@ COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
 
 
 def _matrix(
-    chapters: Sequence[tuple[str, Sequence[Mapping[str, Any]]]], models: Mapping[str, Model]
+    kinds: Sequence[tuple[str, str, Sequence[Mapping[str, Any]]]], models: Mapping[str, Model]
 ) -> list[tuple[str, list[dict[str, Any]]]]:
-    """Profile by physics: the cells of `book.readme`, or that of the only system a profile has, by chapter."""
-    return [(title, [_cells(member["name"], models) for member in members]) for title, members in chapters]
+    """Profile by physics: the cells of `book.readme`, or that of the only system a profile has, by kind."""
+    return [(title, [_cells(member["name"], models) for member in members]) for title, _, members in kinds]
 
 
 def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
