@@ -60,10 +60,11 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         return ""
     if len(steps) == 1 and (steps[0][1] in (r, x, d, F, n) or steps[0][1].has(e)):  # the variable stands on the left
         ((low, high),) = steps
-        sign = r"\ge" if steps[0] in own else ">"
+        sign = r"\ge" if steps[0] in loose else ">"
         return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
-    signs = {pair: r"\le" if pair in own else "<" for pair in steps}
+    loose += _with_border(entry, pairs)
+    signs = {pair: r"\le" if pair in loose else "<" for pair in steps}
 
     def text(length: sp.Expr) -> str:
         return _flat(length, printer)
@@ -74,6 +75,12 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
     return out
+
+
+def _with_border(entry: Entry, pairs: Pairs) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Comparisons that hold with equality too: an equation has no root yet where it begins, so the formula stands."""
+    begins = {case.chain[0] for case in entry.cases if case.chain and isinstance(case.expr, sp.Equality)}
+    return [pair for pair in pairs if pair[1].is_number and pair[1] in begins]
 
 
 def _flat(expr: sp.Expr, printer: Printer) -> str:
