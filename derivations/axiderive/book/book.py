@@ -21,18 +21,18 @@ from .word_index import word_index
 
 ENTRIES = {
     "Compact contact": (
-        "cone", "plane.wedge", "rounded_cone", "sphere_tipped_cone", "plane.rounded_wedge", "paraboloid",
-        "plane.parabola", "power_law", "plane.power_law", "polynomial", "ellipsoid", "hyperboloid", "wavy_paraboloid",
-        "gaussian", "truncated_cone", "truncated_paraboloid", "capped_paraboloid", "rounded_curved_punch",
-        "rounded_punch", "plane.truncated_wedge", "plane.rounded_punch",
+        *("cone", "plane.wedge", "rounded_cone", "sphere_tipped_cone", "plane.rounded_wedge"),
+        *("paraboloid", "plane.parabola", "power_law", "plane.power_law", "polynomial", "ellipsoid", "hyperboloid"),
+        *("wavy_paraboloid", "gaussian", "truncated_cone", "truncated_paraboloid", "capped_paraboloid"),
+        *("rounded_curved_punch", "rounded_punch", "plane.truncated_wedge", "plane.rounded_punch"),
     ),
     "Complete contact": (
-        "flat_punch", "plane.flat_punch", "plane.eccentric_punch", "capped_cylinder", "concave_power",
-        "plane.concave_power",
+        *("flat_punch", "plane.flat_punch", "plane.eccentric_punch", "capped_cylinder"),
+        *("concave_power", "plane.concave_power"),
     ),
     "Prescribed pressure": ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power"),
     "Elastic constants": ("materials",),
-}  # fmt: skip
+}
 """The entries by chapter, in the order of the book.
 
 An entry of three pages, from a left one, ends on a left one. The page that faces its end has the plane contact of the
@@ -66,14 +66,9 @@ Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
 """Title and summaries of each chapter."""
 
 
-def _kind(summary: Mapping[str, Any]) -> str:
-    return "Plane contact" if pool_of(summary["name"]).strip else CHAPTERS[summary["chapter"] - 1]
-
-
-def _grouped(titles: Iterable[str], members: Sequence[tuple[str, Mapping[str, Any]]]) -> Chapters:
-    """The members by title, in the order of the titles; without those that have none."""
-    found = [(title, [member for own, member in members if own == title]) for title in titles]
-    return [(title, own) for title, own in found if own]
+def _grouped(titles: Iterable[str], own: Sequence[tuple[str, Mapping[str, Any]]]) -> Chapters:
+    """The summaries by title, in the order of the titles; without those that have none."""
+    return [(t, members) for t in titles if (members := [m for title, m in own if title == t])]
 
 
 def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
@@ -83,23 +78,17 @@ def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
         "front": front,
         "back": back,
         "chapters": [
-            (
-                members[0]["chapter"],
-                title,
-                [(m["number"], m["title"], f"sec:{m['name']}") for m in members if not m["host"]],
-            )
-            for title, members in chapters
+            (own[0]["chapter"], title, [(m["number"], m["title"], f"sec:{m['name']}") for m in own if not m["host"]])
+            for title, own in chapters
         ],
     }
 
 
 def _held(summaries: Sequence[Mapping[str, Any]]) -> str:
     """36 profiles, 4 prescribed pressures and the elastic constants: neither of the last two is a profile."""
-    kinds = dict(zip(CHAPTERS, ("profile",) * 2 + ("prescribed pressure", ""), strict=True))
-    counts = Counter(kinds[CHAPTERS[m["chapter"] - 1]] for m in summaries)
-    words = [
-        f"{count} {kind}{'s' * (count > 1)}" if kind else "the elastic constants" for kind, count in counts.items()
-    ]
+    kinds = "profile", "profile", "prescribed pressure", ""
+    counts = Counter(kinds[m["chapter"] - 1] for m in summaries)
+    words = [f"{n} {kind}{'s' * (n > 1)}" if kind else "the elastic constants" for kind, n in counts.items()]
     *most, last = words or ["no formula"]
     return f"{', '.join(most)} and {last}" if most else last
 
@@ -120,8 +109,9 @@ def model(
 ) -> dict[str, Any]:
     """What the template of the main file prints."""
     summaries = sorted(summaries, key=lambda m: tuple(map(int, m["number"].split("."))))
-    chapters = _grouped(CHAPTERS, [(CHAPTERS[m["chapter"] - 1], m) for m in summaries])
-    kinds = _grouped(KINDS, [(_kind(m), m) for m in summaries])
+    parts = [(CHAPTERS[m["chapter"] - 1], m) for m in summaries]
+    chapters = _grouped(CHAPTERS, parts)
+    kinds = _grouped(KINDS, [("Plane contact" if pool_of(m["name"]).strip else title, m) for title, m in parts])
     keys = [key for m in summaries for key in m["keys"]]
     drawn = study.figures(studies or {}, frozenset(keys))
     shown = {**drawn, "chapter11": chapter11}

@@ -92,16 +92,9 @@ def _order(text: str) -> tuple[int, ...]:
 
 
 NOTHING: dict[str, Any] = {
-    "worked": None,
-    "picture": None,
-    "loaded": False,
-    "plots": (),
-    "checks": None,
-    "derivation": "",
-    "complete": False,
-    "curves": (),
-    "axes": (),
-    "graded": (),
+    **dict.fromkeys(("worked", "picture", "checks")),
+    **dict.fromkeys(("plots", "curves", "axes", "graded"), ()),
+    **{"loaded": False, "complete": False, "derivation": ""},
 }
 
 

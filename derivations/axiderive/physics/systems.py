@@ -165,7 +165,7 @@ def pool_of(profile_id: str) -> Pool:
 
 
 def profile_ids() -> tuple[str, ...]:
-    """All profiles in the order of the handbook: cone, ..., plane.wedge, ..., loads.uniform, ..."""
+    """All profiles in the order of the catalogue: cone, ..., plane.wedge, ..., loads.uniform, ..."""
     return tuple(pool.id(name) for pool in POOLS for name in pool.names)
 
 

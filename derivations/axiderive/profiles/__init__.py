@@ -1,4 +1,4 @@
-"""The catalogue of profiles, in the order of the handbook."""
+"""The catalogue of axisymmetric profiles, in the order of lists; that of the book is its own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Profiles of the plane problem, in the order of the handbook: even functions of x, except for the eccentric punch."""
+"""Profiles of the plane problem, in the order of lists: even functions of x, except for the eccentric punch."""
 
 from __future__ import annotations
 
