@@ -43,8 +43,7 @@ KINDS = {
     "Compact contact": r"depth $g(a)$, force $F_{\mathrm N}$",
     "Complete contact": r"depth $d$, force $F_{\mathrm N}$",
     "Plane contact": r"depth relative to the surface at the distance $L$, line load $P$",
-    "Prescribed pressure": "",
-    "Elastic constants": "",
+    **dict.fromkeys(("Prescribed pressure", "Elastic constants"), ""),
 }
 """The groups of the tables of all profiles, and what the table of their depths and forces has of them."""
 FRONT = (

@@ -73,7 +73,7 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
     # the depth of a strip goes with the load, so that of the sketch is none of its parameters
     left_out = (nt.N, nt.d) if force == "P" else (nt.N,)
-    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
+    where = [f"{_symbol_tex(s)}={float(v):g}" for s, v in shown if s not in left_out]
     given = [text.partition("=")[0] for text in where]
     if force == "P":
         where.append("L=2.7\\,a")
@@ -145,10 +145,6 @@ def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
 
 def _symbol_tex(symbol: sp.Symbol) -> str:
     return nt.describe(symbol).latex if nt.known(symbol.name) else symbol.name
-
-
-def _plain(value: Any) -> str:
-    return f"{float(value):g}"
 
 
 STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "

@@ -84,11 +84,7 @@ def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, 
 
 def _equations(own: Mapping[str, Entries]) -> list[str]:
     found = {r for entries in own.values() for entry in entries.values() for r in entry.references}
-    return sorted(found, key=_order)
-
-
-def _order(text: str) -> tuple[int, ...]:
-    return tuple(int(x) for x in text.strip("()").split("."))
+    return sorted(found, key=lambda text: tuple(map(int, text.strip("()").split("."))))
 
 
 NOTHING: dict[str, Any] = {

@@ -6,7 +6,6 @@ A system applied to a profile is a problem.  Its key (`cone`, `cone.fgm.adh`,
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -19,7 +18,7 @@ from ..notation import F, P, r, x
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.materials import PROFILE as ELASTIC
-from ..profiles.profile import Profile
+from ..profiles.profile import Profile, unknown
 from . import Physics, adhesive, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
 
@@ -188,7 +187,5 @@ def problem(key: str) -> Problem:
     """The problem of that key; `KeyError` with the nearest key if there is none."""
     known = _by_key()
     if key not in known:
-        near = difflib.get_close_matches(key, known, n=1)
-        message = f"there is no problem {key!r}" + (f"; did you mean {near[0]!r}?" if near else "")
-        raise KeyError(message)
+        raise unknown(key, known, "there is no problem")
     return known[key]

@@ -63,7 +63,9 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         sign = r"\ge" if steps[0] in loose else ">"
         return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
-    loose += _with_border(entry, pairs)
+    # an equation has no root yet where it begins, so that the formula before it stands there
+    begins = {case.chain[0] for case in entry.cases if case.chain and isinstance(case.expr, sp.Equality)}
+    loose += [pair for pair in pairs if pair[1].is_number and pair[1] in begins]
     signs = {pair: r"\le" if pair in loose else "<" for pair in steps}
 
     def text(length: sp.Expr) -> str:
@@ -75,12 +77,6 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
     for lo, hi in zip(ascending, ascending[1:], strict=False):
         out += f"{signs[lo, hi]} {text(hi)}"
     return out
-
-
-def _with_border(entry: Entry, pairs: Pairs) -> list[tuple[sp.Expr, sp.Expr]]:
-    """Comparisons that hold with equality too: an equation has no root yet where it begins, so the formula stands."""
-    begins = {case.chain[0] for case in entry.cases if case.chain and isinstance(case.expr, sp.Equality)}
-    return [pair for pair in pairs if pair[1].is_number and pair[1] in begins]
 
 
 def _flat(expr: sp.Expr, printer: Printer) -> str:

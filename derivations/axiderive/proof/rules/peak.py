@@ -165,10 +165,9 @@ def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     domain = Domain(whole.chain, (sp.Integer(1), n))
     there = greatest.expr.subs(r_peak, r)
     gap = r * sp.diff(whole.expr, r) - (n - 1) * (whole.expr - there)
-    steps = [require_zero(gap, domain, "r dp/dr = (n - 1) [p - p_max(r)], and dp/dr = 0 at r = r_max > 0")]
     tail = (2 - n) * r ** (n - 1) * IncompleteBeta(1 - r**2 / a**2, sp.S.Half, (3 - n) / 2) / (2 * a ** (n - 1))
     split = whole.expr - there * (1 - r**2 / a**2) + _scale(proof) / (n - 1) * tail
     return [
-        *steps,
+        require_zero(gap, domain, "r dp/dr = (n - 1) [p - p_max(r)], and dp/dr = 0 at r = r_max > 0"),
         require_zero(split, domain, "p = p_max(r) (1 - r^2/a^2) - r^(n-1) B times a number, B bounded for n <= 2"),
     ]
