@@ -145,6 +145,12 @@ class Entry:
         depends = not self.quantity.arguments and any(case.expr.has(nt.d) for case in self.cases)
         return (nt.d,) if depends else self.quantity.arguments
 
+    @property
+    def borders(self) -> set[sp.Expr]:
+        """Numbers at which an equation begins: it has no root there yet, so that the formula before it still holds."""
+        equations = [case for case in self.cases if isinstance(case.expr, sp.Equality)]
+        return {case.chain[0] for case in equations if case.chain and case.chain[0].is_number}
+
     def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:
         """The distinct formulas with the fewest comparisons (low, high) that tell them apart, for print and code.
 

@@ -69,17 +69,12 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "special": special.tables(profile_id),
         "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
-        "status": _status(profile_id, own, evidence),
+        "status": readme.matrix(own, {key: evidence.get(key, {"entries": {}}) for key in own})["profiles"].get(
+            profile_id, {}
+        ),
         "coverage": readme.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
         **_figures(profile_id, profile, main, derived),
     }
-
-
-def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any]) -> dict[str, str]:
-    """The cells of the profile in the matrix profile x physics, by system."""
-    records = {key: evidence.get(key, {"entries": {}}) for key in own}
-    cells: dict[str, str] = readme.matrix(own, records)["profiles"].get(profile_id, {})
-    return cells
 
 
 def _equations(own: Mapping[str, Entries]) -> list[str]:

@@ -120,7 +120,10 @@ def _rows(entry: Entry) -> list[tuple[str, str]]:
     chains = {case.chain for case in entry.cases}
     same = all(set(chain) == set(next(iter(chains))) for chain in chains)
     if not same:
-        return [(_text(case.expr), " < ".join(sp.sstr(x) for x in case.chain)) for case in entry.cases]
+        ranges = [" < ".join(sp.sstr(x) for x in case.chain) for case in entry.cases]
+        for border in entry.borders:
+            ranges = [re.sub(rf"< {border}$", f"<= {border}", text) for text in ranges]
+        return [(_text(case.expr), text) for case, text in zip(entry.cases, ranges, strict=True)]
     return [
         (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
         for comparisons, expr in entry.regions()

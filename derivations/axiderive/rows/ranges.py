@@ -63,9 +63,7 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         sign = r"\ge" if steps[0] in loose else ">"
         return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
-    # an equation has no root yet where it begins, so that the formula before it stands there
-    begins = {case.chain[0] for case in entry.cases if case.chain and isinstance(case.expr, sp.Equality)}
-    loose += [pair for pair in pairs if pair[1].is_number and pair[1] in begins]
+    loose += [pair for pair in pairs if pair[1] in entry.borders]
     signs = {pair: r"\le" if pair in loose else "<" for pair in steps}
 
     def text(length: sp.Expr) -> str:
