@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -16,6 +17,7 @@ from scenes import composed_from, problems, run_plainly
 from axicontact.normal import paraboloid, power_law, quartic, rounded_punch, sextic
 from axiderive import notation as nt
 from axiderive.checks import quadrature
+from axiderive.code.docstring import formula
 from axiderive.entry import Entry
 from axiderive.notation import E_star, R, a, b, r_peak
 from axiderive.physics.normal import derive
@@ -220,6 +222,12 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
 def test_another_place_or_pressure_is_refused(name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> None:
     entries = moved(derive(load(name)), suffix, change)
     assert not certify(load(name), entries, suffix).proved
+
+
+def test_the_docstring_has_the_paraboloid_in_one_range() -> None:
+    ring = derive(load("power_law"))["rp"]
+    text = " ".join(formula(ring.profile, ring.quantity, ring))
+    assert re.findall(r" for ([^A-Z=]* n\b(?: <=? 2)?)", text) == ["1 < n <= 2", "2 < n"]
 
 
 @pytest.mark.parametrize("place", [a / 100, (2 - nt.n) * a])

@@ -148,8 +148,13 @@ class Entry:
     @property
     def borders(self) -> set[sp.Expr]:
         """Numbers at which an equation begins: it has no root there yet, so that the formula before it still holds."""
-        equations = [case for case in self.cases if isinstance(case.expr, sp.Equality)]
-        return {case.chain[0] for case in equations if case.chain and case.chain[0].is_number}
+        equations = (own.chain for own in self.cases if own.chain and isinstance(own.expr, sp.Equality))
+        return {first for first, *_ in equations if first.is_number}
+
+    def where(self, case: Case) -> str:
+        """The order of the members of one of its cases as text: 1 < n <= 2."""
+        first, _, last = (text := " < ".join(map(sp.sstr, case.chain))).rpartition(" < ")
+        return f"{first} <= {last}" if self.borders & {*case.chain[1:]} else text
 
     def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:
         """The distinct formulas with the fewest comparisons (low, high) that tell them apart, for print and code.

@@ -41,6 +41,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     profile = pool.load(name)
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
     own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
+    records = {key: evidence.get(key, {"entries": {}}) for key in own}
     main = next((entries for key, entries in own.items() if key == profile_id), {})
     rows = blocks.every(profile_id, derived)
     shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
@@ -69,10 +70,8 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "special": special.tables(profile_id),
         "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
-        "status": readme.matrix(own, {key: evidence.get(key, {"entries": {}}) for key in own})["profiles"].get(
-            profile_id, {}
-        ),
-        "coverage": readme.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
+        "status": readme.matrix(own, records)["profiles"].get(profile_id, {}),
+        "coverage": readme.coverage(e for record in records.values() for e in record["entries"].values()),
         **_figures(profile_id, profile, main, derived),
     }
 

@@ -179,7 +179,6 @@ def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
         if 1 < page < max(pages) and share < LEAST_FILLED:
             found.append(f"page {page} is filled to {100 * share:.0f} % only")
     for key, count, first in re.findall(r"^Entry (\S+) has (\d+) pages from (\d+)$", log, re.M):
-        # both pages of a spread are seen together
         if int(count) > 1 and int(first) % 2:
             found.append(f"{key} has {count} pages and begins on page {first}, a right one")
     if "LaTeX Font Warning: Font shape" in log:

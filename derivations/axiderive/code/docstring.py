@@ -120,10 +120,7 @@ def _rows(entry: Entry) -> list[tuple[str, str]]:
     chains = {case.chain for case in entry.cases}
     same = all(set(chain) == set(next(iter(chains))) for chain in chains)
     if not same:
-        ranges = [" < ".join(sp.sstr(x) for x in case.chain) for case in entry.cases]
-        for border in entry.borders:
-            ranges = [re.sub(rf"< {border}$", f"<= {border}", text) for text in ranges]
-        return [(_text(case.expr), text) for case, text in zip(entry.cases, ranges, strict=True)]
+        return [(_text(case.expr), entry.where(case)) for case in entry.cases]
     return [
         (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
         for comparisons, expr in entry.regions()

@@ -60,11 +60,10 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         return ""
     if len(steps) == 1 and (steps[0][1] in (r, x, d, F, n) or steps[0][1].has(e)):  # the variable stands on the left
         ((low, high),) = steps
-        sign = r"\ge" if steps[0] in loose else ">"
+        sign = r"\ge" if steps[0] in own else ">"
         return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
-    loose += [pair for pair in pairs if pair[1] in entry.borders]
-    signs = {pair: r"\le" if pair in loose else "<" for pair in steps}
+    signs = {pair: r"\le" if pair in own or pair[1] in entry.borders else "<" for pair in steps}
 
     def text(length: sp.Expr) -> str:
         return _flat(length, printer)
