@@ -11,7 +11,7 @@ import pytest
 
 import axicontact
 from axicontact.loads import power
-from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.module import PLACE, runtime_sources
 from axiderive.code.physics import loads
 from axiderive.physics.systems import problem
 from axiderive.stable.measure import closure

@@ -7,6 +7,7 @@ Calls, definitions and imports laid out over lines as the formatter of the proje
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 
 import sympy as sp
@@ -40,8 +41,6 @@ HELPERS_OF = {
     "special": ("arctan_gap", "dawson", "gamma_ratio", "root_gap", "struve_h0", "struve_h1", "tanh_gap"),
 }  # fmt: skip
 HELPERS = tuple(sorted(name for names in HELPERS_OF.values() for name in names))
-OFFERED = tuple(f"{module}: {', '.join(names)}" for module, names in HELPERS_OF.items())
-"""What a module may import of them."""
 VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
 """Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
 
@@ -104,3 +103,9 @@ def _opening(line: str, close: int) -> int:
             return place
     message = f"unbalanced brackets in {line!r}"
     raise ValueError(message)
+
+
+def literal(text: str) -> list[str]:
+    """A message as adjacent string literals that fit on their lines."""
+    parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
+    return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']

@@ -15,7 +15,8 @@ from ...physics.medium import HOMOGENEOUS
 from ...stable.forms import EvaluationForm, of_lengths
 from ...stable.opaque import ArcStrips, ArctanGap, Root, SineRoot
 from ...stable.slopes import ROOT, singular_at_break
-from ..private import Private, through_sine
+from ..function import Function
+from ..private import through_sine
 from ..tables import EXPONENTS
 from ..text import python
 from .regimes import SMOOTH, Regimes
@@ -24,7 +25,7 @@ from .regimes import SMOOTH, Regimes
 class Lumped(Regimes):
     """The functions of the contact radius alone."""
 
-    def depth_like(self, suffix: str, name: str) -> Private:
+    def depth_like(self, suffix: str, name: str) -> Function:
         """Depth, force or mean pressure by their regimes."""
         regimes = self.regimes(suffix)
         forms = {key: self.form(suffix, key) for key in regimes}
@@ -51,7 +52,7 @@ class Lumped(Regimes):
         wanted = "lengths" in self.functions.variant(self.entries[suffix]).rules
         return {key: of_lengths(form) for key, form in forms.items()} if wanted else forms
 
-    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
+    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Function:
         """The regimes on either side of the break; with its root given, under a name of its own."""
         lines, needs = [], set()
         # where a root is given the tip comes last: it may have one of its own
@@ -68,14 +69,14 @@ class Lumped(Regimes):
             return self.functions.add(f"{name}_at", given, lines, needs)
         return self._limited(name, lines, needs)
 
-    def _beyond(self, name: str, form: EvaluationForm) -> Private:
+    def _beyond(self, name: str, form: EvaluationForm) -> Function:
         """In the radius and its root, which says more of a radius next to the break: for the inverse."""
         lines = self.functions.steps(form, ("a", ROOT))
         value = self.functions.value_lines(form.value, lines)
         needs = self.functions.needs(form, ("a", ROOT))
         return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"], needs)
 
-    def _from_radius(self, name: str, inner: Private) -> Private:
+    def _from_radius(self, name: str, inner: Function) -> Function:
         x, y = self.root_pair()
         lines = [f"root = np.sqrt(({x} - {y}) * ({x} + {y}))", f"return {inner.call('a', 'root')}"]
         return self.functions.add(name, ("a",), lines, {*inner.needs, x, y} - {"a"})
@@ -87,7 +88,7 @@ class Lumped(Regimes):
             return False
         return tip is None or not sp.denom(sp.together(tip.value)).has(a) or not tip.value.has(sp.Add)
 
-    def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Private:
+    def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Function:
         scale = python(HOMOGENEOUS.force_scale)
         if "tip" not in forms:
             message = (
@@ -124,7 +125,7 @@ class Lumped(Regimes):
         reach = through_sine(Root(a, self.b), self.profile.abbreviations)
         return python(reach) if isinstance(reach, SineRoot) else f"difference_root(a, {self.b})"
 
-    def stiffness(self, form: EvaluationForm) -> Private:
+    def stiffness(self, form: EvaluationForm) -> Function:
         """Adds and returns `_stiffness`, dF/dd at a contact radius; NaN beyond the largest one."""
         lines = [*self.functions.steps(form), f"return {python(form.value)}"]
         return self._limited("stiffness", lines, self.functions.needs(form, ("a",)))
@@ -133,7 +134,7 @@ class Lumped(Regimes):
 class Compact(Lumped):
     """The private functions behind the entries of one compact profile."""
 
-    def pressure(self) -> Private:
+    def pressure(self) -> Function:
         """Adds and returns `_pressure` of (r, a): the closed tip, or rules over g', before and beyond the break."""
         lines: list[str] = []
         needs, parts = {"E_star"}, []
@@ -154,7 +155,7 @@ class Compact(Lumped):
             value, lines = self._corner(value, lines)
         return self._inside(value, lines, needs)
 
-    def _inside(self, value: str, lines: list[str], needs: set[str]) -> Private:
+    def _inside(self, value: str, lines: list[str], needs: set[str]) -> Function:
         condition, more = self.domain()
         if len(value) > 80:
             lines.append(f"pressed = {value}")
@@ -233,7 +234,7 @@ class Compact(Lumped):
         sunk = HOMOGENEOUS.displacement_scale * depth.subs(a, sp.Symbol(radius, positive=True))
         return f"{python(sunk)} * {beside(radius, exponent)}"
 
-    def displacement(self) -> Private:
+    def displacement(self) -> Function:
         """Adds and returns `_displacement` of (r, a): d - f(r) under the contact, outside a closed form or a rule."""
         lines: list[str] = []
         needs, parts, terms = set(), [], []

@@ -12,7 +12,8 @@ from ...notation import a, d, r, r_zero
 from ...physics.medium import HOMOGENEOUS
 from ...stable.signs import cancels, facts_of
 from ...stable.slopes import slope_form
-from ..private import Private, PrivateFunctions
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import python
 from .compact import beside
 
@@ -46,12 +47,12 @@ class Complete:
         self._pressure()
         self._displacement()
 
-    def _add(self, suffix: str, value: str, lines: list[str], symbols: set[str]) -> Private:
+    def _add(self, suffix: str, value: str, lines: list[str], symbols: set[str]) -> Function:
         quantity = self.entries[suffix].quantity
         fields = tuple(str(argument) for argument in quantity.arguments)
         return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], symbols - set(fields))
 
-    def _closed(self, suffix: str) -> Private:
+    def _closed(self, suffix: str) -> Function:
         entry = self.entries[suffix]
         form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
         lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
@@ -183,8 +184,8 @@ class Complete:
         punch: str,
         depth: sp.Expr,
         inner: sp.Expr,
-        slope: Private,
-        profile: Private,
+        slope: Function,
+        profile: Function,
     ) -> None:
         rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
         face = inner.subs(sp.sqrt(rho**2 - r**2), root)

@@ -1,6 +1,6 @@
 """Bodies for profiles with several breaks or without closed forms.
 
-Private functions of a profile with several breaks or without closed forms: rules over the profile.
+Function functions of a profile with several breaks or without closed forms: rules over the profile.
 
 Depth, force and displacement are integrals of f' times a positive weight.  The
 pressure is one of g' where f is a polynomial, whose g' is closed without
@@ -26,10 +26,10 @@ from ...profiles.profile import Piece, Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
-from ..imports import PLACE
-from ..layout import HELPERS_OF
-from ..private import LINE, Private, PrivateFunctions
-from ..python import _private, _profile_function
+from ..function import Function
+from ..module import PLACE
+from ..normal import bodies_source, profile_function
+from ..private import LINE, PrivateFunctions
 from ..text import python
 from .inverses import changed
 
@@ -106,15 +106,8 @@ def closed(layer: Layer) -> EvaluationForm | None:
 
 COUNT = 64
 """Nodes over a closed g'."""
-LIBRARY = {
-    **{file: ", ".join(names) for file, names in HELPERS_OF.items()},
-    "integrals": "difference_root",
-    "interface": "Array",
-    "inverse": "inverse",
-    "over_profile": "over_profile, pressure_over_profile",
-    "rules": "pressure_integral, pressure_integral_beyond",
-}
-"""What the functions may call of the run time; integrals over the profile itself are known to the linker alone."""
+LIBRARY = "from ..{place}.over_profile import over_profile, pressure_over_profile"
+"""Integrals over the profile itself, which are known to the linker alone."""
 
 
 def library_source(
@@ -140,19 +133,10 @@ def library_source(
         Radius at which the profile ends, a parameter or a number.
     """
     functions = PrivateFunctions(profile)
-    _profile_function(functions)
+    profile_function(functions)
     _General(functions, reach, floor, end).add_all(exponents)
-    lines = [
-        "import numpy as np",
-        "",
-        *(f"from ..{PLACE}.{file} import {names}" for file, names in LIBRARY.items()),
-    ]
-    for private in functions.functions.values():
-        row = _private(private, profile)
-        lines += ["", "", f"def {row['name']}({row['signature']}){row['returns']}:"]
-        lines += [f'    """{private.doc}"""'] if private.doc else []
-        lines += [("    " + line).rstrip() for line in private.lines]
-    return "\n".join([*lines, ""])
+    source = bodies_source(functions, profile.title)
+    return source.replace("import numpy as np\n", f"import numpy as np\n\n{LIBRARY.format(place=PLACE)}", 1)
 
 
 @dataclass
@@ -187,12 +171,12 @@ class _General:
         for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
             self._inverse(field, curve, rate, exponent)
 
-    def _add(self, name: str, fields: tuple[str, ...], lines: list[str], doc: str = "") -> Private:
+    def _add(self, name: str, fields: tuple[str, ...], lines: list[str], doc: str = "") -> Function:
         """Add a function that needs whatever parameter its lines name."""
         words = set("".join(c if c.isalnum() or c == "_" else " " for c in " ".join(lines)).split())
         return self.functions.add(name, fields, lines, words & {*self.names, "E_star"}, doc)
 
-    def _steepness(self, index: int, piece: Piece) -> Private | None:
+    def _steepness(self, index: int, piece: Piece) -> Function | None:
         starts = (sp.S.Zero, *self.profile.breaks[:index])
         own = [layer for layer in self.layers if layer.start in starts]
         if not own:
@@ -205,7 +189,7 @@ class _General:
         doc = f"Slope f'(r) at r = {start} + excess."
         return self._add(f"steepness_{index}", ("excess",), [f"return {text(slope)}"], doc)
 
-    def _growth(self, index: int, layer: Layer) -> Private | None:
+    def _growth(self, index: int, layer: Layer) -> Function | None:
         """g'(t) of a layer in closed form, if it is a polynomial and the form does not cancel."""
         form = closed(layer)
         if form is None:
@@ -216,7 +200,7 @@ class _General:
         lines.append(f"return {self.functions.value_lines(form.value, lines)}")
         return self._add(f"growth_{index}", fields, lines, doc)
 
-    def _bend(self, index: int, layer: Layer) -> Private:
+    def _bend(self, index: int, layer: Layer) -> Function:
         if layer.start == 0:
             return self._add(f"bend_{index}", ("r",), [f"return {text(layer.bend)}"], "(r f')'.")
         bend, doc = beyond(layer.bend, layer.start), f"(r f')' of what begins at {layer.start}."
@@ -275,7 +259,7 @@ class _General:
         lines.append(f"return {self._reached('np.where(r > a, outside, inside)')}")
         self._add("displacement", ("r", "a"), lines)
 
-    def _slope_at(self) -> Private:
+    def _slope_at(self) -> Function:
         lines = []
         for i, (layer, growth, bend) in enumerate(zip(self.layers, self.growths, self.bends, strict=True)):
             before = "rate + " if i else ""
@@ -296,7 +280,7 @@ class _General:
             lines.append(f"rate = {before}{value}")
         return self._add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
 
-    def _inverse(self, field: str, curve: str, rate: Private, exponent: float) -> None:
+    def _inverse(self, field: str, curve: str, rate: Function, exponent: float) -> None:
         target = self.functions.functions[curve]
         scale = "2 * E_star * a * " if curve == "force" else ""
         if self.start is not None:

@@ -35,8 +35,8 @@ from ...profiles.profile import Profile
 from ...stable.opaque import Root
 from ...stable.slopes import RATE, ROOT
 from ..example import NUMERIC
+from ..function import Function
 from ..plane.compact import Compact as Strips
-from ..private import Private
 from .compact import Compact
 from .regimes import Regimes
 
@@ -59,7 +59,7 @@ def add_rate(compact: Regimes | Strips) -> None:
 
 
 def _called(
-    compact: Regimes | Strips, own: Private, length: sp.Expr | None, lines: list[str], needs: set[str], *, above: bool
+    compact: Regimes | Strips, own: Function, length: sp.Expr | None, lines: list[str], needs: set[str], *, above: bool
 ) -> str:
     """The call of one regime, its root in the lines."""
     needs |= set(own.needs)

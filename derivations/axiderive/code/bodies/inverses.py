@@ -27,7 +27,7 @@ from ...profiles.profile import Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import ROOT
-from ..private import Private
+from ..function import Function
 from ..text import python
 from .compact import Compact
 from .growth import exponents, powers, start, tip_exponent
@@ -69,7 +69,7 @@ TARGET = {q.suffix: (COMPACT[q.inverts].function, q.inverts) for q in COMPACT.va
 """Of an inverse: the curve of which it is a root, and the field that is given."""
 
 
-def changed(field: str, target: Private, curve: Private, *given: str) -> list[str]:
+def changed(field: str, target: Function, curve: Function, *given: str) -> list[str]:
     """The lines of F(a(d)) or d(a(F)): the radius is rounded, and dF/dd = 2 E* a makes good what it lost."""
     stiffness = python(HOMOGENEOUS.stiffness())
     missed = f"{field} - {curve.call(*given)}"
@@ -90,7 +90,7 @@ class Inverses:
         self.functions = self.compact.functions
         self.profile = self.compact.profile
 
-    def add_all(self) -> dict[str, Private]:
+    def add_all(self) -> dict[str, Function]:
         """Functions of `ad`, `aF`, `Fd`, `dF`."""
         own = [q for q in COMPACT.values() if q.inverts]
         return {q.suffix: self._through(q.suffix, *q.composed) if q.composed else self._radius(q.suffix) for q in own}
@@ -119,7 +119,7 @@ class Inverses:
                 yield "below", end, f"a<{b}"
             yield "beyond", b, f"a>{b}"
 
-    def _radius(self, suffix: str) -> Private:
+    def _radius(self, suffix: str) -> Function:
         entry, (_, field) = self.compact.entries[suffix], TARGET[suffix]
         form = self.closed(entry)
         name = entry.quantity.function
@@ -131,7 +131,7 @@ class Inverses:
             return self.functions.add(name, (field,), [f"return {contact.call()}[0]"], contact.needs)
         return self._newton(suffix, name)
 
-    def _through(self, suffix: str, outer: str, inner: str) -> Private:
+    def _through(self, suffix: str, outer: str, inner: str) -> Function:
         """F(a(d)) or d(a(F)), closed or as that composition."""
         entry, (_, field) = self.compact.entries[suffix], TARGET[inner]
         name, outer = entry.quantity.function, COMPACT[outer].function
@@ -151,12 +151,12 @@ class Inverses:
             return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs})
         return self._corrected(name, field, target, radius, self.functions.functions[TARGET[inner][0]])
 
-    def _corrected(self, name: str, field: str, target: Private, radius: Private, curve: Private) -> Private:
+    def _corrected(self, name: str, field: str, target: Function, radius: Function, curve: Function) -> Function:
         """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
         lines = [f"a = {radius.call()}", *changed(field, target, curve, "a")]
         return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs, *curve.needs, "E_star"})
 
-    def _contact(self, suffix: str) -> Private:
+    def _contact(self, suffix: str) -> Function:
         """Contact radius and its root together: near the end of the domain the radius alone says too little."""
         curve, field = TARGET[suffix]
         target = self.functions.functions[f"{curve}_at"]
@@ -189,9 +189,9 @@ class Inverses:
             f" sqrt(a**2 - {b}**2)." if self.profile.truncated else f" sqrt({R}**2 - a**2)."
         )
         needs |= {*target.needs, *slope.needs}
-        return self.functions.add(f"contact_from_{curve}", (field,), lines, needs, doc)
+        return self.functions.add(f"contact_from_{curve}", (field,), lines, needs, doc, "tuple[Array, Array]")
 
-    def _newton(self, suffix: str, name: str) -> Private:
+    def _newton(self, suffix: str, name: str) -> Function:
         curve, field = TARGET[suffix]
         if self.compact.scale("tip")[0] == "waves":
             return self._over_waves(suffix, name)
@@ -217,7 +217,7 @@ class Inverses:
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
         return self.functions.add(name, (field,), lines, needs)
 
-    def _over_waves(self, suffix: str, name: str) -> Private:
+    def _over_waves(self, suffix: str, name: str) -> Function:
         field = TARGET[suffix][1]
         lines, needs = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
         return self.functions.add(name, (field,), lines, needs)
@@ -239,7 +239,7 @@ class Inverses:
         """What the slope g' is multiplied with in the derivative by ln a."""
         return python(HOMOGENEOUS.stiffness() * a) if suffix == "aF" else "a"
 
-    def _across(self, suffix: str, name: str) -> Private:
+    def _across(self, suffix: str, name: str) -> Function:
         """Beyond the break where the tip is a power, else on both sides, each with its own unknown."""
         (curve, field), b = TARGET[suffix], str(self.compact.b)
         grown, leaves = tip_exponent(self.compact, suffix), powers(self.compact, suffix)
@@ -291,7 +291,7 @@ class Inverses:
         assert tip is not None
         return tip[0].call("a"), set(tip[0].needs)
 
-    def _joined_slope(self) -> Private:
+    def _joined_slope(self) -> Function:
         tip, beyond = (self.compact.slopes[side][0] for side in ("tip", "beyond"))
         b, end = self.compact.b, self.compact.scale("tip")[1]
         lines = [

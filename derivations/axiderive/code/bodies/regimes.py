@@ -20,7 +20,8 @@ from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.opaque import Arctan2, Root
 from ...stable.signs import Facts, facts_of
 from ...stable.slopes import ROOT, slope_form
-from ..private import Private, PrivateFunctions, without_subtraction
+from ..function import Function
+from ..private import PrivateFunctions, without_subtraction
 from ..text import printable, python
 
 SMOOTH = 32
@@ -83,7 +84,7 @@ class Regimes:
                 return "sinh", expr.args[1]
         return ("waves", None) if form.value.has(masters.StruveH) else ("", None)
 
-    def _slope(self, key: str, case: Case) -> tuple[Private, EvaluationForm]:
+    def _slope(self, key: str, case: Case) -> tuple[Function, EvaluationForm]:
         """The function in its variant, and the form by all rules, which tells its singularities."""
         plain = slope_form(case.expr, self.facts(case))
         form = slope_form(case.expr, self.facts(case), self.functions.rate_variant(self.entries["d"]))
@@ -122,7 +123,7 @@ class Regimes:
             return f"a <= {length}", {str(length)}
         return "", set()
 
-    def _limited(self, name: str, lines: list[str], needs: set[str]) -> Private:
+    def _limited(self, name: str, lines: list[str], needs: set[str]) -> Function:
         """NaN beyond the largest contact radius."""
         if self.profile.largest is not None:
             value = lines.pop().removeprefix("return ")
@@ -178,7 +179,7 @@ def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond
     low, high = functions.functions.get(name), above.functions.get(name)
     if not functions.profile.breaks or low is None or high is None or "a" not in low.fields:
         return False
-    if low.lines == high.lines or any(high.uses(own) and own != high for own in _parts(above, name)):
+    if low.lines == high.lines or any(own.name in high.uses and own != high for own in _parts(above, name)):
         return False
     known, b = functions.functions, str(functions.profile.breaks[0])
     sides = [replace(side, name=f"{low.name}_{end}") for side, end in ((low, "below"), (high, "above"))]
@@ -189,5 +190,5 @@ def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond
     return True
 
 
-def _parts(functions: PrivateFunctions, name: str) -> list[Private]:
+def _parts(functions: PrivateFunctions, name: str) -> list[Function]:
     return [own for key, own in functions.functions.items() if key.startswith(name)]

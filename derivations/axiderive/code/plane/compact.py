@@ -13,7 +13,8 @@ from ...physics.plane import PRESSURE, SURFACE
 from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
-from ..private import Private, PrivateFunctions
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import printable, python
 from .forms import exponents, form_of, lines_of, moved, regions, told_apart
 
@@ -95,7 +96,7 @@ class Compact:
         value = f"{parts[0]} {sign or '+'} {added}" if parts else f"{sign}{added}"
         return [*lines, f"value = {value}"], needs
 
-    def _add(self, suffix: str, lines: list[str], needs: set[str]) -> Private:
+    def _add(self, suffix: str, lines: list[str], needs: set[str]) -> Function:
         quantity = self.entries[suffix].quantity
         fields = tuple(str(argument) for argument in quantity.arguments)
         *before, value, last = ["", *lines]

@@ -20,7 +20,8 @@ from ...stable.opaque import named
 from ...stable.signs import facts_of
 from ...stable.variants import Variant
 from ..bodies.complete import ZETA
-from ..private import Private, PrivateFunctions
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import python
 from .compact import add_profile
 from .forms import form_of, lines_of, told_apart
@@ -46,7 +47,7 @@ class Complete:
         self._slope()
         self._depth()
 
-    def _add(self, suffix: str, lines: list[str], needs: set[str], value: str) -> Private:
+    def _add(self, suffix: str, lines: list[str], needs: set[str], value: str) -> Function:
         """NaN where the contact is not complete."""
         if self.concave and suffix in ("p", "s", "d"):
             least = self.functions.functions["minimum_load"]

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from ...code.imports import PLACE
+from ...code.module import PLACE
 from ..calls import arguments
 from .inlining import inlined
 from .rewriting import rewritten

@@ -165,4 +165,4 @@ def _tilted(contact: Contact, function: interface.Function) -> Rows:
     calls: list[tuple[tuple[float, ...], dict[sp.Symbol, sp.Expr]]]
     calls = [((x, LOAD), {nt.x: sp.Rational(x)}) for x in places]
     calls = calls or [((LOAD,) if function.fields else (), {})]
-    return [(fields, example.value(contact.profile, entry, known | at)) for fields, at in calls]
+    return [(fields, example.value(entry, known | at)) for fields, at in calls]

@@ -1,0 +1,197 @@
+"""Modules `axicontact.normal.<profile>`: the public functions around the bodies of the normal contact."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+
+import sympy as sp
+
+from .. import notation as nt
+from ..entry import COMPACT, COMPLETE, FOUR, Entry, Quantity
+from ..letters import name_of
+from ..notation import coefficients, r
+from ..physics.systems import BY_NAME
+from ..profiles.profile import Profile
+from ..stable.forms import evaluation_form
+from ..stable.signs import facts_of
+from . import docstring
+from .bodies import peak
+from .bodies.compact import Compact
+from .bodies.complete import Complete
+from .bodies.inverses import Inverses
+from .bodies.regimes import split
+from .example import Example
+from .function import Function, reached
+from .module import Module
+from .private import PrivateFunctions
+from .text import python
+from .writer import check, evaluate
+
+SYSTEM = BY_NAME["normal"]
+RATES = ("_slope", "_slope_beyond")
+"""The rates of growth, which another physics calls where no public function does."""
+OVER_CONTACT = {"power_pressure", "power_displacement", "power_punches"}
+"""Shapes of the run time that are evaluated as its rules are."""
+ALONE = "A number for numbers."
+
+
+def module(entries: Mapping[str, Entry]) -> Module:
+    """The module of the normal contact of one profile."""
+    profile = next(iter(entries.values())).profile
+    functions = PrivateFunctions(profile)
+    compact = bodies(functions, entries)
+    split(functions, entries, bodies)
+    if compact is not None:
+        Inverses(compact).add_all()
+    own, known = _Interface(profile, entries, functions), list(functions.functions.values())
+    public = own.functions()
+    rates = [private for private in known if private.name in RATES]
+    used = {private.name for private in (*rates, *reached(known, [*public, *rates]))}
+    checked = [check(profile)] if profile.rules else []
+    private = [*checked, *(private for private in known if private.name in used)]
+    return Module(SYSTEM, profile.name, profile.title, profile.subtitle, public, private)
+
+
+@dataclass
+class _Interface:
+    """The public functions of one profile."""
+
+    profile: Profile
+    entries: Mapping[str, Entry]
+    private: PrivateFunctions
+
+    @cached_property
+    def example(self) -> Example:
+        """The doctests of the module."""
+        return Example(self.profile, self.entries, SYSTEM, self.entries)
+
+    def functions(self) -> list[Function]:
+        """One for the shape and for each entry; the ring of the greatest pressure comes with that pressure."""
+        known = COMPACT if self.profile.compact else COMPLETE
+        stated = [own for suffix, own in known.items() if own is COMPACT["f"] or suffix in self.entries]
+        together = groupby(stated, key=lambda quantity: quantity.function)
+        return [self.public(*reversed(list(own))) for _, own in together]
+
+    def public(self, quantity: Quantity, ring: Quantity | None = None) -> Function:
+        """The function of a quantity; with a `ring`, of the greatest pressure and of that radius."""
+        profile, entry = self.profile, self.entries.get(quantity.suffix)
+        fields = [name_of(symbol) for symbol in (entry.arguments if entry else quantity.arguments)]
+        keywords = [name_of(symbol) for symbol in (entry.parameters if entry else profile.parameters)]
+        private = self.private.functions[quantity.function]
+        check = "_check" if profile.rules else "require"
+        summed = "A" in keywords and coefficients in profile.parameters
+        required = [name for name in keywords if not (summed and name == "A")]
+        body = [f"{check}({', '.join(f'{name}={name}' for name in required)})"] if required else []
+        if profile.truncated and "a" in fields:
+            body.append(f"require_reach(a, {profile.breaks[0]})")
+        if summed:
+            body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
+        evaluated = self.evaluated(private, fields, required)
+        if ring:
+            radius = self.private.functions[peak.RADIUS]
+            body += [f"pressure = {evaluated}", f"radius = {self.evaluated(radius, radius.fields, required)}"]
+            evaluated = f"{peak.RESULT}(pressure, radius)"
+        body.append(f"return {evaluated}")
+        # the function itself checks a rule between parameters and a sequence of coefficients; a pair is no number
+        if not (summed or profile.rules or ring):
+            further = [name for name in required if name not in private.needs]
+            given = ", ".join([*private.parameters, *further])
+            asked = [f"value = plain.{quantity.function}({given})", "if value is not None:", "    return value"]
+            body = [*asked, *body]
+        doc, result = self.document(quantity, entry, ring), peak.RESULT if ring else "Result"
+        return Function(quantity.function, fields, keywords, body, doc, result)
+
+    @staticmethod
+    def evaluated(private: Function, fields: Sequence[str], required: Sequence[str]) -> str:
+        """The evaluation of a private function, which may need fewer than all parameters."""
+        further = [name for name in required if name not in private.needs]
+        return evaluate(private.name, fields, private.needs, private.summed, further)
+
+    def document(self, quantity: Quantity, entry: Entry | None, ring: Quantity | None) -> str:
+        """The docstring; with a `ring`, of a result that has it for a member."""
+        profile = self.profile
+        stated = docstring.formula(profile, quantity, entry)
+        said = docstring.measured(docstring.in_words(quantity.symbol), quantity.symbol)
+        if ring is not None:
+            of_ring = docstring.formula(profile, ring, self.entries[ring.suffix])
+            stated += [line for line in of_ring if line not in stated]
+            units = [nt.describe(own.symbol).unit for own in (quantity, ring)]
+            said = f"Named tuple of pressure [{units[0]}] and radius [{units[1]}]"
+        fields = entry.arguments if entry else quantity.arguments
+        keywords = entry.parameters if entry else profile.parameters
+        rows = docstring.parameters(fields, keywords, docstring.words_of(profile))
+        returns = (peak.RESULT if ring else docstring.NUMBERS, f"{said}. {docstring.SHAPE if fields else ALONE}")
+        sources = docstring.sources_of(entry) if entry else profile.sources
+        example = self.example.lines(quantity.suffix) if entry else self.example.shape()
+        notes = self.notes(quantity, "a" in map(str, fields), [quantity] if ring is None else [ring, quantity])
+        return docstring.document(quantity.summary, stated, rows, returns, notes, sources, example)
+
+    def notes(self, quantity: Quantity, at_radius: bool, keys: Sequence[Quantity]) -> str:
+        """Validity, what gives NaN, evaluation and the keys."""
+        profile, private = self.profile, self.private.functions[quantity.function]
+        outside = "Negative or NaN field values"
+        if profile.truncated and at_radius:
+            outside += f", and radii below {profile.breaks[0]} among larger ones,"
+        notes = [f"Valid for {profile.validity}. {outside} give NaN."]
+        text = "\n".join(private.lines)
+        for other in self.private.functions.values():
+            if other.name in text:
+                text += "\n" + "\n".join(other.lines)
+        if "_integral" in text or any(name in text for name in OVER_CONTACT):
+            notes.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
+        if re.search(r"\binverse(_across|_below|_beyond|_over_waves)?\(", text):
+            notes.append("Evaluated by a safeguarded Newton iteration.")
+        if profile.note and quantity.suffix in FOUR[:3] and coefficients not in profile.parameters:
+            notes.append(f"{docstring.capital(profile.note)}.")
+        shown = ", ".join(f"{profile.name}.{own.suffix}" for own in keys)
+        notes.append(f"Handbook: {shown}{', the definition of the profile' if quantity is COMPACT['f'] else ''}.")
+        return " ".join(notes)
+
+
+def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
+    """Add the private functions but for the inverses of a compact contact, which follow its curves."""
+    profile_function(functions)
+    if functions.profile.complete:
+        Complete(entries, functions).add_all()
+        return None
+    compact = Compact(entries, functions)
+    compact.depth_like("d", "depth")
+    compact.depth_like("F", "force")
+    compact.pressure()
+    compact.displacement()
+    form = functions.form(entries["k"], entries["k"].cases[0].expr, facts_of(()))
+    compact.stiffness(form)
+    compact.depth_like("pm", "mean_pressure")
+    peak.bodies(compact, functions, entries)
+    return compact
+
+
+def bodies_source(functions: PrivateFunctions, title: str) -> str:
+    """A module of private functions alone: to be measured, not to be published."""
+    profile, private = functions.profile, list(functions.functions.values())
+    return Module(SYSTEM, profile.name, profile.title, title, [], private).source()
+
+
+def profile_function(functions: PrivateFunctions) -> None:
+    """Adds the shape f(r) of the indenter."""
+    profile = functions.profile
+    lines, needs, values = [], set(), []
+    lower: sp.Expr = sp.S.Zero
+    for piece in profile.pieces:
+        form = evaluation_form(piece.expr, facts_of((lower, r) if lower != 0 else (r,)))
+        lines += [line for line in functions.steps(form) if line not in lines]
+        needs |= functions.needs(form, ("r",))
+        values.append((piece.upper, python(form.value)))
+        lower = piece.upper
+    text = values[-1][1]
+    for upper, value in reversed(values[:-1]):
+        text, needs = f"np.where(r < {upper}, {value}, {text})", needs | {str(upper)}
+    if profile.complete:
+        text, needs = f"np.where(r <= a, {text}, np.nan)", needs | {"a"}
+    if text == "0":
+        text = "np.zeros_like(r)"
+    functions.add("profile", ("r",), [*lines, f"return {text}"], needs)

@@ -1,0 +1,176 @@
+"""What the functions of one module are written with: its system, its profile and the normal contact below it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import sympy as sp
+
+from ..entry import Entry
+from ..letters import name_of
+from ..notation import coefficients
+from ..physics import adhesive, tangential, viscoelastic
+from ..physics.systems import System
+from ..profiles.profile import Profile
+from . import docstring
+from .example import Example
+from .function import Function
+from .layout import literal
+from .module import Module
+from .private import parameter_name
+from .text import python
+
+CONTACTS = {
+    adhesive.PHYSICS: " with adhesion",
+    tangential.PHYSICS: " under a tangential load",
+    viscoelastic.PHYSICS: " on a viscoelastic half-space",
+}
+GRADED = " on a power-law graded half-space"
+"""What titles of modules say behind that of the profile."""
+
+
+def required(symbols: Iterable[sp.Symbol | sp.IndexedBase], check: str = "require") -> str:
+    """The check of these parameters."""
+    return f"{check}({', '.join(f'{parameter_name(symbol)}={name_of(symbol)}' for symbol in symbols)})"
+
+
+def unused(names: Iterable[str]) -> list[str]:
+    """The argument of `elementwise` for parameters on which the value does not depend, if there are any."""
+    given = "".join(f"{name}, " for name in names)
+    return [f"unused=({given.strip() if given.count(',') == 1 else given.strip(', ')})"] if given else []
+
+
+def evaluate(
+    function: str,
+    fields: Sequence[str],
+    keywords: Sequence[str],
+    summed: bool = False,
+    apart: Sequence[str] = (),
+    **signed: str,
+) -> str:
+    """The evaluation of a private function over arrays; fields that may be negative are passed by name.
+
+    Parameters that stand `apart` only have a say in the shape.  Coefficients that are `summed` are no array.
+    """
+    passed = [f"{name}={value}" for name, value in signed.items()]
+    passed += [f"{name}={name}" for name in keywords if not (summed and name == "A")]
+    called = f"partial({function}, A=A)" if summed and "A" in keywords else function
+    return f"elementwise({', '.join([called, *fields, *passed, *unused(apart)])})"
+
+
+def check(profile: Profile) -> Function:
+    """The function `_check`, which checks the parameters and the rules between them."""
+    names = [name_of(symbol) for symbol in profile.parameters]
+    passed = ", ".join(f"{name}={name}" for name in names)
+    lines = [f"require({passed}, **material)"]
+    for rule in profile.rules:
+        symbols = sorted((str(s) for s in (rule.left.free_symbols | rule.right.free_symbols)), key=names.index)
+        relation = sp.sstr(rule.relation())
+        arrays = ", ".join(f"np.asarray({name})" for name in symbols)
+        lines.append(f"{', '.join(symbols)} = {arrays}")
+        sign, left, right = "<" if rule.strict else "<=", rule.left, rule.right
+        if left.is_number:
+            sign, left, right = sign.replace("<", ">"), right, left
+        given = ", ".join(f"{name}={name}" for name in symbols)
+        lines += [
+            "require_order(",
+            f"    {python(left)} {sign} {python(right)},",
+            f'    "{relation}",',
+            *literal(rule.reason),
+            *(f"    {part}," for part in given.split(", ")),
+            ")",
+        ]
+    typed = [f"{name}: ArrayLike" for name in names]
+    return Function("_check", typed, ["**material: ArrayLike"], lines, returns="None")
+
+
+@dataclass
+class Writer:
+    """The functions of one module, public and private.
+
+    `plain` are the entries of the normal contact, and `normal` says what each private function of its module takes.
+    """
+
+    system: System
+    entries: Mapping[str, Entry]
+    plain: Mapping[str, Entry]
+    normal: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    public: list[Function] = field(default_factory=list)
+    private: list[Function] = field(default_factory=list)
+
+    @cached_property
+    def profile(self) -> Profile:
+        """The profile of its entries."""
+        return next(iter(self.plain.values())).profile
+
+    @property
+    def geometry(self) -> list[str]:
+        """Names of the parameters of the profile, as the interface has them."""
+        return [name_of(symbol) for symbol in self.profile.parameters]
+
+    @property
+    def summed(self) -> bool:
+        """Whether the profile is a polynomial, whose coefficients are passed as one tuple A."""
+        return coefficients in self.profile.parameters
+
+    @cached_property
+    def example(self) -> Example:
+        """The doctests of this module."""
+        return Example(self.profile, self.entries, self.system, self.plain)
+
+    def call(self, function: str, *fields: str, **given: str) -> str:
+        """The call of a private function of the normal contact, its leading arguments replaced by `fields`."""
+        rest = self.normal[function][len(fields) :]
+        return f"normal.{function}({', '.join([*fields, *(given.get(name, name) for name in rest)])})"
+
+    def checks(self, symbols: Sequence[sp.Symbol], *, reach: bool = False) -> list[str]:
+        """The lines that check parameters, those of the geometry with the rules between them."""
+        lines = ["A = require_coefficients(A)"] if coefficients in symbols else []
+        plain = [symbol for symbol in symbols if symbol != coefficients]
+        ruled = bool(self.profile.rules) and set(self.profile.parameters) <= set(symbols)
+        own = "normal._check" if self.system.base else "_check"
+        lines += [required(plain, own if ruled else "require")] if plain else []
+        return [*lines, *self.reach()] if reach else lines
+
+    def reach(self) -> list[str]:
+        """The check of a contact radius that is never smaller than the flat face, where there is one."""
+        punch = f', "{self.system.medium.name}.normal.flat_punch"' if self.system.medium.graded else ""
+        return [f"require_reach(a, {self.profile.breaks[0]}{punch})"] if self.profile.truncated else []
+
+    def evaluated(
+        self, function: str, fields: Sequence[str], names: Sequence[str], apart: Sequence[str] = (), **signed: str
+    ) -> str:
+        """The code of a call of `elementwise`; names `apart` have a say in the shape alone, `signed` go by keyword."""
+        apart = [name for name in apart if not (self.summed and name == "A")]
+        return evaluate(function, fields, names, self.summed, apart, **signed)
+
+    def add(self, entry: Entry, notes: str, body: Sequence[str], keywords: Sequence[sp.Symbol] = ()) -> None:
+        """A public function that one entry backs; its parameters are keywords, and others that are named."""
+        quantity, symbols = entry.quantity, [*keywords, *entry.parameters]
+        fields = [name_of(symbol) for symbol in quantity.arguments if symbol not in keywords]
+        doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
+        names = [name_of(symbol) for symbol in symbols]
+        self.public.append(Function(quantity.function, fields, names, body, doc, "Result"))
+
+    def rule(
+        self,
+        name: str,
+        fields: Sequence[str],
+        needs: Sequence[str],
+        lines: Sequence[str],
+        doc: str = "",
+        returns: str = "Array",
+    ) -> None:
+        """A private function; lengths that are no parameters are defined first."""
+        summed = self.summed and self.system.medium.graded and bool(fields)
+        function = Function(name, fields, needs, lines, doc, returns, summed=summed)
+        own = [f"{s} = {python(expr)}" for s, expr in self.profile.abbreviations if str(s) in function.uses]
+        self.private.append(replace(function, lines=[*own, *lines]))
+
+    def module(self) -> Module:
+        """The module of these functions."""
+        system, profile = self.system, self.profile
+        title = f"{profile.title}{CONTACTS.get(system.physics, '')}{GRADED if system.medium.graded else ''}"
+        return Module(system, profile.name, title, profile.subtitle, self.public, self.private)
