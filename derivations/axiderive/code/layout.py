@@ -7,6 +7,7 @@ Calls, definitions and imports laid out over lines as the formatter of the proje
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 
@@ -80,7 +81,11 @@ def fit(line: str, indent: int = 4) -> list[str]:
         return [line]
     close = line.rindex(")")
     place = _opening(line, close)
-    return call(line[:place], split(line[place + 1 : close]), line[close:], indent)
+    head, parts = line[:place], split(line[place + 1 : close])
+    # a comma behind the only part of a bracket that calls nothing would make it a tuple
+    if len(parts) == 1 and not re.search(r"\w$", head):
+        return [f"{head}(", f"    {parts[0]}", line[close:]]
+    return call(head, parts, line[close:], indent)
 
 
 def split(text: str) -> list[str]:
