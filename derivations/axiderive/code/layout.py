@@ -34,14 +34,6 @@ FUNCTIONS = {
     opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
     opaque.DepthOverHeight: "depth_over_height",
 }  # fmt: skip
-HELPERS_OF = {
-    "functions": (
-        "beside", "beside_cone", "depth_over_height", "difference_of_products", "lower_power", "nth_root", "sine_root",
-        "without_root",
-    ),
-    "special": ("arctan_gap", "dawson", "gamma_ratio", "root_gap", "struve_h0", "struve_h1", "tanh_gap"),
-}  # fmt: skip
-HELPERS = tuple(sorted(name for names in HELPERS_OF.values() for name in names))
 VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
 """Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
 

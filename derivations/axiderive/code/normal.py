@@ -179,19 +179,18 @@ def bodies_source(functions: PrivateFunctions, title: str) -> str:
 def profile_function(functions: PrivateFunctions) -> None:
     """Adds the shape f(r) of the indenter."""
     profile = functions.profile
-    lines, needs, values = [], set(), []
+    lines, values = list[str](), list[tuple[sp.Expr | None, str]]()
     lower: sp.Expr = sp.S.Zero
     for piece in profile.pieces:
         form = evaluation_form(piece.expr, facts_of((lower, r) if lower != 0 else (r,)))
         lines += [line for line in functions.steps(form) if line not in lines]
-        needs |= functions.needs(form, ("r",))
         values.append((piece.upper, python(form.value)))
         lower = piece.upper
     text = values[-1][1]
     for upper, value in reversed(values[:-1]):
-        text, needs = f"np.where(r < {upper}, {value}, {text})", needs | {str(upper)}
+        text = f"np.where(r < {upper}, {value}, {text})"
     if profile.complete:
-        text, needs = f"np.where(r <= a, {text}, np.nan)", needs | {"a"}
+        text = f"np.where(r <= a, {text}, np.nan)"
     if text == "0":
         text = "np.zeros_like(r)"
-    functions.add("profile", ("r",), [*lines, f"return {text}"], needs)
+    functions.add("profile", ("r",), [*lines, f"return {text}"])

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..entry import Entry
+from ..letters import name_of
 from ..notation import coefficients
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm, evaluation_form
@@ -51,27 +52,32 @@ class PrivateFunctions:
     @property
     def order(self) -> tuple[str, ...]:
         """Names of the parameters in the order in which functions take them, E_star last."""
-        return tuple(parameter_name(p) for p in self.profile.parameters) + ("E_star",)
+        return (*(name_of(symbol) for symbol in self.profile.parameters), "E_star")
 
     def add(
         self,
         name: str,
         fields: Sequence[str],
         lines: Iterable[str],
-        needs: Iterable[str],
         doc: str = "",
         returns: str = "Array",
+        also: Iterable[str] = (),
     ) -> Function:
-        """Adds and returns `_name`; it takes the parameters among `needs`, and defines the abbreviations first."""
-        lines, wanted = list(lines), set(needs)
+        """Adds and returns `_name`; it takes the parameters that its lines name, and defines abbreviations first."""
+        lines = list(lines)
+        wanted = {*Function(f"_{name}", fields, [], lines).uses, *also}
         for symbol, definition in self.profile.abbreviations:
             if str(symbol) in wanted:
                 lines[:0] = [f"{symbol} = {python(definition)}", *([""] if lines[0].startswith("def ") else [])]
-                wanted = (wanted - {str(symbol)}) | {str(s) for s in definition.free_symbols}
+                wanted |= {str(s) for s in definition.free_symbols}
         ordered = tuple(parameter for parameter in self.order if parameter in wanted and parameter not in fields)
         summed = coefficients in self.profile.parameters
         self.functions[name] = Function(f"_{name}", fields, ordered, lines, doc, returns, summed=summed)
         return self.functions[name]
+
+    def of_entry(self, entry: Entry, lines: Iterable[str], doc: str = "") -> Function:
+        """Adds and returns the function of an entry."""
+        return self.add(entry.quantity.function, [str(own) for own in entry.quantity.arguments], lines, doc)
 
     def steps(self, form: EvaluationForm, given: Sequence[str] = ()) -> list[str]:
         """The assignments of the intermediates of a form, without those whose names are given."""
@@ -111,15 +117,6 @@ class PrivateFunctions:
         """The text of an intermediate; a root of the difference from an abbreviated b without its rounding."""
         expr = without_subtraction(expr, self.profile.abbreviations)
         return python(through_sine(expr, self.profile.abbreviations))
-
-    def needs(self, form: EvaluationForm, given: Sequence[str]) -> set[str]:
-        """Parameters a form needs beyond what is given, with those behind an abbreviated root."""
-        used = {parameter_name(symbol) for symbol in form.needs()}
-        for name, expr in form.steps:
-            text = self.definition(expr)
-            if str(name) not in given and text != python(expr):
-                used |= {str(s) for _, d in self.profile.abbreviations for s in d.free_symbols}
-        return used - set(given)
 
 
 def without_subtraction(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:

@@ -17,7 +17,6 @@ from ...stable.forms import EvaluationForm, plane_form
 from ...stable.opaque import Root, named
 from ...stable.signs import facts_of
 from ..bodies.compact import beside
-from ..function import Function
 from ..module import Module
 from ..private import PrivateFunctions
 from ..text import python
@@ -47,8 +46,7 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     assert isinstance(entry.profile, Load)
     rule = RULES.get(entry.profile.exponent)
     lines = [f"return p_0 / E_star * a * {rule}"] if rule else _by_regions(functions, entry)
-    needs = tuple(name_of(symbol) for symbol in entry.parameters)
-    functions.functions["displacement"] = Function("_displacement", ("r",), needs, lines)
+    functions.of_entry(entry, lines)
 
 
 def bodies_source(functions: PrivateFunctions, title: str) -> str:
