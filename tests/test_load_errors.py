@@ -29,7 +29,7 @@ def measured(name: str, runtime: Mapping[str, str] = FRESH) -> dict[str, Any]:
     """The errors of the displacement under a prescribed pressure."""
     own = problem(f"loads.{name}")
     entries = own.derive()
-    sources = {**runtime, own.module: loads.module_source(entries["w"])}
+    sources = {**runtime, own.module: loads.module(entries).source()}
     found: dict[str, Any] = record(own.key, closure(sources, own.module), entries)["w"]
     return found
 
