@@ -116,7 +116,7 @@ def sources_of(entry: Entry) -> list[str]:
 def of_entry(entry: Entry, keywords: Sequence[sp.Symbol], notes: str, example: Sequence[str]) -> str:
     """The docstring of a function that one entry backs; the arguments that are no keywords are its fields."""
     quantity = entry.quantity
-    fields = [symbol for symbol in quantity.arguments if symbol not in keywords]
+    fields = [symbol for symbol in entry.arguments if symbol not in keywords]
     result = f"{measured(in_words(quantity.symbol), quantity.symbol)}. {SHAPE}"
     return document(
         quantity.summary, stated(entry), parameters(fields, keywords),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import groupby
 
 import sympy as sp
@@ -15,7 +14,6 @@ from ..entry import COMPACT, COMPLETE, FOUR, Entry, Quantity
 from ..letters import name_of
 from ..notation import coefficients, r
 from ..physics.systems import BY_NAME
-from ..profiles.profile import Profile
 from ..stable.forms import evaluation_form
 from ..stable.signs import facts_of
 from . import docstring
@@ -24,12 +22,11 @@ from .bodies.compact import Compact
 from .bodies.complete import Complete
 from .bodies.inverses import Inverses
 from .bodies.regimes import split
-from .example import Example
 from .function import Function, reached
 from .module import Module
 from .private import PrivateFunctions
 from .text import python
-from .writer import check, evaluate
+from .writer import Writer, check
 
 SYSTEM = BY_NAME["normal"]
 RATES = ("_slope", "_slope_beyond")
@@ -41,75 +38,60 @@ ALONE = "A number for numbers."
 
 def module(entries: Mapping[str, Entry]) -> Module:
     """The module of the normal contact of one profile."""
-    profile = next(iter(entries.values())).profile
-    functions = PrivateFunctions(profile)
+    writer = Writer(SYSTEM, entries, entries)
+    profile, functions = writer.profile, PrivateFunctions(writer.profile)
     compact = bodies(functions, entries)
     split(functions, entries, bodies)
     if compact is not None:
         Inverses(compact).add_all()
-    own, known = _Interface(profile, entries, functions), list(functions.functions.values())
-    public = own.functions()
-    rates = [private for private in known if private.name in RATES]
-    used = {private.name for private in (*rates, *reached(known, [*public, *rates]))}
-    checked = [check(profile)] if profile.rules else []
-    private = [*checked, *(private for private in known if private.name in used)]
-    return Module(SYSTEM, profile.name, profile.title, profile.subtitle, public, private)
+    known = writer.private = list(functions.functions.values())
+    _Interface(writer, functions).add_all()
+    rates = [own for own in known if own.name in RATES]
+    used = [*rates, *reached(known, [*writer.public, *rates])]
+    writer.private = [*([check(profile)] if profile.rules else []), *(own for own in known if own in used)]
+    return writer.module()
 
 
 @dataclass
 class _Interface:
     """The public functions of one profile."""
 
-    profile: Profile
-    entries: Mapping[str, Entry]
+    writer: Writer
     private: PrivateFunctions
 
-    @cached_property
-    def example(self) -> Example:
-        """The doctests of the module."""
-        return Example(self.profile, self.entries, SYSTEM, self.entries)
+    def __post_init__(self) -> None:
+        self.profile, self.entries = self.writer.profile, self.writer.entries
 
-    def functions(self) -> list[Function]:
+    def add_all(self) -> None:
         """One for the shape and for each entry; the ring of the greatest pressure comes with that pressure."""
         known = COMPACT if self.profile.compact else COMPLETE
         stated = [own for suffix, own in known.items() if own is COMPACT["f"] or suffix in self.entries]
         together = groupby(stated, key=lambda quantity: quantity.function)
-        return [self.public(*reversed(list(own))) for _, own in together]
+        self.writer.public += [self.public(*reversed(list(own))) for _, own in together]
 
     def public(self, quantity: Quantity, ring: Quantity | None = None) -> Function:
         """The function of a quantity; with a `ring`, of the greatest pressure and of that radius."""
-        profile, entry = self.profile, self.entries.get(quantity.suffix)
+        writer, profile, entry = self.writer, self.profile, self.entries.get(quantity.suffix)
+        symbols = entry.parameters if entry else profile.parameters
         fields = [name_of(symbol) for symbol in (entry.arguments if entry else quantity.arguments)]
-        keywords = [name_of(symbol) for symbol in (entry.parameters if entry else profile.parameters)]
+        keywords = [name_of(symbol) for symbol in symbols]
         private = self.private.functions[quantity.function]
-        check = "_check" if profile.rules else "require"
-        summed = "A" in keywords and coefficients in profile.parameters
-        required = [name for name in keywords if not (summed and name == "A")]
-        body = [f"{check}({', '.join(f'{name}={name}' for name in required)})"] if required else []
-        if profile.truncated and "a" in fields:
-            body.append(f"require_reach(a, {profile.breaks[0]})")
-        if summed:
-            body.insert(0, "A = require_coefficients(A)" if "A" in private.needs else "require_coefficients(A)")
-        evaluated = self.evaluated(private, fields, required)
+        body = writer.checks(symbols, reach="a" in fields)
+        if writer.summed and "A" not in private.needs:
+            body[0] = body[0].removeprefix("A = ")
+        evaluated = writer.evaluated(private.name, fields, keywords)
         if ring:
-            radius = self.private.functions[peak.RADIUS]
-            body += [f"pressure = {evaluated}", f"radius = {self.evaluated(radius, radius.fields, required)}"]
+            radius = writer.evaluated(f"_{peak.RADIUS}", fields, keywords)
+            body += [f"pressure = {evaluated}", f"radius = {radius}"]
             evaluated = f"{peak.RESULT}(pressure, radius)"
         body.append(f"return {evaluated}")
         # the function itself checks a rule between parameters and a sequence of coefficients; a pair is no number
-        if not (summed or profile.rules or ring):
-            further = [name for name in required if name not in private.needs]
-            given = ", ".join([*private.parameters, *further])
+        if not (writer.summed or profile.rules or ring):
+            given = ", ".join([*private.parameters, *(name for name in keywords if name not in private.needs)])
             asked = [f"value = plain.{quantity.function}({given})", "if value is not None:", "    return value"]
             body = [*asked, *body]
         doc, result = self.document(quantity, entry, ring), peak.RESULT if ring else "Result"
         return Function(quantity.function, fields, keywords, body, doc, result)
-
-    @staticmethod
-    def evaluated(private: Function, fields: Sequence[str], required: Sequence[str]) -> str:
-        """The evaluation of a private function, which may need fewer than all parameters."""
-        further = [name for name in required if name not in private.needs]
-        return evaluate(private.name, fields, private.needs, private.summed, further)
 
     def document(self, quantity: Quantity, entry: Entry | None, ring: Quantity | None) -> str:
         """The docstring; with a `ring`, of a result that has it for a member."""
@@ -126,7 +108,7 @@ class _Interface:
         rows = docstring.parameters(fields, keywords, docstring.words_of(profile))
         returns = (peak.RESULT if ring else docstring.NUMBERS, f"{said}. {docstring.SHAPE if fields else ALONE}")
         sources = docstring.sources_of(entry) if entry else profile.sources
-        example = self.example.lines(quantity.suffix) if entry else self.example.shape()
+        example = self.writer.example.lines(quantity.suffix) if entry else self.writer.example.shape()
         notes = self.notes(quantity, "a" in map(str, fields), [quantity] if ring is None else [ring, quantity])
         return docstring.document(quantity.summary, stated, rows, returns, notes, sources, example)
 

@@ -60,9 +60,9 @@ def superposed(
     """
     writer = Writer(system, entries, plain, normal)
     parts = SUPERPOSED.get(system.physics) or _adhesive(writer)
+    parts.rules(writer)
     if interface:
         parts.interface(writer)
-    parts.rules(writer)
     return writer.module()
 
 

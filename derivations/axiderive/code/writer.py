@@ -42,24 +42,6 @@ def unused(names: Iterable[str]) -> list[str]:
     return [f"unused=({given.strip() if given.count(',') == 1 else given.strip(', ')})"] if given else []
 
 
-def evaluate(
-    function: str,
-    fields: Sequence[str],
-    keywords: Sequence[str],
-    summed: bool = False,
-    apart: Sequence[str] = (),
-    **signed: str,
-) -> str:
-    """The evaluation of a private function over arrays; fields that may be negative are passed by name.
-
-    Parameters that stand `apart` only have a say in the shape.  Coefficients that are `summed` are no array.
-    """
-    passed = [f"{name}={value}" for name, value in signed.items()]
-    passed += [f"{name}={name}" for name in keywords if not (summed and name == "A")]
-    called = f"partial({function}, A=A)" if summed and "A" in keywords else function
-    return f"elementwise({', '.join([called, *fields, *passed, *unused(apart)])})"
-
-
 def check(profile: Profile) -> Function:
     """The function `_check`, which checks the parameters and the rules between them."""
     names = [name_of(symbol) for symbol in profile.parameters]
@@ -136,22 +118,42 @@ class Writer:
 
     def reach(self) -> list[str]:
         """The check of a contact radius that is never smaller than the flat face, where there is one."""
-        punch = f', "{self.system.medium.name}.normal.flat_punch"' if self.system.medium.graded else ""
+        below = (self.system.base or self.system).name
+        punch = "" if below == "normal" else f', "{below}.flat_punch"'
         return [f"require_reach(a, {self.profile.breaks[0]}{punch})"] if self.profile.truncated else []
 
     def evaluated(
-        self, function: str, fields: Sequence[str], names: Sequence[str], apart: Sequence[str] = (), **signed: str
+        self, name: str, fields: Sequence[str], keywords: Sequence[str], wrapper: str = "elementwise", **given: str
     ) -> str:
-        """The code of a call of `elementwise`; names `apart` have a say in the shape alone, `signed` go by keyword."""
-        apart = [name for name in apart if not (self.summed and name == "A")]
-        return evaluate(function, fields, names, self.summed, apart, **signed)
+        """The evaluation of a private function, or of one of the run time, over arrays.
 
-    def add(self, entry: Entry, notes: str, body: Sequence[str], keywords: Sequence[sp.Symbol] = ()) -> None:
-        """A public function that one entry backs; its parameters are keywords, and others that are named."""
-        quantity, symbols = entry.quantity, [*keywords, *entry.parameters]
-        fields = [name_of(symbol) for symbol in quantity.arguments if symbol not in keywords]
-        doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
+        Keywords that the function does not take have a say in the shape alone; for some of those it takes, or for
+        fields that may be negative and go by name, other values are `given`.  Coefficients that are summed are no
+        array.
+        """
+        private = next((own for own in self.private if own.name == name), None)
+        taken = [*(word for word in given if word not in keywords), *keywords]
+        used = [word for word in taken if private is None or word in private.parameters]
+        summed = self.summed and "A" in used
+        passed = [f"{word}={given.get(word, word)}" for word in used if not (summed and word == "A")]
+        apart = [word for word in keywords if word not in used and not (self.summed and word == "A")]
+        called = f"partial({name}, A=A)" if summed else name
+        return f"{wrapper}({', '.join([called, *fields, *passed, *unused(apart)])})"
+
+    def add(
+        self,
+        entry: Entry,
+        notes: str,
+        checks: Sequence[str],
+        evaluated: str = "",
+        held: Sequence[sp.Symbol] = (),
+    ) -> None:
+        """A public function that one entry backs; arguments that are `held` are keywords, as its parameters are."""
+        quantity, symbols = entry.quantity, [*held, *entry.parameters]
+        fields = [name_of(symbol) for symbol in entry.arguments if symbol not in held]
         names = [name_of(symbol) for symbol in symbols]
+        doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
+        body = [*checks, f"return {evaluated or self.evaluated(f'_{quantity.function}', fields, names)}"]
         self.public.append(Function(quantity.function, fields, names, body, doc, "Result"))
 
     def rule(

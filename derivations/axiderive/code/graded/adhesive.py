@@ -74,15 +74,15 @@ class _Adhesive:
         if entry.quantity.inverts:
             body = [*writer.checks(symbols), *self.order()]
             signed = dict.fromkeys(fields, fields[0])
-            body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', [], keywords, **signed)}")
+            evaluated = writer.evaluated(f"_{entry.quantity.function}", [], keywords, **signed)
             notes = f"Valid for {self.profile.validity}. NaN below pull-off."
             if self.power is None:
                 notes += " Where several radii are stable, the largest, which is reached on unloading."
         else:
             body = writer.checks(symbols, reach=self.profile.truncated and own)
             function = f"_{entry.quantity.function}" if own else "graded_retraction"
-            body.append(f"return {writer.evaluated(function, fields, keywords)}")
-        writer.add(entry, notes, body)
+            evaluated = writer.evaluated(function, fields, keywords)
+        writer.add(entry, notes, body, evaluated)
 
     def order(self) -> list[str]:
         """The lines that check a free exponent of a power law; none for any other profile."""

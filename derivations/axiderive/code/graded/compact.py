@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...entry import COMPACT, Entry
-from ...letters import name_of
 from ...notation import a
 from ...physics.systems import System
 from .. import docstring
@@ -49,26 +48,20 @@ class _Normal:
 
     def module(self) -> Module:
         """The whole module."""
-        add_shape(self.writer)
-        for suffix in COMPACT:
-            if suffix in self.entries:
-                self.public(suffix)
         self.growth()
         self.fields()
         self.inverses()
+        add_shape(self.writer)
+        for suffix in COMPACT:
+            if suffix in self.entries:
+                self.public(self.entries[suffix])
         if self.profile.rules:
             self.check()
         return self.writer.module()
 
-    def public(self, suffix: str) -> None:
+    def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        entry, writer, profile = self.entries[suffix], self.writer, self.profile
-        at_radius = a in entry.quantity.arguments
-        body = writer.checks(entry.parameters, reach=profile.truncated and at_radius)
-        fields = [str(argument) for argument in entry.quantity.arguments]
-        used = ["H", "k"] if suffix == "k" else [name_of(symbol) for symbol in entry.parameters]
-        apart = self.writer.geometry if suffix == "k" else []
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
+        profile, at_radius = self.profile, a in entry.arguments
         outside = "Negative or NaN field values"
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
@@ -77,7 +70,7 @@ class _Normal:
             notes.append(METHOD[entry.quantity.place])
         if entry.quantity.inverts and self.family.power is None:
             notes.append("Evaluated by a safeguarded Newton iteration.")
-        writer.add(entry, " ".join(notes), body)
+        self.writer.add(entry, " ".join(notes), self.writer.checks(entry.parameters, reach=at_radius))
 
     def check(self) -> None:
         """The rules between the parameters; that of the waves depends on the grading."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import sympy as sp
 
@@ -32,8 +31,7 @@ ORDER = [
 
 def module(system: System, entries: Mapping[str, Entry]) -> Module:
     """The module of one profile."""
-    own = {suffix: _with_depth(entry) for suffix, entry in entries.items()}
-    return _Complete(Writer(system, own, own)).module()
+    return _Complete(Writer(system, entries, entries)).module()
 
 
 def required_face(symbols: Sequence[sp.Symbol]) -> list[str]:
@@ -52,32 +50,25 @@ class _Complete:
 
     def module(self) -> Module:
         """The whole module."""
-        add_shape(self.writer)
-        for suffix in COMPLETE:
-            if suffix in self.entries:
-                self.public(suffix)
         if self.concave:
             self.concave_rules()
         elif self.profile.pieces[0].expr == 0:
             self.flat_rules()
         else:
             self.capped_rules()
+        add_shape(self.writer)
+        for suffix in COMPLETE:
+            if suffix in self.entries:
+                self.public(self.entries[suffix])
         return self.writer.module()
 
-    def public(self, suffix: str) -> None:
+    def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        entry, writer = self.entries[suffix], self.writer
-        names = [name_of(symbol) for symbol in entry.parameters]
-        body = required_face(entry.parameters)
-        fields = [str(argument) for argument in entry.quantity.arguments]
-        used = ["a", "H", "k"] if suffix == "k" and not fields else names
-        apart = [name for name in names if name not in used]
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
         notes = f"Valid for {self.profile.validity}."
-        if fields:
+        if entry.arguments:
             notes += " Negative or NaN field values give NaN"
-            notes += ", and so do loads below those of complete contact." if self.concave and suffix != "k" else "."
-        writer.add(entry, notes, body)
+            notes += ", and so do loads below those of complete contact." if self.concave else "."
+        self.writer.add(entry, notes, required_face(entry.parameters))
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
         """Adds a private function of these lines; `needs` are the parameters it takes behind its fields."""
@@ -208,8 +199,3 @@ def order_of(profile: Profile) -> str:
     piece = sp.expand_power_base(profile.pieces[0].expr)
     exponent = sp.expand_power_base(piece.as_independent(r, as_Add=False)[1]).as_base_exp()[1]
     return repr(float(exponent)) if exponent.is_Integer else python(exponent)
-
-
-def _with_depth(entry: Entry) -> Entry:
-    """A stiffness of two branches, told apart by the depth."""
-    return replace(entry, quantity=replace(entry.quantity, arguments=entry.arguments))

@@ -22,7 +22,7 @@ from .. import docstring
 from ..function import Function
 from ..layout import literal
 from ..text import python
-from ..writer import Writer, evaluate
+from ..writer import Writer
 from .branches import branch_functions
 
 
@@ -124,18 +124,17 @@ class _Adhesive:
         body = self.module.checks(entry.parameters)
         # the retraction is the same for every profile
         own = set(self.profile.parameters) <= set(entry.parameters)
-        summed = self.module.summed and own
         name = f"_{entry.quantity.function}" if own else "hess_retraction"
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
             body += self.order()
             signed = dict.fromkeys(fields, fields[0])
-            body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
+            evaluated = self.module.evaluated(name, [], keywords, **signed)
             notes = self.notes_of_inverse()
         else:
             body += self.module.reach() if own else []
-            body.append(f"return {evaluate(name, fields, keywords, summed)}")
-        self.module.add(entry, notes, body)
+            evaluated = self.module.evaluated(name, fields, keywords)
+        self.module.add(entry, notes, body, evaluated)
 
     def order(self) -> list[str]:
         """The check of the exponent, without which there is no stable contact."""

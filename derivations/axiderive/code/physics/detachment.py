@@ -11,7 +11,7 @@ from .. import docstring
 from ..function import Function
 from ..graded.complete import order_of, required_face
 from ..text import python
-from ..writer import Writer, evaluate, required
+from ..writer import Writer, required
 
 CONTROL = 'control: str = "force"'
 
@@ -20,8 +20,9 @@ def interface(writer: Writer) -> None:
     """Adds the retraction of the edge, and the state at which it peels off."""
     medium, profile, entry = writer.system.medium, writer.profile, writer.entries["Dl"]
     edge = [a, *medium.moduli, dgamma]
-    moved = evaluate("graded_retraction" if medium.graded else "hess_retraction", [], [name_of(s) for s in edge])
-    writer.add(entry, f"Valid for {profile.validity}.", [required(edge), f"return {moved}"])
+    moved = "graded_retraction" if medium.graded else "hess_retraction"
+    evaluated = writer.evaluated(moved, [], [name_of(symbol) for symbol in edge])
+    writer.add(entry, f"Valid for {profile.validity}.", [required(edge)], evaluated)
     symbols = [*profile.parameters, *medium.moduli, dgamma]
     named = ", ".join(f"{name_of(symbol)}={name_of(symbol)}" for symbol in symbols)
     body = [

@@ -8,7 +8,6 @@ from dataclasses import replace
 import sympy as sp
 
 from ...entry import Entry
-from ...letters import name_of
 from ...notation import a, r, sigma
 from ...physics.medium import HOMOGENEOUS
 from ...physics.systems import BY_NAME
@@ -20,7 +19,7 @@ from ..bodies.compact import beside
 from ..module import Module
 from ..private import PrivateFunctions
 from ..text import python
-from ..writer import Writer, evaluate, required
+from ..writer import Writer, required
 
 RULES = {sp.S.Zero: "uniform(r, a)", sigma: "power(r, a, s)"}
 """Exponents whose displacement is no elementary function, and w E*/(p_0 a) in the runtime."""
@@ -34,9 +33,8 @@ def module(entries: Mapping[str, Entry]) -> Module:
     functions = PrivateFunctions(entry.profile)
     bodies(functions, entries)
     writer.private += functions.functions.values()
-    evaluated = evaluate("_displacement", ["r"], [name_of(symbol) for symbol in entry.parameters])
     notes = "Frictionless half-space. Negative or NaN radii give NaN."
-    writer.add(entry, notes, [required(entry.parameters), f"return {evaluated}"])
+    writer.add(entry, notes, [required(entry.parameters)])
     return writer.module()
 
 

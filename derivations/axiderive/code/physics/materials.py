@@ -13,7 +13,7 @@ from ...physics.systems import BY_NAME
 from .. import docstring, example
 from ..function import Function
 from ..module import PACKAGE, Module
-from ..writer import evaluate, required
+from ..writer import required
 
 NOTES = {
     "h_N": "Compared with a numerical solution of the equations of equilibrium of the graded half-space.",
@@ -83,7 +83,8 @@ def _public(entry: Entry) -> Function:
         _example(entry),
         "a parameter",
     )
-    body = [check, f"return {evaluate(f'_{quantity.function}', [], names)}"]
+    evaluated = f"elementwise({', '.join([f'_{quantity.function}', *(f'{name}={name}' for name in names)])})"
+    body = [check, f"return {evaluated}"]
     return Function(quantity.function, names, [], body, doc, "Result")
 
 

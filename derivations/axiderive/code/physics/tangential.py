@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...letters import name_of
+from ...notation import c
 from ..bodies.regimes import strip_width
 from ..graded import slip
 from ..text import python
@@ -29,11 +29,10 @@ def interface(writer: Writer) -> None:
     if profile.truncated:
         notes += " The stick zone is never smaller than the flat face: NaN for c < b."
     for entry in writer.entries.values():
-        fields, keywords = ([name_of(s) for s in own] for own in (entry.quantity.arguments, entry.parameters))
-        order, reach = ORDER if "c" in fields else [], writer.reach()
-        body = [*writer.checks(entry.parameters), *([*reach, *order] if graded else [*order, *reach])]
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, keywords)}")
-        writer.add(entry, notes, body)
+        order, reach = ORDER if c in entry.arguments else [], writer.reach()
+        writer.add(
+            entry, notes, [*writer.checks(entry.parameters), *([*reach, *order] if graded else [*order, *reach])]
+        )
 
 
 def rules(writer: Writer) -> None:

@@ -16,13 +16,11 @@ def interface(writer: Writer) -> None:
     """Adds the public functions; a ramp only where the force is a power of the depth."""
     profile = writer.profile
     for entry in writer.entries.values():
-        held, name = entry.quantity.arguments[1:], entry.quantity.function
-        symbols = [*held, *entry.parameters]
-        evaluated = writer.evaluated(f"_{name}", ["t"], [name_of(symbol) for symbol in symbols])
+        held = entry.arguments[1:]
         notes = f"Valid for {profile.validity}, and while the contact grows. Negative or NaN times give NaN."
         if entry.note:
             notes += f" Here {entry.note}: {'; '.join(docstring.stated(writer.plain['ad']))}."
-        writer.add(entry, notes, [*writer.checks(symbols), f"return {evaluated}"], held)
+        writer.add(entry, notes, writer.checks([*held, *entry.parameters]), held=held)
 
 
 def rules(writer: Writer) -> None:
