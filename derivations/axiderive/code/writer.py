@@ -42,6 +42,12 @@ def unused(names: Iterable[str]) -> list[str]:
     return [f"unused=({given.strip() if given.count(',') == 1 else given.strip(', ')})"] if given else []
 
 
+def ordered(condition: str, relation: str, reason: str, names: Iterable[str]) -> list[str]:
+    """The check of a condition between parameters, the relation as a message shows it and what to use instead."""
+    given = [f"    {name}={name}," for name in names]
+    return ["require_order(", f"    {condition},", f'    "{relation}",', *literal(reason), *given, ")"]
+
+
 def check(profile: Profile) -> Function:
     """The function `_check`, which checks the parameters and the rules between them."""
     names = [name_of(symbol) for symbol in profile.parameters]
@@ -55,15 +61,7 @@ def check(profile: Profile) -> Function:
         sign, left, right = "<" if rule.strict else "<=", rule.left, rule.right
         if left.is_number:
             sign, left, right = sign.replace("<", ">"), right, left
-        given = ", ".join(f"{name}={name}" for name in symbols)
-        lines += [
-            "require_order(",
-            f"    {python(left)} {sign} {python(right)},",
-            f'    "{relation}",',
-            *literal(rule.reason),
-            *(f"    {part}," for part in given.split(", ")),
-            ")",
-        ]
+        lines += ordered(f"{python(left)} {sign} {python(right)}", relation, rule.reason, symbols)
     typed = [f"{name}: ArrayLike" for name in names]
     return Function("_check", typed, ["**material: ArrayLike"], lines, returns="None")
 

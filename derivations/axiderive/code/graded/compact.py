@@ -12,7 +12,7 @@ from ...physics.systems import System
 from .. import docstring
 from ..function import Function
 from ..module import Module
-from ..writer import Writer
+from ..writer import Writer, ordered
 from .families import Family, family
 
 METHOD = {
@@ -83,15 +83,12 @@ class _Normal:
             body = [
                 f"require({passed}, k=k, **material)",
                 "R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)",
-                "require_order(",
-                "    elementwise(steepest_waves, k=k) * R * h <= wavelength**2,",
-                '    "steepest_waves(k)*R*h <= wavelength**2",',
-                f'    "{rule.reason}",',
-                "    R=R,",
-                "    h=h,",
-                "    wavelength=wavelength,",
-                "    k=k,",
-                ")",
+                *ordered(
+                    "elementwise(steepest_waves, k=k) * R * h <= wavelength**2",
+                    "steepest_waves(k)*R*h <= wavelength**2",
+                    rule.reason,
+                    ("R", "h", "wavelength", "k"),
+                ),
             ]
         typed = [f"{name}: ArrayLike" for name in names]
         more = ["*", "k: ArrayLike", "**material: ArrayLike"]

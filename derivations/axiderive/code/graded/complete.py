@@ -14,18 +14,15 @@ from ...physics.systems import System
 from ...profiles.profile import Profile
 from ..module import Module
 from ..text import python
-from ..writer import Writer, required
+from ..writer import Writer, ordered, required
 from .compact import add_shape
 
-ORDER = [
-    "require_order(",
-    "    np.asarray(n) > 1.0 - np.asarray(k),",
-    '    "n > 1 - k",',
-    '    "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",',
-    "    n=n,",
-    "    k=k,",
-    ")",
-]
+ORDER = ordered(
+    "np.asarray(n) > 1.0 - np.asarray(k)",
+    "n > 1 - k",
+    "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",
+    ("n", "k"),
+)
 """The rule between the exponents of a concave face, which is n > 1 without grading."""
 
 

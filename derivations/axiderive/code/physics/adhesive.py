@@ -20,9 +20,8 @@ from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from .. import docstring
 from ..function import Function
-from ..layout import literal
 from ..text import python
-from ..writer import Writer
+from ..writer import Writer, ordered
 from .branches import branch_functions
 
 
@@ -141,14 +140,8 @@ class _Adhesive:
         rule = pull_off_rule(self.profile)
         if rule is None:
             return []
-        return [
-            "require_order(",
-            f"    np.asarray({rule.right}) > {float(rule.left)!r},",
-            f'    "{rule.right} > {sp.sstr(rule.left)}",',
-            *literal(rule.reason),
-            f"    {rule.right}={rule.right},",
-            ")",
-        ]
+        condition = f"np.asarray({rule.right}) > {float(rule.left)!r}"
+        return ordered(condition, f"{rule.right} > {sp.sstr(rule.left)}", rule.reason, [str(rule.right)])
 
     def notes_of_inverse(self) -> str:
         """The sentences below an inverse: its validity, and which radius is meant where several are stable."""

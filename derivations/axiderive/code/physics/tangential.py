@@ -8,18 +8,15 @@ from ...notation import c
 from ..bodies.regimes import strip_width
 from ..graded import slip
 from ..text import python
-from ..writer import Writer
+from ..writer import Writer, ordered
 from .adhesive import exponent, number
 
-ORDER = [
-    "require_order(",
-    '    np.all(~(numbers("c", c) > numbers("a", a))),',
-    '    "c <= a",',
-    '    "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",',
-    "    c=c,",
-    "    a=a,",
-    ")",
-]
+ORDER = ordered(
+    'np.all(~(numbers("c", c) > numbers("a", a)))',
+    "c <= a",
+    "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
+    ("c", "a"),
+)
 
 
 def interface(writer: Writer) -> None:
