@@ -75,7 +75,7 @@ class _Interface:
         symbols = entry.parameters if entry else profile.parameters
         fields = [name_of(symbol) for symbol in (entry.arguments if entry else quantity.arguments)]
         keywords = [name_of(symbol) for symbol in symbols]
-        private = self.private.functions[quantity.function]
+        private = self.private[quantity.function]
         body = writer.checks(symbols, reach="a" in fields)
         if writer.summed and "A" not in private.needs:
             body[0] = body[0].removeprefix("A = ")
@@ -114,7 +114,7 @@ class _Interface:
 
     def notes(self, quantity: Quantity, at_radius: bool, keys: Sequence[Quantity]) -> str:
         """Validity, what gives NaN, evaluation and the keys."""
-        profile, private = self.profile, self.private.functions[quantity.function]
+        profile, private = self.profile, self.private[quantity.function]
         outside = "Negative or NaN field values"
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"

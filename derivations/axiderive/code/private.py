@@ -32,6 +32,10 @@ class PrivateFunctions:
     common: Variant | None = None
     """The variant of all entries; where there is none each has the chosen one."""
 
+    def __getitem__(self, name: str) -> Function:
+        """The function `_name`."""
+        return self.functions[name]
+
     def own(self, entry: Entry) -> Variant:
         """The variant an entry is evaluated in: the common one, or that which measurements chose for its key."""
         return self.common or chosen(entry.key)

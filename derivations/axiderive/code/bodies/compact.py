@@ -32,7 +32,7 @@ class Lumped(Regimes):
         if suffix == "F" and any(form.cancels for form in forms.values()) and self.scale("tip")[0] != "waves":
             return self._force_by_rule(forms)
         if suffix == "pm" and not self._closed_mean(forms):
-            force = self.functions.functions["force"]
+            force = self.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"])
         if len(forms) > 1 and suffix != "pm":
@@ -257,7 +257,7 @@ class Compact(Lumped):
             if parts:
                 terms.append(f"{scale} * ({' + '.join(parts)})" if len(parts) > 1 else f"{scale} * {parts[0]}")
             outside = " + ".join(terms)
-        depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
+        depth, profile = self.functions["depth"], self.functions["profile"]
         lines.append(f"outside = {outside}")
         lines.append(f"inside = {depth.call()} - {profile.call()}")
         value = "np.where(r > a, outside, inside)"

@@ -64,7 +64,7 @@ class Complete:
             return value
         known = (entry.quantity for entry in self.entries.values() if entry.quantity.threshold)
         least = next(quantity for quantity in known if quantity.symbol == given)
-        threshold = self.functions.functions[least.function]
+        threshold = self.functions[least.function]
         lines.append(COMPLETE_FROM.format(field=given, least=threshold.call()))
         lines.append(f"result = {value}")
         return "np.where(complete, result, np.nan)"
@@ -98,7 +98,7 @@ class Complete:
         value = self.functions.value_lines(form.value, lines)
         excess = excess_over_threshold(self.entries) if self.concave else None
         if excess is not None:
-            least = self.functions.functions["minimum_depth"]
+            least = self.functions["minimum_depth"]
             scale = HOMOGENEOUS.pressure_scale
             lines = ["root = np.sqrt((a - r) * (a + r))"]
             lines.append(f"face = {python(excess)}")
@@ -115,14 +115,14 @@ class Complete:
             lines = ["angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))"]
             scale = python(HOMOGENEOUS.displacement_scale)
             value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
-        profile = self.functions.functions["profile"]
+        profile = self.functions["profile"]
         lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
         value = "np.where(r > a, outside, inside)"
         self._add("w", self._from_threshold(lines, value, d), lines)
 
     def _capped(self) -> None:
         """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
-        entries, profile = self.entries, self.functions.functions["profile"]
+        entries, profile = self.entries, self.functions["profile"]
         rho, edge = entries["F"].cases[0].chain
         compact = {suffix: part for suffix in ("F", "p", "k") if (part := entries[suffix].partial) is not None}
         stiffness = entries["k"].cases[-1].expr

@@ -164,7 +164,7 @@ class _General:
         self._pressure()
         self._displacement()
         self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"])
-        force = self.functions.functions["force"]
+        force = self.functions["force"]
         self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"])
         rate = self._slope_at()
         for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
@@ -246,7 +246,7 @@ class _General:
         self.functions.add("pressure", ("r", "a"), lines)
 
     def _displacement(self) -> None:
-        depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
+        depth, profile = self.functions["depth"], self.functions["profile"]
         lines = ["root = difference_root(r, a)", "angle = np.arctan2(a, root)"]
         lines += self._whole("(a * angle - z * np.arctan2(z, root))")
         lines += ["outside = 2 / np.pi * whole", f"inside = {depth.call()} - {profile.call()}"]
@@ -275,7 +275,7 @@ class _General:
         return self.functions.add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
 
     def _inverse(self, field: str, curve: str, rate: Function, exponent: float) -> None:
-        target = self.functions.functions[curve]
+        target = self.functions[curve]
         scale = "2 * E_star * a * " if curve == "force" else ""
         if self.start is not None:
             place, step, start = (
@@ -304,7 +304,7 @@ class _General:
         radius = self.functions.add(f"radius_from_{curve}", (field,), lines)
         other = "depth" if curve == "force" else "force"
         name = "force_from_depth" if curve == "depth" else "depth_from_force"
-        outer = self.functions.functions[other]
+        outer = self.functions[other]
         self.functions.add(name, (field,), [f"a = {radius.call()}", *changed(field, outer, target, "a")])
 
     def _length(self) -> str:

@@ -137,14 +137,14 @@ class Inverses:
             return self.functions.add(name, (field,), self.functions.returned(form))
         if self.compact.rooted:
             contact = self.functions.functions.get(f"contact_from_{TARGET[inner][0]}") or self._contact(inner)
-            target, curve = (self.functions.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
+            target, curve = (self.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
             lines = [f"a, root = {contact.call()}", *changed(field, target, curve, "a", "root")]
             return self.functions.add(name, (field,), lines)
-        radius = self.functions.functions[self.compact.entries[inner].quantity.function]
-        target = self.functions.functions[outer]
+        radius = self.functions[self.compact.entries[inner].quantity.function]
+        target = self.functions[outer]
         if not any("inverse" in line for line in radius.lines):
             return self.functions.add(name, (field,), [f"return {target.call(radius.call())}"])
-        return self._corrected(name, field, target, radius, self.functions.functions[TARGET[inner][0]])
+        return self._corrected(name, field, target, radius, self.functions[TARGET[inner][0]])
 
     def _corrected(self, name: str, field: str, target: Function, radius: Function, curve: Function) -> Function:
         """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
@@ -154,7 +154,7 @@ class Inverses:
     def _contact(self, suffix: str) -> Function:
         """Contact radius and its root together: near the end of the domain the radius alone says too little."""
         curve, field = TARGET[suffix]
-        target = self.functions.functions[f"{curve}_at"]
+        target = self.functions[f"{curve}_at"]
         slope = self.compact.slopes["beyond" if self.profile.truncated else "tip"][0]
         if self.profile.truncated:
             b = str(self.compact.b)
@@ -214,7 +214,7 @@ class Inverses:
 
     def _curve(self, suffix: str) -> list[str]:
         """Value and logarithmic slope over the radius."""
-        target = self.functions.functions[TARGET[suffix][0]]
+        target = self.functions[TARGET[suffix][0]]
         slope = self._slope_of_radius()
         return [
             "def curve(a: Array) -> tuple[Array, Array]:",
@@ -238,7 +238,7 @@ class Inverses:
         else:
             slope = self.compact.slopes["beyond"][0]
             found = f"inverse_beyond(curve, {field}, {b}, {grown}, {leaves})"
-        target = self.functions.functions.get(f"{curve}_at") or self.functions.functions[f"{curve}_beyond"]
+        target = self.functions.functions.get(f"{curve}_at") or self.functions[f"{curve}_beyond"]
         lines = [
             "def curve(a: Array, root: Array) -> tuple[Array, Array]:",
             f"    rate = {self._rate(suffix)} * {slope.call('a', 'root')}",
@@ -273,7 +273,7 @@ class Inverses:
     def _slope_of_radius(self) -> str:
         """Text of g'(a) without a break."""
         if self.compact.summed:
-            return self.functions.functions["slope"].call("a")
+            return self.functions["slope"].call("a")
         tip = self.compact.slopes.get("tip")
         assert tip is not None
         return tip[0].call("a")

@@ -78,7 +78,7 @@ class Compact:
 
     def _superposed(self, suffix: str, rule: str, scale: sp.Expr, field: str) -> list[str]:
         """The tip in closed form, and the strips beyond the break by a rule."""
-        growth = self.functions.functions["growth_beyond"]
+        growth = self.functions["growth_beyond"]
         lines, parts = list[str](), list[str]()
         tip = self.tip(suffix)
         if tip is not None:
@@ -101,7 +101,7 @@ class Compact:
     def _load(self) -> None:
         closed = self._closed("P")
         if closed is None or self.profile.truncated and self.entries["aP"].status == "root":
-            growth, b = self.functions.functions["growth_beyond"], str(self.b)
+            growth, b = self.functions["growth_beyond"], str(self.b)
             lines = [f"return E_star * load_beyond({growth.with_parameters()}, root, {b})"]
             doc = f"Line load at a = sqrt({b}**2 + root**2)."
             inner = self.functions.add("load_at", ("root",), lines, doc)
@@ -120,7 +120,7 @@ class Compact:
 
     def _slope(self) -> None:
         lines = self._closed("s") or self._superposed("s", "slope_beyond", -SURFACE, "x")
-        inside = self.functions.functions["profile_slope"]
+        inside = self.functions["profile_slope"]
         value = f"np.where(x > a, value, -{inside.call()})"
         self._add("s", self._within(lines, value))
 
@@ -128,7 +128,7 @@ class Compact:
         closed = self._closed("d")
         lines = closed or self._superposed("d", "depth_beyond", SURFACE, "L")
         if closed is None:
-            height = self.functions.functions["profile"]
+            height = self.functions["profile"]
             lines.append(f"value = np.where(a < L, value, {height.call('a')})")
         if not self.profile.truncated:
             lines.append("value = np.where(a > 0.0, value, 0.0)")
@@ -141,11 +141,11 @@ class Compact:
             form = self.functions.form(entry, entry.cases[0].expr, facts_of(()))
             self._add("aP", self.functions.returned(form))
             return
-        beyond = self.functions.functions["growth_beyond"]
+        beyond = self.functions["growth_beyond"]
         low, high = exponents(self.entries["P"])
         b = str(self.b)
         if self.profile.truncated:
-            load = self.functions.functions["load_at"]
+            load = self.functions["load_at"]
             body = [
                 "def curve(t: Array) -> tuple[Array, Array]:",
                 f"    a, root = {b} * np.sqrt(1.0 + t * t), {b} * t",
@@ -156,7 +156,7 @@ class Compact:
                 f"return {b} * np.sqrt(1.0 + t * t)",
             ]
         else:
-            load, tip = self.functions.functions["load"], self.functions.functions["growth"]
+            load, tip = self.functions["load"], self.functions["growth"]
             body = [
                 "def curve(a: Array) -> tuple[Array, Array]:",
                 f"    root = np.sqrt((a - {b}) * (a + {b}))",

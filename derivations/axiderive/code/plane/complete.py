@@ -50,7 +50,7 @@ class Complete:
     def _add(self, suffix: str, lines: list[str], value: str) -> Function:
         """NaN where the contact is not complete."""
         if self.concave and suffix in ("p", "s", "d"):
-            least = self.functions.functions["minimum_load"]
+            least = self.functions["minimum_load"]
             # at the least load itself, which a caller computes, the contact is complete
             lines.append(f"complete = {least.call()} * (1.0 - 1e-15) <= P")
             lines.append(f"result = {value}")
@@ -97,7 +97,7 @@ class Complete:
         if excess is None:
             lines = self._parts("p")
         else:
-            least = self.functions.functions["minimum_load"]
+            least = self.functions["minimum_load"]
             lines = ["root = np.sqrt((a - x) * (a + x))", f"face = {python(excess)}"]
             carried = named("carried")
             lines.append(f"carried = P - {least.call()} + face")
@@ -106,7 +106,7 @@ class Complete:
 
     def _slope(self) -> None:
         lines = self._parts("s")
-        inside = self.functions.functions["profile_slope"]
+        inside = self.functions["profile_slope"]
         slope = f"-{inside.call()}" if self.concave else "0.0"
         # infinite at the edge itself
         lines.append("outside = np.where(P > 0.0, value, 0.0)")
