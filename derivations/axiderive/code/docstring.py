@@ -175,10 +175,10 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
     """The formula in plain text, one line per region."""
     name = sp.sstr(quantity.symbol) if quantity.suffix != "k" else "dF/dd"
     if entry is None:
-        rows, lower = [], "0"
+        (place,), rows, lower = quantity.arguments, [], "0"
         for piece in profile.pieces:
             upper = f" < {piece.upper}" if piece.upper is not None else ""
-            where = f"{lower} < r{upper}" if len(profile.pieces) > 1 else ""
+            where = f"{lower} < {place}{upper}" if len(profile.pieces) > 1 else ""
             rows.append((sp.sstr(piece.expr), where))
             lower = str(piece.upper)
     elif entry.composed and entry.status == "root":

@@ -10,6 +10,7 @@ import sympy as sp
 from ...entry import Entry
 from ...notation import a, d, r, r_zero
 from ...physics.medium import HOMOGENEOUS
+from ...stable.forms import EvaluationForm
 from ...stable.signs import cancels, facts_of
 from ...stable.slopes import slope_form
 from ..function import Function
@@ -74,14 +75,7 @@ class Complete:
         place = "a * ring_of_zero_pressure(n)" if ring.status == "root" else python(ring.cases[0].expr)
         self._add("rz", "0.0" if place == "0" else place, [])
         for suffix in ("dmin", "Fmin"):
-            expr = self.entries[suffix].cases[0].expr
-            if ring.status == "root":
-                # in what is left of a**2 outside the ring: next to the edge the difference of the squares is lost
-                expr = sp.factor(sp.expand(expr.subs(r_zero, a * sp.sqrt(1 - ZETA))))
-            form = self.functions.form(self.entries[suffix], expr, facts_of(()))
-            lines = []
-            if expr.has(ZETA):
-                lines.append(f"{ZETA} = outside_zero_pressure(n)")
+            lines, form = threshold(self.functions, self.entries[suffix], r_zero)
             lines += self.functions.steps(form)
             top, bottom = sp.fraction(form.value)
             if bottom.has(ZETA):
@@ -172,6 +166,16 @@ class Complete:
         ]
         value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
         self._add("w", value, lines)
+
+
+def threshold(functions: PrivateFunctions, entry: Entry, place: sp.Symbol) -> tuple[list[str], EvaluationForm]:
+    """The form of a least load or depth, and the line that says where the pressure vanishes first, if it asks."""
+    expr = entry.cases[0].expr
+    if expr.has(place):
+        # in what is left of a**2 outside that place: next to the edge the difference of the squares is lost
+        expr = sp.factor(sp.expand(expr.subs(place, a * sp.sqrt(1 - ZETA))))
+    first = [f"{ZETA} = outside_zero_pressure(n)"] if expr.has(ZETA) else []
+    return first, functions.form(entry, expr, facts_of(()))
 
 
 def _sunk(depth: sp.Expr) -> str:

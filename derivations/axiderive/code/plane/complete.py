@@ -17,9 +17,8 @@ from ...notation import P, a, e, x, x_zero
 from ...physics.plane import PRESSURE
 from ...stable.forms import EvaluationForm
 from ...stable.opaque import named
-from ...stable.signs import facts_of
 from ...stable.variants import Variant
-from ..bodies.complete import ZETA
+from ..bodies.complete import threshold
 from ..function import Function
 from ..private import PrivateFunctions
 from ..text import python
@@ -82,15 +81,8 @@ class Complete:
         self._add("xz", [], "0.0 * a" if place == "0" else place)
 
     def _minimum_load(self) -> None:
-        expr = self.entries["Pmin"].cases[0].expr
-        if expr.has(x_zero):
-            # in what is left of a**2 outside that place: for large exponents the difference of the squares is lost
-            expr = sp.factor(sp.expand(expr.subs(x_zero, a * sp.sqrt(1 - ZETA))))
-        form = self.functions.form(self.entries["Pmin"], expr, facts_of(()))
-        lines = self.functions.steps(form)
-        if expr.has(ZETA):
-            lines.append(f"{ZETA} = outside_zero_pressure(n)")
-        self._add("Pmin", lines, python(form.value))
+        place, form = threshold(self.functions, self.entries["Pmin"], x_zero)
+        self._add("Pmin", [*self.functions.steps(form), *place], python(form.value))
 
     def _pressure(self) -> None:
         excess = excess_over_threshold(self.entries) if self.concave else None

@@ -10,7 +10,7 @@ from ... import notation as nt
 from ...entry import Entry, Quantity
 from ...profiles.profile import Profile
 from .. import docstring
-from ..docstring import capital, wrapped
+from ..docstring import capital
 
 MEANING = {
     nt.a: "half-width of the contact",
@@ -49,23 +49,11 @@ def meaning(profile: Profile, symbol: sp.Symbol) -> str:
 
 def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:
     """The formula in plain text, for x >= 0 where the field is even or odd."""
-    if entry is None:
-        return _pieces(profile)
     lines = "\n".join(docstring.formula(profile, quantity, entry))
     for old, new in NAMES.items():
         lines = lines.replace(old, new)
     inside = ["and dw/dx = -f'(x) in the contact."] if quantity.suffix == "s" else []
     return [*lines.split("\n"), *inside]
-
-
-def _pieces(profile: Profile) -> list[str]:
-    lines, lower = [], "0"
-    for piece in profile.pieces:
-        upper = f" < {piece.upper}" if piece.upper else ""
-        where = f"   for {lower} < x{upper}" if len(profile.pieces) > 1 else ""
-        lines += wrapped(f"f = {sp.sstr(piece.expr)}{where}")
-        lower = str(piece.upper)
-    return lines
 
 
 def notes(profile: Profile, quantity: Quantity, used: Collection[str]) -> str:

@@ -21,7 +21,6 @@ from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
-from ...oracle.half_space import HalfSpace
 from ...oracle.integrals import GUARD
 from ...oracle.shape import number
 from .. import interface
@@ -152,13 +151,9 @@ class Edged:
         """Radius of the edge."""
         return mp.mpf(self.contact.all["a"])
 
-    def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
-        """The half-space under this punch; `places` are fields by name."""
-        return self.contact.half_space(digits, **places)
-
     def at(self, suffix: str, depth: float, **places: float) -> Any:
         """A quantity of the normal contact at a depth."""
-        here = self.half_space(DIGITS, d=depth, **places)
+        here = self.contact.half_space(DIGITS, d=depth, **places)
         radius, free = of_depth(here, self.a)
         place = places.get("r")
         if suffix == "p" and place is not None and place > radius:
@@ -170,7 +165,7 @@ class Edged:
     @cached_property
     def depths(self) -> list[float]:
         """Above the least depth of complete contact; of a convex face also one at which its edge is free."""
-        full = self.half_space().depth(self.a)
+        full = self.contact.half_space().depth(self.a)
         if full > 0:
             return [short(float(full * share)) for share in (0.4, 1.7)]
         if full == 0:
@@ -180,7 +175,7 @@ class Edged:
 
     def weighted(self, r: Any, digits: int = DIGITS) -> Any:
         """The depth that the face alone needs for its pressure at r to vanish, with the sign turned."""
-        here = self.half_space(digits, r=r)
+        here = self.contact.half_space(digits, r=r)
         punch = here.pressure(r, self.a, here.depth(self.a) + 1) - here.pressure(r, self.a)
         return here.pressure(r, self.a) / punch
 
@@ -201,11 +196,11 @@ class Edged:
     @cached_property
     def least(self) -> Any:
         """The least depth of complete contact."""
-        return self.half_space().depth(self.a) - self.weighted(self.ring)
+        return self.contact.half_space().depth(self.a) - self.weighted(self.ring)
 
     def pulled(self) -> tuple[Any, Any]:
         """Force and depth at which the edge peels: the contact without adhesion, short of its depth by Dl."""
-        here = self.half_space()
+        here = self.contact.half_space()
         depth = here.depth(self.a) - here.retraction(self.a)
         return here.force(self.a, depth), depth
 
@@ -220,13 +215,13 @@ class Edged:
             case "profile":
                 return [((inside,), self.contact.height(inside))]
             case "retraction":
-                return [((), self.half_space().retraction(self.a))]
+                return [((), self.contact.half_space().retraction(self.a))]
             case "zero_radius":
                 return [((), self.ring)]
             case "minimum_depth":
                 return [((), self.least)]
             case "minimum_force":
-                return [((), self.half_space().force(self.a, self.least))]
+                return [((), self.contact.half_space().force(self.a, self.least))]
         rows: Rows = []
         for depth in self.depths:
             match name:
@@ -289,7 +284,7 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         corner = next((b for b in _corners(contact) if abs(radius / b - 1) < NEAR), None)
         if contact.request.own is not None and not edged.graded:
             return _least(contact, control, radius, corner)
-        here, wanted = edged.half_space(), mp.mpf(contact.all["dgamma"])
+        here, wanted = contact.half_space(), mp.mpf(contact.all["dgamma"])
 
         def missing(scale: Any) -> Any:
             return mp.log(here.separation(control, radius * scale) / wanted)
