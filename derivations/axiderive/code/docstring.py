@@ -56,12 +56,12 @@ def document(
         What raises where it is outside its domain.
     """
     kind, result = returns
-    named = list(dict.fromkeys(sources))
+    named = "; ".join(dict.fromkeys(sources))
     lines = [summary, "", *stated, "", *_section("Parameters", parameters)]
     lines += _section("Returns", [kind, *wrapped(result, 4)])
     lines += _section("Raises", ["ValueError", f"    If {outside} is outside its domain."])
     lines += _section("Notes", wrapped(notes))
-    lines += _section("References", wrapped(f"{'; '.join(named)}.")) if named else []
+    lines += _section("References", wrapped(f"{named}.")) if named else []
     return "\n".join([*lines, *_section("Examples", example)][:-1])
 
 
@@ -120,7 +120,7 @@ def of_entry(entry: Entry, keywords: Sequence[sp.Symbol], notes: str, example: S
     result = f"{measured(in_words(quantity.symbol), quantity.symbol)}. {SHAPE}"
     return document(
         quantity.summary, stated(entry), parameters(fields, keywords),
-        (NUMBERS, result), f"{notes} Handbook: {entry.key}.", sources_of(entry) or [""], example,
+        (NUMBERS, result), f"{notes} Handbook: {entry.key}.", sources_of(entry), example,
     )  # fmt: skip
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -33,6 +32,7 @@ RATES = ("_slope", "_slope_beyond")
 """The rates of growth, which another physics calls where no public function does."""
 OVER_CONTACT = {"power_pressure", "power_displacement", "power_punches"}
 """Shapes of the run time that are evaluated as its rules are."""
+ITERATIONS = {"inverse", "inverse_across", "inverse_below", "inverse_beyond", "inverse_over_waves"}
 ALONE = "A number for numbers."
 
 
@@ -119,13 +119,10 @@ class _Interface:
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
         notes = [f"Valid for {profile.validity}. {outside} give NaN."]
-        text = "\n".join(private.lines)
-        for other in self.private.functions.values():
-            if other.name in text:
-                text += "\n" + "\n".join(other.lines)
-        if "_integral" in text or any(name in text for name in OVER_CONTACT):
+        used = private.uses.union(*(own.uses for own in reached(self.writer.private, [private])))
+        if used & OVER_CONTACT or any("_integral" in name for name in used):
             notes.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
-        if re.search(r"\binverse(_across|_below|_beyond|_over_waves)?\(", text):
+        if used & ITERATIONS:
             notes.append("Evaluated by a safeguarded Newton iteration.")
         if profile.note and quantity.suffix in FOUR[:3] and coefficients not in profile.parameters:
             notes.append(f"{docstring.capital(profile.note)}.")

@@ -59,17 +59,11 @@ class PrivateFunctions:
         return (*(name_of(symbol) for symbol in self.profile.parameters), "E_star")
 
     def add(
-        self,
-        name: str,
-        fields: Sequence[str],
-        lines: Iterable[str],
-        doc: str = "",
-        returns: str = "Array",
-        also: Iterable[str] = (),
+        self, name: str, fields: Sequence[str], lines: Iterable[str], doc: str = "", returns: str = "Array"
     ) -> Function:
         """Adds and returns `_name`; it takes the parameters that its lines name, and defines abbreviations first."""
         lines = list(lines)
-        wanted = {*Function(f"_{name}", fields, [], lines).uses, *also}
+        wanted = set(Function(f"_{name}", fields, [], lines).uses)
         for symbol, definition in self.profile.abbreviations:
             if str(symbol) in wanted:
                 lines[:0] = [f"{symbol} = {python(definition)}", *([""] if lines[0].startswith("def ") else [])]

@@ -164,8 +164,7 @@ class Writer:
         returns: str = "Array",
     ) -> None:
         """A private function; lengths that are no parameters are defined first."""
-        summed = self.summed and self.system.medium.graded and bool(fields)
-        function = Function(name, fields, needs, lines, doc, returns, summed=summed)
+        function = Function(name, fields, needs, lines, doc, returns, summed=self.summed)
         own = [f"{s} = {python(expr)}" for s, expr in self.profile.abbreviations if str(s) in function.uses]
         self.private.append(replace(function, lines=[*own, *lines]))
 

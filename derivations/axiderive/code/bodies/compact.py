@@ -64,19 +64,14 @@ class Lumped(Regimes):
         if len(forms) > 1:
             lines.append(f"return np.where(a < {self.b}, tip, beyond)")
         if ROOT in given:
-            return self.functions.add(f"{name}_at", given, lines, also=self._of_root(*forms.values()))
+            return self.functions.add(f"{name}_at", given, lines)
         return self._limited(name, lines)
 
     def _beyond(self, name: str, form: EvaluationForm) -> Function:
         """In the radius and its root, which says more of a radius next to the break: for the inverse."""
         lines = self.functions.steps(form, ("a", ROOT))
         value = self.functions.value_lines(form.value, lines)
-        own = [*lines, f"return {value}"]
-        return self.functions.add(f"{name}_beyond", ("a", ROOT), own, also=self._of_root(form))
-
-    @staticmethod
-    def _of_root(*forms: EvaluationForm) -> set[str]:
-        return {str(s) for form in forms for name, expr in form.steps if str(name) == ROOT for s in expr.free_symbols}
+        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"])
 
     def _from_radius(self, name: str, inner: Function) -> Function:
         x, y = self.root_pair()

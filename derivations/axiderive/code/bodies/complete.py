@@ -12,7 +12,6 @@ from ...notation import a, d, r, r_zero
 from ...physics.medium import HOMOGENEOUS
 from ...stable.forms import EvaluationForm
 from ...stable.signs import cancels, facts_of
-from ...stable.slopes import slope_form
 from ..function import Function
 from ..private import PrivateFunctions
 from ..text import python
@@ -122,11 +121,6 @@ class Complete:
         stiffness = entries["k"].cases[-1].expr
         whole = entries["F"].cases[-1].expr
         depth = sp.expand(d - (whole - compact["F"].cases[0].expr) / stiffness)
-        slope_form_ = slope_form(depth, facts_of((a,)))
-        self.functions.add(
-            "slope", ("t",), [f"return {python(slope_form_.value)}"],
-            "Rate g'(t) of the indentation depth of the uncut profile.",
-        )  # fmt: skip
         self.square = tuple(str(factor) for factor in sp.Mul.make_args(sp.expand(rho**2)))
         start = [f"excess = {self._beyond('a')} / {self.square[0]}", f"rho = np.minimum({python(rho)}, a)"]
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}

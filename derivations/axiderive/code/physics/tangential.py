@@ -21,15 +21,13 @@ ORDER = ordered(
 
 def interface(writer: Writer) -> None:
     """Adds the public functions."""
-    profile, graded = writer.profile, writer.system.medium.graded
+    profile = writer.profile
     notes = f"Valid for {profile.validity}; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN."
     if profile.truncated:
         notes += " The stick zone is never smaller than the flat face: NaN for c < b."
     for entry in writer.entries.values():
-        order, reach = ORDER if c in entry.arguments else [], writer.reach()
-        writer.add(
-            entry, notes, [*writer.checks(entry.parameters), *([*reach, *order] if graded else [*order, *reach])]
-        )
+        order = ORDER if c in entry.arguments else []
+        writer.add(entry, notes, [*writer.checks(entry.parameters, reach=True), *order])
 
 
 def rules(writer: Writer) -> None:
