@@ -18,6 +18,7 @@ from axiderive.letters import name_of
 from axiderive.physics.systems import problems
 from axiderive.profiles.profile import Profile
 
+GROUPS = ("normal", "adhesive", "tangential")
 MATERIAL = {nt.H: "2.5", nt.H_x: "0.8", nt.dgamma: "0.0125", nt.mu: "0.3"}
 
 

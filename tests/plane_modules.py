@@ -7,7 +7,7 @@ from pathlib import Path
 
 from stored_book import kernels
 
-from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.module import PLACE, runtime_sources
 from axiderive.code.programs import program_sources
 from axiderive.code.python import NODE_COUNTS
 from axiderive.code.tables import nodes_source, symbols_sources

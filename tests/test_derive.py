@@ -19,7 +19,7 @@ from scenes import NO_PDF, composed_from
 from axiderive import notation as nt
 from axiderive.build.pool import Beside, LimitError, limited
 from axiderive.cli import main
-from axiderive.code import python
+from axiderive.code.normal import module as written
 from axiderive.expression import own_profile, routes, undetermined
 from axiderive.expression.definition import Definition
 from axiderive.expression.routes import Route
@@ -161,7 +161,7 @@ def test_a_force_takes_up_what_the_rounded_radius_lost():
 def test_a_force_that_would_lose_digits_is_not_emitted_in_closed_form():
     profile = own_profile("c*Max(0, r - b)**3").profile
     with pytest.raises(ValueError, match="loses digits; emit it by"):
-        python.module_source(normal.derive(profile))
+        written(normal.derive(profile))
 
 
 def random_expression(source: random.Random, breaks: int) -> str:

@@ -11,11 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from graded_modules import derived, emitted, keywords, public, values
+from graded_modules import GROUPS, derived, emitted, keywords, public, values
 
 from axiderive import notation as nt
 from axiderive.abel.reduce import NotReducibleError
-from axiderive.code.graded import TITLES
 from axiderive.code.graded.families import family
 from axiderive.letters import name_of
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, NAMES, load
@@ -53,7 +52,7 @@ def test_interface(name: str) -> None:
     else:
         stiffness = {"stiffness": ["d"]} if name == "capped_cylinder" else {}
         assert normal == COMPLETE | (CONCAVE if name.startswith("concave") else {}) | stiffness
-    for group in TITLES:
+    for group in GROUPS:
         for entry in derived(group, name).values():
             function = getattr(emitted(f"{group}.{name}"), entry.quantity.function)
             own = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]

@@ -11,14 +11,15 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, public, values
+from graded_modules import EXPONENTS, GROUPS, POWERS, SLOW, derived, emitted, keywords, public, values
 
 from axiderive import notation as nt
 from axiderive.code import example
-from axiderive.code.graded import TITLES, module_sources
 from axiderive.code.graded.families import family
+from axiderive.code.systems import alone, superposed
 from axiderive.entry import Entry
 from axiderive.oracle.half_space import HalfSpace
+from axiderive.physics.systems import BY_NAME
 from axiderive.profiles import COMPACT_NAMES, NAMES, load
 from axiderive.profiles.profile import Profile
 
@@ -194,5 +195,11 @@ def test_a_wrong_factor_is_seen() -> None:
 
 @pytest.mark.slow
 def test_generated_text_is_the_same_twice() -> None:
-    entries = {f"graded.{group}": {"paraboloid": derived(group, "paraboloid")} for group in TITLES}
-    assert module_sources(["paraboloid"], entries) == module_sources(["paraboloid"], entries)
+    def texts() -> list[str]:
+        own = {group: derived(group, "paraboloid") for group in GROUPS}
+        base = alone(BY_NAME["graded.normal"], own["normal"])
+        above = {BY_NAME[f"graded.{group}"]: own[group] for group in GROUPS[1:]}
+        others = [superposed(system, entries, own["normal"], base.parameters) for system, entries in above.items()]
+        return [module.source() for module in (base, *others)]
+
+    assert texts() == texts()

@@ -11,7 +11,7 @@ import pytest
 
 import axicontact
 from axicontact.loads import power
-from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.module import PLACE, runtime_sources
 from axiderive.code.physics import loads
 from axiderive.physics.systems import problem
 from axiderive.stable.measure import closure
@@ -29,7 +29,7 @@ def measured(name: str, runtime: Mapping[str, str] = FRESH) -> dict[str, Any]:
     """The errors of the displacement under a prescribed pressure."""
     own = problem(f"loads.{name}")
     entries = own.derive()
-    sources = {**runtime, own.module: loads.module_source(entries["w"])}
+    sources = {**runtime, own.module: loads.module(entries).source()}
     found: dict[str, Any] = record(own.key, closure(sources, own.module), entries)["w"]
     return found
 

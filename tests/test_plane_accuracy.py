@@ -20,7 +20,7 @@ from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
 
 from axiderive import notation as nt
 from axiderive.checks import plane_quadrature
-from axiderive.code.plane import module_source
+from axiderive.code.plane.interface import module
 from axiderive.entry import Case, Entry
 from axiderive.profiles import plane
 from axiderive.stable.measure import samples, ulps
@@ -216,7 +216,7 @@ def test_a_wrong_formula_is_seen(
 ) -> None:
     """The comparison is made with the entries of the engine, the module from a corrupted one."""
     wrong = entries(name) | {suffix: mutant(entries(name)[suffix], change)}
-    written(tmp_path, "mutated_plane", {f"axicontact/plane/{name}.py": module_source(wrong)})
+    written(tmp_path, "mutated_plane", {f"axicontact/plane/{name}.py": module(wrong).source()})
     (tmp_path / "mutated_plane" / "plane" / "__init__.py").write_text("")
     monkeypatch.syspath_prepend(str(tmp_path))
     for found in [found for found in sys.modules if found.startswith("mutated_plane")]:

@@ -20,7 +20,7 @@ from axicontact._runtime.shapes import arcs
 from axicontact._runtime.shapes.powers import power_displacement, power_pressure, power_punches
 from axicontact._runtime.special import arctan_gap, dawson, gamma_ratio, struve_h0, struve_h1, tanh_gap
 from axiderive.code import tables as certified
-from axiderive.code.imports import PLACE, runtime_sources
+from axiderive.code.module import PLACE, runtime_sources
 from axiderive.code.programs import FOLDER
 from axiderive.code.tables import bounds, kernels_source
 

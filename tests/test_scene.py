@@ -15,7 +15,7 @@ import sympy as sp
 from scenes import EXAMPLES, NEEDLE, NO_PDF, composed_from, titles
 
 from axiderive.cli import main
-from axiderive.scene.linker import sources
+from axiderive.physics import loads, normal, plane
 from axiderive.scene.page import escaped
 
 
@@ -117,8 +117,8 @@ def test_a_scene_of_the_catalogue_derives_nothing(monkeypatch):
         message = "a stored scene is not derived"
         raise AssertionError(message)
 
-    for module, name in ((sources.plain, "derive"), (sources.strips, "derive"), (sources.prescribed, "derive")):
-        monkeypatch.setattr(module, name, refused)
+    for module in (normal, plane, loads):
+        monkeypatch.setattr(module, "derive", refused)
     for name in ("integrate", "simplify", "limit", "solve"):
         monkeypatch.setattr(sp, name, refused)
     assert composed_from(NEEDLE + NO_PDF).files

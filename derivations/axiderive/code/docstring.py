@@ -4,96 +4,199 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from .. import notation as nt
 from ..abel.masters import MASTERS
 from ..entry import COMPACT, Entry, Quantity
+from ..letters import LETTERS, name_of
 from ..profiles.profile import Profile
-from .private import parameter_name
+from .tables import LOADED
 
 WIDTH, LONGEST = 106, 400
 """Characters of a line, and of a formula beyond which its definition says more."""
+NUMBERS, SHAPE = "float or ndarray", "The shape to which the arguments broadcast."
+SEVERAL = " Where it has several minima, or one at a corner of the profile, the lowest."
+"""Of a load over the radius, behind the note of `pull_off`."""
+USUAL = {"Hypergeometric": "2F1", "Kummer": "1F1"}
+"""Functions that have a usual name in plain text."""
 
 
-def docstring(
-    profile: Profile,
-    quantity: Quantity,
-    entry: Entry | None,
-    notes: Sequence[str],
+def document(
+    summary: str,
+    stated: Sequence[str],
+    parameters: Sequence[str],
+    returns: tuple[str, str],
+    notes: str,
+    sources: Iterable[str],
     example: Sequence[str],
-    ring: Entry | None = None,
-) -> list[str]:
-    """Everything below the summary line, without indentation; with a `ring`, of a result that has it for a member."""
-    fields = [str(argument) for argument in quantity.arguments]
-    symbols = entry.parameters if entry is not None else profile.parameters
-    stated = formula(profile, quantity, entry)
-    if ring is not None:
-        stated += [line for line in formula(profile, ring.quantity, ring) if line not in stated]
-    lines = [*stated, "", "Parameters", "----------"]
-    for name in fields:
-        record = nt.describe(name)
-        lines += [f"{name} : array_like", *_wrapped(f"{_capital(record.meaning)} [{record.unit}].", 4)]
-    for symbol in symbols:
-        name, record = parameter_name(symbol), nt.describe(symbol)
-        kind = "sequence of float" if isinstance(symbol, sp.IndexedBase) else "array_like"
-        text = f"{_capital(profile.meaning(symbol))} [{record.unit}], {record.domain}."
+    outside: str = "a keyword parameter",
+) -> str:
+    """The whole docstring.
+
+    Parameters
+    ----------
+    summary : str
+        Its first line.
+    stated : sequence of str
+        The lines of the formula.
+    parameters : sequence of str
+        Those of the parameters, by `parameter`.
+    returns : tuple of str
+        The type of the result, and what it is.
+    notes : str
+        Validity, evaluation and key.
+    sources : iterable of str
+        Equations and publications, each once.
+    example : sequence of str
+        The lines of the doctest.
+    outside : str
+        What raises where it is outside its domain.
+    """
+    kind, result = returns
+    named = "; ".join(dict.fromkeys(sources))
+    lines = [summary, "", *stated, "", *_section("Parameters", parameters)]
+    lines += _section("Returns", [kind, *wrapped(result, 4)])
+    lines += _section("Raises", ["ValueError", f"    If {outside} is outside its domain."])
+    lines += _section("Notes", wrapped(notes))
+    lines += _section("References", wrapped(f"{named}.")) if named else []
+    return "\n".join([*lines, *_section("Examples", example)][:-1])
+
+
+def _section(title: str, lines: Sequence[str]) -> list[str]:
+    return [title, "-" * len(title), *lines, ""]
+
+
+def parameter(name: str, meaning: str, domain: str = "", kind: str = "array_like") -> list[str]:
+    """The rows of one parameter."""
+    said = f"{meaning}, {domain}." if domain else f"{meaning}."
+    return [f"{name} : {kind}", *wrapped(capital(said), 4)]
+
+
+def measured(meaning: str, symbol: sp.Symbol | str) -> str:
+    """What a number means, with its unit."""
+    return f"{capital(meaning)} [{nt.describe(symbol).unit}]"
+
+
+def in_words(symbol: sp.Symbol | sp.IndexedBase) -> str:
+    """What a symbol means in every contact."""
+    if isinstance(symbol, sp.IndexedBase):
+        return "coefficients of r, r^2, ..., none negative and not all zero"
+    return nt.describe(symbol).meaning
+
+
+Meaning = Callable[[sp.Symbol | sp.IndexedBase], str]
+
+
+def words_of(profile: Profile) -> Meaning:
+    """What symbols mean in a profile."""
+    return lambda symbol: profile.note if isinstance(symbol, sp.IndexedBase) else profile.meaning(symbol)
+
+
+def parameters(fields: Iterable[sp.Symbol], keywords: Iterable[sp.Symbol], meaning: Meaning = in_words) -> list[str]:
+    """The rows of fields and keywords, in the letters of the interface."""
+    rows = [row for symbol in fields for row in parameter(name_of(symbol), measured(meaning(symbol), symbol))]
+    for symbol in keywords:
         if isinstance(symbol, sp.IndexedBase):
-            text = f"{_capital(profile.note)}."
-        lines += [f"{name} : {kind}", *_wrapped(text, 4)]
-    result = nt.describe(quantity.symbol)
-    said = f"{_capital(result.meaning)} [{result.unit}]."
-    if ring is not None:
-        said = f"Named tuple of pressure [{result.unit}] and radius [{nt.describe(ring.quantity.symbol).unit}]."
-    shape = "The shape to which the arguments broadcast." if fields else "A number for numbers."
-    lines += [
-        "",
-        "Returns",
-        "-------",
-        "float or ndarray" if ring is None else "PeakPressure",
-        *_wrapped(f"{said} {shape}", 4),
-    ]
-    lines += ["", "Raises", "------", "ValueError", "    If a keyword parameter is outside its domain."]
-    lines += ["", "Notes", "-----"]
-    for note in notes:
-        lines += _wrapped(note)
-    sources = [
-        *(f"chapter 11, equation {reference}" for reference in (entry.references if entry else ())),
-        *profile.sources,
-    ]
-    if sources:
-        lines += ["", "References", "----------", *_wrapped("; ".join(sources) + ".")]
-    return [*lines, "", "Examples", "--------", *example]
+            rows += parameter(name_of(symbol), meaning(symbol), kind="sequence of float")
+        else:
+            record = nt.describe(symbol)
+            domain = LOADED.get(record.symbol, record.domain)
+            rows += parameter(name_of(symbol), measured(meaning(symbol), symbol), domain)
+    return rows
+
+
+def sources_of(entry: Entry) -> list[str]:
+    """The equations of an entry, and the publications on its profile."""
+    return [*(f"chapter 11, equation {reference}" for reference in entry.references), *entry.profile.sources]
+
+
+def of_entry(entry: Entry, keywords: Sequence[sp.Symbol], notes: str, example: Sequence[str]) -> str:
+    """The docstring of a function that one entry backs; the arguments that are no keywords are its fields."""
+    quantity = entry.quantity
+    fields = [symbol for symbol in entry.arguments if symbol not in keywords]
+    result = f"{measured(in_words(quantity.symbol), quantity.symbol)}. {SHAPE}"
+    return document(
+        quantity.summary, stated(entry), parameters(fields, keywords),
+        (NUMBERS, result), f"{notes} Handbook: {entry.key}.", sources_of(entry), example,
+    )  # fmt: skip
+
+
+def of_shape(profile: Profile, notes: str, example: Sequence[str]) -> str:
+    """The docstring of the function of the shape of an indenter, which no medium changes."""
+    quantity = COMPACT["f"]
+    result = f"{measured(in_words(quantity.symbol), quantity.symbol)}. {SHAPE}"
+    rows = parameters(quantity.arguments, profile.parameters, words_of(profile))
+    lines = formula(profile, quantity, None)
+    return document(quantity.summary, lines, rows, (NUMBERS, result), notes, profile.sources, example)
+
+
+def of_state(
+    summary: str, stated: Sequence[str], keywords: Iterable[sp.Symbol], ends: tuple[str, str], notes: str,
+    sources: Iterable[str], example: Sequence[str],
+) -> str:  # fmt: skip
+    """The docstring of a function of the state of pull-off; `ends` of what is said of its control and its result."""
+    control, result = ends
+    held = ['control : {"force", "depth"}', f"    What is held while the contact is unloaded{control}."]
+    returns = ("PullOff", f"Named tuple of radius [m], force [N] and depth [m]{result}.")
+    return document(summary, stated, [*held, *parameters([], keywords)], returns, notes, sources, example)
+
+
+def pull_off(
+    stated: Sequence[str],
+    keywords: Iterable[sp.Symbol],
+    entries: Mapping[str, Entry],
+    more: str,
+    example: Sequence[str],
+) -> str:
+    """The docstring of the function of the state at which a contact that shrinks breaks, `more` behind its note."""
+    radius, least = entries["ac"], entries["am"]
+    notes = f"The least force, or depth, of a stable contact.{more} Handbook: {radius.key}, {least.key}."
+    summary, ends = "State at which the contact breaks on unloading.", ("", "; NaN without a stable contact")
+    return of_state(summary, stated, keywords, ends, notes, sources_of(radius), example)
+
+
+def stated(entry: Entry) -> list[str]:
+    """The formula with its symbols in the letters of the interface, its functions by their usual names."""
+    return usual(formula(entry.profile, entry.quantity, entry))
+
+
+def usual(lines: Sequence[str]) -> list[str]:
+    """Lines in those letters and names."""
+    text = "\n".join(lines)
+    for old, new in ({symbol.name: name for symbol, name in LETTERS.items()} | USUAL).items():
+        text = re.sub(rf"\b{old}\b", new, text)
+    return text.split("\n")
 
 
 def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:
     """The formula in plain text, one line per region."""
     name = sp.sstr(quantity.symbol) if quantity.suffix != "k" else "dF/dd"
     if entry is None:
-        rows, lower = [], "0"
+        (place,), rows, lower = quantity.arguments, [], "0"
         for piece in profile.pieces:
             upper = f" < {piece.upper}" if piece.upper is not None else ""
-            where = f"{lower} < r{upper}" if len(profile.pieces) > 1 else ""
+            where = f"{lower} < {place}{upper}" if len(profile.pieces) > 1 else ""
             rows.append((sp.sstr(piece.expr), where))
             lower = str(piece.upper)
     elif entry.composed and entry.status == "root":
         outer, inner = (COMPACT[suffix] for suffix in entry.composed)
         (given,) = inner.arguments
-        return _wrapped(f"{name} = {outer.symbol}({inner.symbol}({given})), through the contact radius.")
+        return wrapped(f"{name} = {outer.symbol}({inner.symbol}({given})), through the contact radius.")
     else:
         rows = _rows(entry)
     if entry is not None and any(len(text) > LONGEST for text, _ in rows):
         rows = [(_text(entry.definition), "")]
     lines = []
     for text, where in rows:
-        lines += _wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
+        lines += wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
     for symbol, expr in profile.abbreviations:
         if any(re.search(rf"\b{symbol}\b", text) for text, _ in rows):
-            lines += _wrapped(f"with {symbol} = {sp.sstr(expr)}")
+            lines += wrapped(f"with {symbol} = {sp.sstr(expr)}")
     for meaning in _functions("\n".join(lines)):
-        lines += _wrapped(meaning)
+        lines += wrapped(meaning)
     return lines
 
 
@@ -133,12 +236,14 @@ def _text(expr: sp.Expr) -> str:
     return sp.sstr(expr)
 
 
-def _wrapped(text: str, indent: int = 0) -> list[str]:
+def wrapped(text: str, indent: int = 0) -> list[str]:
+    """The text in lines of at most 106 characters, each indented by this many spaces."""
     space = " " * indent
     return textwrap.wrap(
         text, WIDTH, initial_indent=space, subsequent_indent=space, break_long_words=False, break_on_hyphens=False
     )
 
 
-def _capital(text: str) -> str:
+def capital(text: str) -> str:
+    """The text with its first letter as a capital, the rest unchanged."""
     return text[:1].upper() + text[1:]

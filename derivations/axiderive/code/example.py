@@ -1,55 +1,58 @@
-"""One number per function for its doctest, computed from the exact result and not by the emitted code."""
+"""The doctests: one number per function, computed from the exact entry and not by the emitted code."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
+from .. import notation as nt
 from ..abel.masters import MASTERS
-from ..entry import Case, Entry
-from ..notation import F, N, a, coefficients, d, r, r_peak, r_zero
+from ..entry import COMPACT, Case, Entry
+from ..letters import name_of
+from ..oracle.half_space import HalfSpace
+from ..physics.systems import System
 from ..profiles.profile import Profile
+from .layout import fit
 
-DIGITS = 6
+Values = dict[sp.Symbol, sp.Expr]
+MATERIAL: Values = {
+    symbol: sp.Rational(value)
+    for symbol, value in (
+        (nt.E_star, "1"), (nt.dgamma, "1/100"), (nt.mu, "3/10"), (nt.G_star, "4/5"), (nt.E, "1"), (nt.E_inf, "2/5"),
+        (nt.E_1, "3/5"), (nt.relaxation, "2"), (nt.eta, "3/2"), (nt.alpha, "1/4"), (nt.t_0, "1"), (nt.v, "1/5"),
+        (nt.p_0, "1"), (nt.sigma, "3/10"), (nt.time, "1"), (nt.P, "1"), (nt.H, "1"), (nt.k, "1/4"), (nt.H_x, "4/5"),
+    )
+}  # fmt: skip
+POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
+STICK = sp.Rational(3, 5)
+"""c/a, or its place between a flat face and a."""
+PLACES = 97
+"""Radii at which the least force is looked for: a prime, so that no break of a drawn profile is met."""
+SHOWN, DIGITS = 6, 15
+"""Decimals of a doctest, and digits of a quadrature."""
+RINGS = (nt.r_zero, nt.x_zero, nt.r_peak)
+"""Places on the face that an equation defines."""
+NUMERIC = [
+    {"elliptic_f": mp.ellipf, "elliptic_e": mp.ellipe, **{master.__name__: master.numeric for master in MASTERS}},
+    "mpmath",
+]
 
 
 def numbers(profile: Profile) -> dict[sp.Symbol, sp.Rational]:
-    """Values of the parameters: those of the sketch, with unit modulus."""
+    """Values of the parameters, those of the sketch."""
     values = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values}
     return {symbol: value for symbol, value in values.items() if symbol in profile.parameters}
 
 
-def field_values(profile: Profile, entries: Mapping[str, Entry]) -> dict[sp.Symbol, sp.Rational]:
-    """a or d as drawn, r near the middle, and d and F rounded from what belongs to them."""
-    known = environment(profile)
-    if profile.complete:
-        values = {d: sp.Rational(str(profile.sketch.d)), r: known[a] * sp.Rational(3, 10)}
-        depth = known | values
-    else:
-        radius = sp.Rational(str(profile.sketch.a))
-        values = {a: radius, r: radius * sp.Rational(3, 10)}
-        values[d] = rounded(value(profile, entries["d"], known | {a: radius}))
-        depth = known | {a: radius}
-    values[F] = rounded(value(profile, entries["F"], depth))
-    return values
-
-
-def environment(profile: Profile) -> dict[sp.Symbol, sp.Expr]:
-    """Exact values of all symbols but fields: parameters as sketched, E_star = 1, and the abbreviations."""
-    known: dict[sp.Symbol, sp.Expr] = dict(numbers(profile))
-    known[sp.Symbol("E_star", positive=True)] = sp.S.One
-    return known | {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
-
-
-def value(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
+def value(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
     """The exact result at these values, to 30 digits."""
-    case = _case(entry, known)
-    if isinstance(case.expr, sp.Equality):
-        return _root(profile, entry, known)
-    return number(_plain(case.expr), known)
+    expr = _plain(_case(entry, known).expr)
+    return number(expr.rhs if isinstance(expr, sp.Eq) else expr, known)
 
 
 def number(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
@@ -74,29 +77,18 @@ def function(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr], *unknown: sp.Sym
     return lambda *given: evaluate(*given, *values)
 
 
+def shape_value(profile: Profile, known: Mapping[sp.Symbol, sp.Expr], place: sp.Symbol = nt.r) -> sp.Float:
+    """The height of the profile at a place."""
+    below = (p for p in profile.pieces if p.upper is None or known[place] < sp.N(p.upper.subs(known), 30))
+    return number(_plain(next(below).expr), known)
+
+
 def _plain(expr: sp.Expr) -> sp.Expr:
     """A sum over powers written out for the three coefficients of the example."""
     if expr.has(sp.Sum):
-        expr = expr.subs(N, len(POLYNOMIAL)).doit().subs({coefficients[j]: c for j, c in enumerate(POLYNOMIAL, 1)})
+        own = {nt.coefficients[j]: c for j, c in enumerate(POLYNOMIAL, 1)}
+        expr = expr.subs(nt.N, len(POLYNOMIAL)).doit().subs(own)
     return expr
-
-
-NUMERIC = [
-    {"elliptic_f": mp.ellipf, "elliptic_e": mp.ellipe, **{master.__name__: master.numeric for master in MASTERS}},
-    "mpmath",
-]
-
-
-def shape_value(profile: Profile, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
-    """f(r) at these values."""
-    for piece in profile.pieces:
-        if piece.upper is None or known[r] < sp.N(piece.upper.subs(known), 30):
-            expr = piece.expr
-            break
-    return number(_plain(expr), known)
-
-
-POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
 
 
 def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
@@ -106,28 +98,6 @@ def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
             return case
     message = f"{entry.key}: no case applies at {known}"
     raise ValueError(message)
-
-
-def _root(profile: Profile, entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
-    """Secant in the unknown from the drawn contact radius."""
-    unknown = next((ring for ring in (r_zero, r_peak) if entry.cases[-1].expr.has(ring)), a)
-
-    def residual(x: sp.Float) -> sp.Float:
-        at = {**known, unknown: x}
-        expr = _case(entry, at).expr
-        return number(_plain(expr.lhs - expr.rhs), at)
-
-    start = sp.Float(str(profile.sketch.a), 40) * (sp.Rational(2, 5) if unknown == r_zero else 1)
-    if unknown == r_peak:
-        start = (start + known[profile.breaks[0]]) / 2
-    x, y = start, start * sp.Rational(1001, 1000)
-    fx, fy = residual(x), residual(y)
-    for _ in range(40):
-        if fx == fy or abs(x - y) < sp.Float("1e-20") * abs(y):
-            break
-        x, y, fx = y, y - fy * (y - x) / (fy - fx), fy
-        fy = residual(y)
-    return y
 
 
 def rounded(number: sp.Float) -> sp.Rational:
@@ -140,6 +110,156 @@ def literal(number: sp.Expr) -> str:
     return repr(float(number))
 
 
-def result(number: sp.Float) -> str:
-    """The number as `round(number, 6)` prints it."""
-    return repr(round(float(number), DIGITS))
+def doctest(package: str, module: str, call: str, number: sp.Float, member: str = "", name: str = "value") -> list[str]:
+    """The lines of a doctest: the import, a call of the module, and a member of the result or itself, rounded."""
+    first, *others = fit(f"{name} = {module}.{call}", 12)
+    lines = [f">>> from {package} import {module}", f">>> {first}", *(f"... {other}" for other in others)]
+    shown = f"{name}.{member}" if member else name
+    return [*lines, f">>> round({shown}, {SHOWN})", repr(round(float(number), SHOWN))]
+
+
+@dataclass
+class Example:
+    """The doctests of one module."""
+
+    profile: Profile
+    entries: Mapping[str, Entry]
+    system: System
+    elastic: Mapping[str, Entry]
+    """The normal contact, from which a stick radius takes F(a) and a step of depth takes a(d)."""
+
+    @cached_property
+    def known(self) -> Values:
+        """Parameters as drawn, unit moduli, and fields in the middle of the contact."""
+        profile, known = self.profile, MATERIAL | numbers(self.profile)
+        known |= {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
+        radius = known.get(nt.a, sp.Rational(str(profile.sketch.a)))
+        floor = known[profile.breaks[0]] if profile.truncated else sp.S.Zero
+        stick = rounded(sp.N(floor + STICK * (radius - floor)))
+        place = {self.system.pool.place: radius * sp.Rational(3, 10), nt.L: 10 * radius}
+        rings = dict.fromkeys(RINGS[:2], radius * sp.Rational(2, 5)) | {nt.r_peak: (radius + floor) / 2}
+        return {nt.a: radius, nt.c: stick, nt.d: self.loads[nt.d], **place, **rings} | known
+
+    @property
+    def loads(self) -> Values:
+        """A depth, which keeps a concave face in complete contact, and a force."""
+        drawn = self.profile.sketch.d if self.profile.complete else None
+        return {nt.d: sp.Rational(str(drawn)) if drawn else sp.Rational(1, 5), nt.F: sp.Rational(1, 5)}
+
+    def lines(self, suffix: str) -> list[str]:
+        """The doctest of the function behind one entry."""
+        entry = self.entries[suffix]
+        quantity, at = entry.quantity, dict(self.known)
+        if quantity.symbol in (nt.w, nt.slope):
+            at[self.system.pool.place] = 2 * at[nt.a]
+        if quantity.inverts:
+            at[quantity.arguments[0]] = rounded(self.number(self.entries[quantity.inverts], at))
+        # a depth or a load that is held is a keyword beside the time
+        held = entry.arguments[1:] if self.system.physics.laws else ()
+        at |= self.loads if held else {}
+        passed = [literal(at[symbol]) for symbol in entry.arguments if symbol not in held]
+        passed += [self.keyword(symbol, at) for symbol in (*held, *entry.parameters)]
+        return self._shown(f"{quantity.function}({', '.join(passed)})", self.number(entry, at), quantity.member)
+
+    def shape(self) -> list[str]:
+        """The doctest of the shape of the indenter."""
+        place = self.system.pool.place
+        passed = [literal(self.known[place]), *(self.keyword(s, self.known) for s in self.profile.parameters)]
+        height = shape_value(self.profile, self.known, place)
+        return self._shown(f"{COMPACT['f'].function}({', '.join(passed)})", height)
+
+    def state(self, suffix: str = "") -> list[str]:
+        """The doctest of the state of pull-off: its force by that entry, else the least value of F(a)."""
+        entry = self.entries[suffix or "F"]
+        passed = ", ".join(self.keyword(symbol, self.known) for symbol in entry.parameters)
+        force = self.number(entry, self.known) if suffix else self.least_force()
+        return self._shown(f"pull_off({passed})", force, "force", "state")
+
+    def _shown(self, call: str, number: sp.Float, member: str = "", name: str = "value") -> list[str]:
+        return doctest(self.system.package, self.profile.name, call, number, member, name)
+
+    def keyword(self, symbol: sp.Symbol | sp.IndexedBase, at: Values) -> str:
+        """A keyword argument with its value as Python code, a polynomial as the tuple A."""
+        if symbol == nt.coefficients:
+            return f"A=({', '.join(literal(c) for c in POLYNOMIAL)})"
+        return f"{name_of(symbol)}={literal(at[symbol])}"
+
+    def number(self, entry: Entry, at: Values) -> sp.Float:
+        """The exact value; what an equation defines is its root near the drawn state."""
+        symbol = entry.quantity.symbol
+        if entry.status == "integral" and self.system.medium.graded:
+            return self.defined(entry, at)
+        if entry.status == "root" and entry.composed:
+            outer, inner = entry.composed
+            return self.number(self.entries[outer], at | {nt.a: self.number(self.entries[inner], at)})
+        if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
+            if symbol in (nt.a, nt.c, *RINGS):
+                return self.root(entry, symbol, at)
+            at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
+        for ring in self.entries.values():
+            place = ring.quantity.symbol
+            if place in RINGS and ring is not entry and any(case.expr.has(place) for case in entry.cases):
+                at = at | {place: self.number(ring, at)}
+        return value(entry, at)
+
+    def defined(self, entry: Entry, at: Values) -> sp.Float:
+        """A pressure or displacement on a graded half-space without closed form, by quadrature."""
+        half_space = HalfSpace(self.profile, at, DIGITS, graded=True)
+        rules = {"normal": half_space.normal, "adhesive": half_space.adhesive, "tangential": half_space.tangential}
+        with mp.workdps(2 * DIGITS):
+            a = mp.mpf(str(sp.N(at[nt.a], 2 * DIGITS)))
+            return sp.Float(str(mp.re(rules[self.system.physics.name](entry.suffix, a))), 2 * DIGITS)
+
+    def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> sp.Float:
+        """The unknown that solves the equation of an entry, to 30 digits; searched from its drawn value."""
+        equations = _Numeric(entry, unknown, at, lambda expr: expr.lhs - expr.rhs)
+        with mp.workdps(30):
+            start = mp.mpf(str(sp.N(self.known[unknown], 30)))
+            found = mp.findroot(equations, (start, start * mp.mpf("1.001")), tol=mp.mpf("1e-40"), verify=False)
+            return sp.Float(str(found), 30)
+
+    def least_force(self) -> sp.Float:
+        """The least of F(a) up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
+        force = _Numeric(self.entries["F"], nt.a, self.known, lambda expr: expr)
+        with mp.workdps(30):
+            low = mp.mpf(str(sp.N(self.known[self.profile.breaks[0]], 30))) if self.profile.truncated else mp.mpf(0)
+            reach = mp.mpf(str(sp.N(self.known[nt.a], 30))) - low
+            # a break itself belongs to no case
+            grid = [low + reach * mp.mpf("1e-20"), *(low + reach * i / PLACES for i in range(1, PLACES + 1))]
+            values = [force(x) for x in grid]
+            best = min(range(len(grid)), key=lambda i: values[i])
+            below, above = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
+            return sp.Float(str(min(values[best], _least(force, below, above))), 30)
+
+
+class _Numeric:
+    """The cases of an entry as functions of one unknown."""
+
+    def __init__(self, entry: Entry, unknown: sp.Symbol, at: Values, form: Callable[[sp.Expr], sp.Expr]) -> None:
+        self.entry, self.unknown, self.at, self.form = entry, unknown, at, form
+        self.compiled: dict[Case, Callable[[Any], Any]] = {}
+
+    def __call__(self, x: Any) -> Any:
+        known = {**self.at, self.unknown: sp.Float(str(x), 30)}
+        case = _case(self.entry, known)
+        if case not in self.compiled:
+            expr = _plain(self.form(case.expr))
+            self.compiled[case] = function(expr, self.at, self.unknown)
+        return mp.re(self.compiled[case](x))
+
+
+def _least(function: Callable[[Any], Any], low: Any, high: Any) -> Any:
+    """The least value between two points, by the golden section: exact to the square of the width that is left."""
+    ratio = (mp.sqrt(5) - 1) / 2
+    x, y = high - ratio * (high - low), low + ratio * (high - low)
+    fx, fy = function(x), function(y)
+    for _ in range(40):
+        if fx < fy:
+            high, y, fy = y, x, fx
+            x = high - ratio * (high - low)
+            fx = function(x)
+        else:
+            low, x, fx = x, y, fy
+            y = low + ratio * (high - low)
+            fy = function(y)
+    return min(fx, fy)

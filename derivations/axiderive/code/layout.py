@@ -7,6 +7,8 @@ Calls, definitions and imports laid out over lines as the formatter of the proje
 
 from __future__ import annotations
 
+import re
+import textwrap
 from collections.abc import Sequence
 
 import sympy as sp
@@ -32,16 +34,6 @@ FUNCTIONS = {
     opaque.PowerStrips: "power_strips", opaque.SineRoot: "sine_root",
     opaque.DepthOverHeight: "depth_over_height",
 }  # fmt: skip
-HELPERS_OF = {
-    "functions": (
-        "beside", "beside_cone", "depth_over_height", "difference_of_products", "lower_power", "nth_root", "sine_root",
-        "without_root",
-    ),
-    "special": ("arctan_gap", "dawson", "gamma_ratio", "root_gap", "struve_h0", "struve_h1", "tanh_gap"),
-}  # fmt: skip
-HELPERS = tuple(sorted(name for names in HELPERS_OF.values() for name in names))
-OFFERED = tuple(f"{module}: {', '.join(names)}" for module, names in HELPERS_OF.items())
-"""What a module may import of them."""
 VARYING = frozenset(("F", "P", "d", "a", "r", "x", "L", "t", "u", "c", "r_zero", "inner", "rho"))
 """Arguments of the functions and radii made from them: all else is one number where the parameters are numbers."""
 
@@ -81,7 +73,11 @@ def fit(line: str, indent: int = 4) -> list[str]:
         return [line]
     close = line.rindex(")")
     place = _opening(line, close)
-    return call(line[:place], split(line[place + 1 : close]), line[close:], indent)
+    head, parts = line[:place], split(line[place + 1 : close])
+    # a comma behind the only part of a bracket that calls nothing would make it a tuple
+    if len(parts) == 1 and not re.search(r"\w$", head):
+        return [f"{head}(", f"    {parts[0]}", line[close:]]
+    return call(head, parts, line[close:], indent)
 
 
 def split(text: str) -> list[str]:
@@ -104,3 +100,9 @@ def _opening(line: str, close: int) -> int:
             return place
     message = f"unbalanced brackets in {line!r}"
     raise ValueError(message)
+
+
+def literal(text: str) -> list[str]:
+    """A message as adjacent string literals that fit on their lines."""
+    parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
+    return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']

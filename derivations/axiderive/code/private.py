@@ -2,50 +2,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from ..entry import Entry
+from ..letters import name_of
+from ..notation import coefficients
 from ..profiles.profile import Profile
 from ..stable.forms import EvaluationForm, evaluation_form
 from ..stable.opaque import Root, SineRoot, named
 from ..stable.signs import Facts
 from ..stable.slopes import rate_key
 from ..stable.variants import FULL, Variant, chosen
+from .function import Function
 from .text import printable, python
 
 LINE = 116
 """What fits on a line of a function."""
-
-
-@dataclass(frozen=True)
-class Private:
-    """`_name(fields, needs)` with its lines; `doc` where the name does not say it all."""
-
-    name: str
-    fields: tuple[str, ...]
-    needs: tuple[str, ...]
-    lines: tuple[str, ...]
-    doc: str = ""
-
-    def call(self, *fields: str) -> str:
-        """The code of a call with these fields, or with its own where none are given."""
-        return f"{self.name}({', '.join([*(fields or self.fields), *self.needs])})"
-
-    def growth(self, *fields: str) -> str:
-        """The function of its fields alone, to be integrated."""
-        return f"lambda {', '.join(fields)}: {self.call(*fields)}"
-
-    def uses(self, other: Private) -> bool:
-        """Whether it calls another one, or hands it to a rule."""
-        return any(re.search(rf"\b{other.name}\b", line) for line in self.lines)
-
-    def with_parameters(self) -> str:
-        """The function and what it needs besides its fields, for a rule that passes them on."""
-        return f"{self.name}, ({', '.join(self.needs)}{',' if len(self.needs) == 1 else ''})"
 
 
 @dataclass
@@ -53,9 +28,13 @@ class PrivateFunctions:
     """Functions of one module in the order they were added."""
 
     profile: Profile
-    functions: dict[str, Private] = field(default_factory=dict)
+    functions: dict[str, Function] = field(default_factory=dict)
     common: Variant | None = None
     """The variant of all entries; where there is none each has the chosen one."""
+
+    def __getitem__(self, name: str) -> Function:
+        """The function `_name`."""
+        return self.functions[name]
 
     def own(self, entry: Entry) -> Variant:
         """The variant an entry is evaluated in: the common one, or that which measurements chose for its key."""
@@ -77,21 +56,26 @@ class PrivateFunctions:
     @property
     def order(self) -> tuple[str, ...]:
         """Names of the parameters in the order in which functions take them, E_star last."""
-        return tuple(parameter_name(p) for p in self.profile.parameters) + ("E_star",)
+        return (*(name_of(symbol) for symbol in self.profile.parameters), "E_star")
 
     def add(
-        self, name: str, fields: Sequence[str], lines: Iterable[str], needs: Iterable[str], doc: str = ""
-    ) -> Private:
-        """Adds and returns `_name`; it takes the parameters among `needs`, and defines the abbreviations first."""
-        lines, wanted = list(lines), set(needs)
+        self, name: str, fields: Sequence[str], lines: Iterable[str], doc: str = "", returns: str = "Array"
+    ) -> Function:
+        """Adds and returns `_name`; it takes the parameters that its lines name, and defines abbreviations first."""
+        lines = list(lines)
+        wanted = set(Function(f"_{name}", fields, [], lines).uses)
         for symbol, definition in self.profile.abbreviations:
             if str(symbol) in wanted:
                 lines[:0] = [f"{symbol} = {python(definition)}", *([""] if lines[0].startswith("def ") else [])]
-                wanted = (wanted - {str(symbol)}) | {str(s) for s in definition.free_symbols}
+                wanted |= {str(s) for s in definition.free_symbols}
         ordered = tuple(parameter for parameter in self.order if parameter in wanted and parameter not in fields)
-        private = Private(f"_{name}", tuple(fields), ordered, tuple(lines), doc)
-        self.functions[name] = private
-        return private
+        summed = coefficients in self.profile.parameters
+        self.functions[name] = Function(f"_{name}", fields, ordered, lines, doc, returns, summed=summed)
+        return self.functions[name]
+
+    def of_entry(self, entry: Entry, lines: Iterable[str], doc: str = "") -> Function:
+        """Adds and returns the function of an entry."""
+        return self.add(entry.quantity.function, [str(own) for own in entry.quantity.arguments], lines, doc)
 
     def steps(self, form: EvaluationForm, given: Sequence[str] = ()) -> list[str]:
         """The assignments of the intermediates of a form, without those whose names are given."""
@@ -131,15 +115,6 @@ class PrivateFunctions:
         """The text of an intermediate; a root of the difference from an abbreviated b without its rounding."""
         expr = without_subtraction(expr, self.profile.abbreviations)
         return python(through_sine(expr, self.profile.abbreviations))
-
-    def needs(self, form: EvaluationForm, given: Sequence[str]) -> set[str]:
-        """Parameters a form needs beyond what is given, with those behind an abbreviated root."""
-        used = {parameter_name(symbol) for symbol in form.needs()}
-        for name, expr in form.steps:
-            text = self.definition(expr)
-            if str(name) not in given and text != python(expr):
-                used |= {str(s) for _, d in self.profile.abbreviations for s in d.free_symbols}
-        return used - set(given)
 
 
 def without_subtraction(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:

@@ -12,7 +12,7 @@ from ..abel import masters
 from ..stable import opaque
 from ..stable.forms import EvaluationForm
 from ..stable.signs import squares
-from .layout import FUNCTIONS, HELPERS, ORDER, VARYING
+from .layout import FUNCTIONS, ORDER, VARYING
 
 SUM, PRODUCT, POWER, ATOM = range(4)
 
@@ -27,11 +27,6 @@ def printable(form: EvaluationForm) -> bool:
     known = (*FUNCTIONS, opaque.Root, opaque.Arcosh, masters.StruveH)
     exprs = (form.value, *(expr for _, expr in form.steps))
     return all(isinstance(call, known) for expr in exprs for call in expr.atoms(sp.Function, sp.Integral))
-
-
-def helpers(text: str) -> list[str]:
-    """The functions of the runtime a text calls."""
-    return [name for name in HELPERS if f"{name}(" in text]
 
 
 def _wrapped(expr: sp.Expr, level: int) -> str:

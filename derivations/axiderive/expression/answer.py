@@ -14,9 +14,9 @@ from .. import notation as nt
 from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import parse
-from ..code import python
 from ..code.bodies.general import least_power, library_source
 from ..code.example import number
+from ..code.normal import module as normal_module
 from ..entry import COMPACT, FOUR, Entry
 from ..notation import a, r
 from ..oracle.evaluate import case_at, evaluate
@@ -230,7 +230,7 @@ def _module(
 ) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
     if closed and validity.exact and not profile.breaks and _plain(profile):
-        return python.module_source({suffix: _with_numbers(entry) for suffix, entry in entries.items()})
+        return normal_module({suffix: _with_numbers(entry) for suffix, entry in entries.items()}).source()
     numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
     reach = validity.compact_to if frozen else None
     floor = numeric.breaks[0] if profile.truncated else 0.0

@@ -9,7 +9,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..code.plane import SHAPE
+from ..code.plane.interface import SHAPE
 from ..entry import COMPACT, COMPLETE, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace

@@ -26,12 +26,14 @@ from importlib import import_module
 from typing import Any
 
 from .. import notation as nt
-from ..code import plane, python
+from ..code import normal
 from ..code.bodies.growth import add_rate
 from ..code.bodies.regimes import Regimes, join, split
+from ..code.function import Function
 from ..code.physics import loads
+from ..code.plane import interface as plane
 from ..code.plane.compact import Compact as Strips
-from ..code.private import Private, PrivateFunctions
+from ..code.private import PrivateFunctions
 from ..code.python import package_sources
 from ..entry import Entry
 from ..letters import name_of
@@ -305,7 +307,7 @@ class Family:
 
 
 FAMILIES = {
-    "normal": Family(python.bodies, python.bodies_source),
+    "normal": Family(normal.bodies, normal.bodies_source),
     "plane": Family(plane.bodies, plane.bodies_source),
     "loads": Family(loads.bodies, loads.bodies_source),
 }
@@ -385,14 +387,14 @@ def _add(
         )
 
 
-def _formula(own: Mapping[str, Private], function: str) -> str:
+def _formula(own: Mapping[str, Function], function: str) -> str:
     """The lines of a body, and those of the bodies of the same quantity that it calls."""
     main = "; ".join(map(str.strip, own[function].lines))
-    called = [private for name, private in own.items() if name != function and own[function].uses(private)]
+    called = [private for name, private in own.items() if name != function and private.name in own[function].uses]
     return " | ".join([main, *(f"{private.name}: {'; '.join(map(str.strip, private.lines))}" for private in called)])
 
 
-def _own(functions: PrivateFunctions, function: str) -> dict[str, Private]:
+def _own(functions: PrivateFunctions, function: str) -> dict[str, Function]:
     names = RATES if function == RATE.function else ()
     names = (*(f"{function}{part}" for part in PARTS), *names)
     return {name: functions.functions[name] for name in names if name in functions.functions}

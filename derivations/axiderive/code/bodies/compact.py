@@ -15,7 +15,8 @@ from ...physics.medium import HOMOGENEOUS
 from ...stable.forms import EvaluationForm, of_lengths
 from ...stable.opaque import ArcStrips, ArctanGap, Root, SineRoot
 from ...stable.slopes import ROOT, singular_at_break
-from ..private import Private, through_sine
+from ..function import Function
+from ..private import through_sine
 from ..tables import EXPONENTS
 from ..text import python
 from .regimes import SMOOTH, Regimes
@@ -24,20 +25,20 @@ from .regimes import SMOOTH, Regimes
 class Lumped(Regimes):
     """The functions of the contact radius alone."""
 
-    def depth_like(self, suffix: str, name: str) -> Private:
+    def depth_like(self, suffix: str, name: str) -> Function:
         """Depth, force or mean pressure by their regimes."""
         regimes = self.regimes(suffix)
         forms = {key: self.form(suffix, key) for key in regimes}
         if suffix == "F" and any(form.cancels for form in forms.values()) and self.scale("tip")[0] != "waves":
             return self._force_by_rule(forms)
         if suffix == "pm" and not self._closed_mean(forms):
-            force = self.functions.functions["force"]
+            force = self.functions["force"]
             value = f"{force.call()} / (np.pi * a**2)"
-            return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"], force.needs)
+            return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"])
         if len(forms) > 1 and suffix != "pm":
             if self.scale("tip")[0] == "tanh":
                 inner = self._joined(name, self._of_lengths(suffix, forms), ("a", ROOT))
-                return self.functions.add(name, ("a",), [f"return {inner.call('a', self._reach())}"], inner.needs)
+                return self.functions.add(name, ("a",), [f"return {inner.call('a', self._reach())}"])
             self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
             return self._joined(name, self._of_lengths(suffix, forms))
@@ -51,34 +52,31 @@ class Lumped(Regimes):
         wanted = "lengths" in self.functions.variant(self.entries[suffix]).rules
         return {key: of_lengths(form) for key, form in forms.items()} if wanted else forms
 
-    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Private:
+    def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Function:
         """The regimes on either side of the break; with its root given, under a name of its own."""
-        lines, needs = [], set()
+        lines: list[str] = []
         # where a root is given the tip comes last: it may have one of its own
         for key, form in sorted(forms.items(), reverse=ROOT not in given):
             own = ("a",) if len(forms) > 1 and key == "tip" else given
             lines += self.functions.steps(form, own)
-            needs |= self.functions.needs(form, own)
             value = self.functions.value_lines(form.value, lines)
             lines.append(f"{key} = {value}" if len(forms) > 1 else f"return {value}")
         if len(forms) > 1:
             lines.append(f"return np.where(a < {self.b}, tip, beyond)")
-            needs.add(str(self.b))
         if ROOT in given:
-            return self.functions.add(f"{name}_at", given, lines, needs)
-        return self._limited(name, lines, needs)
+            return self.functions.add(f"{name}_at", given, lines)
+        return self._limited(name, lines)
 
-    def _beyond(self, name: str, form: EvaluationForm) -> Private:
+    def _beyond(self, name: str, form: EvaluationForm) -> Function:
         """In the radius and its root, which says more of a radius next to the break: for the inverse."""
         lines = self.functions.steps(form, ("a", ROOT))
         value = self.functions.value_lines(form.value, lines)
-        needs = self.functions.needs(form, ("a", ROOT))
-        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"], needs)
+        return self.functions.add(f"{name}_beyond", ("a", ROOT), [*lines, f"return {value}"])
 
-    def _from_radius(self, name: str, inner: Private) -> Private:
+    def _from_radius(self, name: str, inner: Function) -> Function:
         x, y = self.root_pair()
         lines = [f"root = np.sqrt(({x} - {y}) * ({x} + {y}))", f"return {inner.call('a', 'root')}"]
-        return self.functions.add(name, ("a",), lines, {*inner.needs, x, y} - {"a"})
+        return self.functions.add(name, ("a",), lines)
 
     def _closed_mean(self, forms: dict[str, EvaluationForm]) -> bool:
         """Closed, and without a division by a where a may vanish."""
@@ -87,7 +85,7 @@ class Lumped(Regimes):
             return False
         return tip is None or not sp.denom(sp.together(tip.value)).has(a) or not tip.value.has(sp.Add)
 
-    def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Private:
+    def _force_by_rule(self, forms: dict[str, EvaluationForm]) -> Function:
         scale = python(HOMOGENEOUS.force_scale)
         if "tip" not in forms:
             message = (
@@ -96,66 +94,58 @@ class Lumped(Regimes):
             )
             raise ValueError(message)
         tip, radius = forms["tip"], "a" if self.b is None else "inner"
-        needs = self.functions.needs(tip, ("a",)) | {"E_star"}
         lines = [] if self.b is None else [f"inner = np.minimum(a, {self.b})"]
         if tip.cancels:
             slope = self.slopes["tip"][0]
             lines.append(f"tip = {scale} * force_integral({slope.growth('t')}, {radius}, {SMOOTH})")
-            needs |= set(slope.needs)
         else:
             moved, steps = self._moved(tip, radius)
             lines += [*steps, f"tip = {python(moved.value)}"]
         if self.b is None:
             lines.append("return tip")
-            return self._limited("force", lines, needs)
+            return self._limited("force", lines)
         slope = self.slopes["beyond"][0]
         growth = slope.with_parameters()
         lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self._width()})")
         lines.append("return tip + beyond")
-        needs = {*needs, *slope.needs, str(self.b)}
         # the root says more of a radius next to the break: for the inverse
-        whole = self.functions.add("force_at", ("a", "reach"), lines, needs)
-        reach = self._reach()
-        own = needs if reach.startswith("difference_root") else needs - {str(self.b)}
-        return self.functions.add("force", ("a",), [f"return {whole.call('a', reach)}"], own)
+        whole = self.functions.add("force_at", ("a", "reach"), lines)
+        return self.functions.add("force", ("a",), [f"return {whole.call('a', self._reach())}"])
 
     def _reach(self) -> str:
         """The text of sqrt(a**2 - b**2), and of zero within the break."""
         reach = through_sine(Root(a, self.b), self.profile.abbreviations)
         return python(reach) if isinstance(reach, SineRoot) else f"difference_root(a, {self.b})"
 
-    def stiffness(self, form: EvaluationForm) -> Private:
+    def stiffness(self, form: EvaluationForm) -> Function:
         """Adds and returns `_stiffness`, dF/dd at a contact radius; NaN beyond the largest one."""
         lines = [*self.functions.steps(form), f"return {python(form.value)}"]
-        return self._limited("stiffness", lines, self.functions.needs(form, ("a",)))
+        return self._limited("stiffness", lines)
 
 
 class Compact(Lumped):
     """The private functions behind the entries of one compact profile."""
 
-    def pressure(self) -> Private:
+    def pressure(self) -> Function:
         """Adds and returns `_pressure` of (r, a): the closed tip, or rules over g', before and beyond the break."""
         lines: list[str] = []
-        needs, parts = {"E_star"}, []
+        parts = []
         scale = python(HOMOGENEOUS.pressure_scale)
         regimes = self.regimes("p")
         if "tip" in regimes:
-            text, more = self._tip_pressure(lines, scale)
-            needs |= more
-            parts.append(text)
+            parts.append(self._tip_pressure(lines, scale))
         if "beyond" in regimes:
             slope = self.slopes["beyond"][0]
             growth = slope.with_parameters()
             lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}{self._width()})")
-            needs |= {*slope.needs, str(self.b)}
             parts.append(f"{scale} * growth")
         value = " + ".join(parts)
         if self.b is not None:
             value, lines = self._corner(value, lines)
-        return self._inside(value, lines, needs)
+        return self._inside(value, lines)
 
-    def _inside(self, value: str, lines: list[str], needs: set[str]) -> Private:
-        condition, more = self.domain()
+    def _inside(self, value: str, lines: list[str]) -> Function:
+        condition = self.domain()
         if len(value) > 80:
             lines.append(f"pressed = {value}")
             value = "pressed"
@@ -164,7 +154,7 @@ class Compact(Lumped):
             lines.append(f"inside = {within}")
             within = f"np.where({condition}, inside, np.nan)"
         lines.append(f"return {within}")
-        return self.functions.add("pressure", ("r", "a"), lines, needs | more)
+        return self.functions.add("pressure", ("r", "a"), lines)
 
     def _corner(self, value: str, lines: list[str]) -> tuple[str, list[str]]:
         """Infinite at the break, where the slope of the profile jumps."""
@@ -177,33 +167,30 @@ class Compact(Lumped):
         ]
         return "pressed", [*lines, f"pressed = np.where({' & '.join(conditions)}, np.inf, {value})"]
 
-    def _tip_pressure(self, lines: list[str], scale: str) -> tuple[str, set[str]]:
+    def _tip_pressure(self, lines: list[str], scale: str) -> str:
         radius = "a"
         if self.b is not None:
             radius = "inner"
             lines.append(f"inner = np.minimum(a, {self.b})")
         form = self.form("p", "tip")
         kind, length = self.scale("tip")
-        more = {str(self.b)} if self.b is not None else set()
         if self._is_closed(form, kind):
             moved, steps = self._moved(form, radius)
             lines += steps
             value = self.functions.value_lines(moved.value, lines)
-            more |= self.functions.needs(form, ("r", "a"))
         else:
             slope = self.slopes["tip"][0]
             rule, tail = self._rule("pressure_integral", kind, length)
             growth = slope.growth("t") if kind in ("", "waves") else slope.with_parameters()
             lines.append(f"within = {rule}({growth}, r, {radius}, {tail})")
             value = f"{scale} * within"
-            more |= {*slope.needs} | ({str(length)} if length is not None else set())
         if self.b is not None:
             if len(value) > 80:
                 lines.append(f"within = {value}")
                 value = "within"
             lines.append(f"tip = np.where(r < inner, {value}, 0.0)")
-            return "tip", more
-        return value, more
+            return "tip"
+        return value
 
     def _is_closed(self, form: EvaluationForm, kind: str) -> bool:
         """Whether the pressure of the tip is its form; where roots or angles grow that must have been measured."""
@@ -233,17 +220,16 @@ class Compact(Lumped):
         sunk = HOMOGENEOUS.displacement_scale * depth.subs(a, sp.Symbol(radius, positive=True))
         return f"{python(sunk)} * {beside(radius, exponent)}"
 
-    def displacement(self) -> Private:
+    def displacement(self) -> Function:
         """Adds and returns `_displacement` of (r, a): d - f(r) under the contact, outside a closed form or a rule."""
         lines: list[str] = []
-        needs, parts, terms = set(), [], []
+        parts, terms = [], []
         scale = python(HOMOGENEOUS.displacement_scale)
         regimes = self.regimes("w")
         closed = self.form("w", "tip") if "tip" in regimes and self.b is None else None
         if closed is not None and not closed.cancels:
             lines += self.functions.steps(closed)
             outside = self.functions.value_lines(closed.value, lines)
-            needs |= self.functions.needs(closed, ("r", "a"))
         else:
             radius = "a" if self.b is None else "inner"
             if "tip" in regimes:
@@ -258,27 +244,23 @@ class Compact(Lumped):
                 else:
                     lines.append(f"tip = {rule}({growth}, r, {radius}, {tail})")
                     parts.append("tip")
-                needs |= {*slope.needs} | ({str(length)} if length is not None else set())
             if "beyond" in regimes:
                 slope = self.slopes["beyond"][0]
                 growth = slope.with_parameters()
                 lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self._width()})")
-                needs |= {*slope.needs, str(self.b)}
                 parts.append("beyond")
             if parts:
                 terms.append(f"{scale} * ({' + '.join(parts)})" if len(parts) > 1 else f"{scale} * {parts[0]}")
             outside = " + ".join(terms)
-        depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
+        depth, profile = self.functions["depth"], self.functions["profile"]
         lines.append(f"outside = {outside}")
         lines.append(f"inside = {depth.call()} - {profile.call()}")
         value = "np.where(r > a, outside, inside)"
-        condition, more = self.domain()
+        condition = self.domain()
         if condition:
             value = f"np.where({condition}, {value}, np.nan)"
         lines.append(f"return {value}")
-        return self.functions.add(
-            "displacement", ("r", "a"), lines, needs | set(depth.needs) | set(profile.needs) | more
-        )
+        return self.functions.add("displacement", ("r", "a"), lines)
 
 
 def beside(radius: str, exponent: int) -> str:

@@ -10,9 +10,10 @@ import sympy as sp
 from ...entry import Entry
 from ...notation import a, d, r, r_zero
 from ...physics.medium import HOMOGENEOUS
+from ...stable.forms import EvaluationForm
 from ...stable.signs import cancels, facts_of
-from ...stable.slopes import slope_form
-from ..private import Private, PrivateFunctions
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import python
 from .compact import beside
 
@@ -46,146 +47,99 @@ class Complete:
         self._pressure()
         self._displacement()
 
-    def _add(self, suffix: str, value: str, lines: list[str], symbols: set[str]) -> Private:
-        quantity = self.entries[suffix].quantity
-        fields = tuple(str(argument) for argument in quantity.arguments)
-        return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], symbols - set(fields))
+    def _add(self, suffix: str, value: str, lines: list[str]) -> Function:
+        return self.functions.of_entry(self.entries[suffix], [*lines, f"return {value}"])
 
-    def _closed(self, suffix: str) -> Private:
+    def _closed(self, suffix: str) -> Function:
         entry = self.entries[suffix]
         form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
-        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ())
+        lines, value = self.functions.steps(form), python(form.value)
         if entry.quantity.arguments:
-            value, needs = self._from_threshold(lines, value, needs, entry.quantity.arguments[-1])
-        return self._add(suffix, value, lines, needs)
+            value = self._from_threshold(lines, value, entry.quantity.arguments[-1])
+        return self._add(suffix, value, lines)
 
-    def _from_threshold(self, lines: list[str], value: str, needs: set[str], given: sp.Symbol) -> tuple[str, set[str]]:
+    def _from_threshold(self, lines: list[str], value: str, given: sp.Symbol) -> str:
         """NaN where the depth or force that is given leaves the contact incomplete."""
         if not self.concave:
-            return value, needs
+            return value
         known = (entry.quantity for entry in self.entries.values() if entry.quantity.threshold)
         least = next(quantity for quantity in known if quantity.symbol == given)
-        threshold = self.functions.functions[least.function]
+        threshold = self.functions[least.function]
         lines.append(COMPLETE_FROM.format(field=given, least=threshold.call()))
         lines.append(f"result = {value}")
-        return "np.where(complete, result, np.nan)", needs | set(threshold.needs)
+        return "np.where(complete, result, np.nan)"
 
     def _thresholds(self) -> None:
         ring = self.entries["rz"]
-        if ring.status == "root":
-            lines = ["return a * ring_of_zero_pressure(n)"]
-            self.functions.add("zero_radius", (), lines, {"a", "n"})
-        else:
-            value = python(ring.cases[0].expr) if ring.cases[0].expr != 0 else "0.0"
-            self.functions.add(
-                "zero_radius", (), [f"return {value}"], {str(s) for s in ring.cases[0].expr.free_symbols}
-            )
+        place = "a * ring_of_zero_pressure(n)" if ring.status == "root" else python(ring.cases[0].expr)
+        self._add("rz", "0.0" if place == "0" else place, [])
         for suffix in ("dmin", "Fmin"):
-            expr = self.entries[suffix].cases[0].expr
-            if ring.status == "root":
-                # in what is left of a**2 outside the ring: next to the edge the difference of the squares is lost
-                expr = sp.factor(sp.expand(expr.subs(r_zero, a * sp.sqrt(1 - ZETA))))
-            form = self.functions.form(self.entries[suffix], expr, facts_of(()))
-            lines, needs = [], self.functions.needs(form, ())
-            if expr.has(ZETA):
-                lines.append(f"{ZETA} = outside_zero_pressure(n)")
-                needs = needs - {str(ZETA)} | {"n"}
+            lines, form = threshold(self.functions, self.entries[suffix], r_zero)
             lines += self.functions.steps(form)
             top, bottom = sp.fraction(form.value)
             if bottom.has(ZETA):
                 lines.append(f"drop = {python(bottom)}")
-                self._add(suffix, f"{python(top)} / drop", lines, needs)
+                self._add(suffix, f"{python(top)} / drop", lines)
             else:
-                self._add(suffix, python(form.value), lines, needs)
+                self._add(suffix, python(form.value), lines)
 
     def _pressure(self) -> None:
         """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
         expr = self.entries["p"].cases[0].expr
         form = self.functions.form(self.entries["p"], expr, facts_of((r, a)))
-        lines, needs = self.functions.steps(form), self.functions.needs(form, ("r", "d"))
+        lines = self.functions.steps(form)
         value = self.functions.value_lines(form.value, lines)
         excess = excess_over_threshold(self.entries) if self.concave else None
         if excess is not None:
-            least = self.functions.functions["minimum_depth"]
+            least = self.functions["minimum_depth"]
             scale = HOMOGENEOUS.pressure_scale
             lines = ["root = np.sqrt((a - r) * (a + r))"]
             lines.append(f"face = {python(excess)}")
             value = f"{python(scale)} * (d - {least.call()} + face) / root"
-            needs = {str(s) for s in (scale * excess).free_symbols} | {*least.needs, "a"}
         value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
-        value, needs = self._from_threshold(lines, value, needs | {"a"}, d)
-        self._add("p", value, lines, needs - {"r"})
+        self._add("p", self._from_threshold(lines, value, d), lines)
 
     def _displacement(self) -> None:
         expr = self.entries["w"].cases[0].expr
         form = self.functions.form(self.entries["w"], expr, facts_of((a, r)))
-        lines, value, needs = self.functions.steps(form), python(form.value), self.functions.needs(form, ("r", "d"))
+        lines, value = self.functions.steps(form), python(form.value)
         if form.cancels:
             sunk, n = sunk_power(self.entries)
             lines = ["angle = np.arctan2(a, np.sqrt((r - a) * (r + a)))"]
             scale = python(HOMOGENEOUS.displacement_scale)
             value = f"{scale} * (d * angle + {python(sunk)} * power_punches(r, a, {python(n)}))"
-            needs = {str(s) for s in sunk.free_symbols} | {"a"}
-        profile = self.functions.functions["profile"]
+        profile = self.functions["profile"]
         lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
         value = "np.where(r > a, outside, inside)"
-        value, needs = self._from_threshold(lines, value, needs | set(profile.needs) | {"a"}, d)
-        self._add("w", value, lines, needs - {"r"})
+        self._add("w", self._from_threshold(lines, value, d), lines)
 
     def _capped(self) -> None:
         """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
-        entries, profile = self.entries, self.functions.functions["profile"]
+        entries, profile = self.entries, self.functions["profile"]
         rho, edge = entries["F"].cases[0].chain
         compact = {suffix: part for suffix in ("F", "p", "k") if (part := entries[suffix].partial) is not None}
         stiffness = entries["k"].cases[-1].expr
         whole = entries["F"].cases[-1].expr
         depth = sp.expand(d - (whole - compact["F"].cases[0].expr) / stiffness)
-        slope_form_ = slope_form(depth, facts_of((a,)))
-        slope = self.functions.add(
-            "slope", ("t",), [f"return {python(slope_form_.value)}"], self.functions.needs(slope_form_, ("t",)),
-            "Rate g'(t) of the indentation depth of the uncut profile.",
-        )  # fmt: skip
         self.square = tuple(str(factor) for factor in sp.Mul.make_args(sp.expand(rho**2)))
         start = [f"excess = {self._beyond('a')} / {self.square[0]}", f"rho = np.minimum({python(rho)}, a)"]
-        base = {str(s) for s in depth.free_symbols | rho.free_symbols} | {"a"}
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
         pressed = sp.cancel(inner["F"] / depth.subs(a, sp.Symbol("rho", positive=True)))
-        values = {
-            "F": f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}",
-            "k": f"{python(inner['k'])}",
-        }
-        for suffix, value in values.items():
-            needs = base | {"E_star"}
-            lines = start if suffix == "F" else start[1:]
-            if suffix == "k":
-                quantity = entries["k"].quantity
-                self.functions.add(quantity.function, ("d",), [*lines, f"return {value}"], needs - {"d"})
-            else:
-                self._add(suffix, value, lines, needs)
-        self._capped_fields(start, base, punch, depth, inner["p"], slope, profile)
+        self._add("F", f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}", start)
+        self.functions.add(entries["k"].quantity.function, ("d",), [*start[1:], f"return {python(inner['k'])}"])
+        self._capped_fields(start, punch, depth, inner["p"], profile)
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
         texts = [python(self.functions.form(entries["dF"], case.expr, facts_of(())).value) for case in cases]
         lines = [f"edge = {python(limit)}", f"below = {texts[0]}", f"above = {texts[1]}"]
-        self._add(
-            "dF", "np.where(edge > F, below, above)", lines, {"a", "E_star", *(str(s) for s in limit.free_symbols)}
-        )
+        self._add("dF", "np.where(edge > F, below, above)", lines)
 
     def _beyond(self, radius: str) -> str:
         """rho**2 - radius**2, where rho**2 is a product of two inputs."""
         return f"difference_of_products({', '.join(self.square)}, {radius}, {radius})"
 
-    def _capped_fields(
-        self,
-        start: list[str],
-        base: set[str],
-        punch: str,
-        depth: sp.Expr,
-        inner: sp.Expr,
-        slope: Private,
-        profile: Private,
-    ) -> None:
+    def _capped_fields(self, start: list[str], punch: str, depth: sp.Expr, inner: sp.Expr, profile: Function) -> None:
         rho, root = (sp.Symbol(name, positive=True) for name in ("rho", "root"))
         face = inner.subs(sp.sqrt(rho**2 - r**2), root)
         pressure = python(HOMOGENEOUS.pressure_scale)
@@ -196,7 +150,7 @@ class Complete:
             f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
-        self._add("p", "np.where(r <= a, face + edge, 0.0)", lines, base | {"E_star"} - {"r"})
+        self._add("p", "np.where(r <= a, face + edge, 0.0)", lines)
         scale = python(HOMOGENEOUS.displacement_scale)
         lines = [
             *start,
@@ -205,7 +159,17 @@ class Complete:
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]
         value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
-        self._add("w", value, lines, base | set(slope.needs) | set(profile.needs))
+        self._add("w", value, lines)
+
+
+def threshold(functions: PrivateFunctions, entry: Entry, place: sp.Symbol) -> tuple[list[str], EvaluationForm]:
+    """The form of a least load or depth, and the line that says where the pressure vanishes first, if it asks."""
+    expr = entry.cases[0].expr
+    if expr.has(place):
+        # in what is left of a**2 outside that place: next to the edge the difference of the squares is lost
+        expr = sp.factor(sp.expand(expr.subs(place, a * sp.sqrt(1 - ZETA))))
+    first = [f"{ZETA} = outside_zero_pressure(n)"] if expr.has(ZETA) else []
+    return first, functions.form(entry, expr, facts_of(()))
 
 
 def _sunk(depth: sp.Expr) -> str:

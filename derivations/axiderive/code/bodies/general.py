@@ -1,6 +1,6 @@
 """Bodies for profiles with several breaks or without closed forms.
 
-Private functions of a profile with several breaks or without closed forms: rules over the profile.
+Function functions of a profile with several breaks or without closed forms: rules over the profile.
 
 Depth, force and displacement are integrals of f' times a positive weight.  The
 pressure is one of g' where f is a polynomial, whose g' is closed without
@@ -26,10 +26,10 @@ from ...profiles.profile import Piece, Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
-from ..imports import PLACE
-from ..layout import HELPERS_OF
-from ..private import LINE, Private, PrivateFunctions
-from ..python import _private, _profile_function
+from ..function import Function
+from ..module import PLACE
+from ..normal import bodies_source, profile_function
+from ..private import LINE, PrivateFunctions
 from ..text import python
 from .inverses import changed
 
@@ -106,15 +106,8 @@ def closed(layer: Layer) -> EvaluationForm | None:
 
 COUNT = 64
 """Nodes over a closed g'."""
-LIBRARY = {
-    **{file: ", ".join(names) for file, names in HELPERS_OF.items()},
-    "integrals": "difference_root",
-    "interface": "Array",
-    "inverse": "inverse",
-    "over_profile": "over_profile, pressure_over_profile",
-    "rules": "pressure_integral, pressure_integral_beyond",
-}
-"""What the functions may call of the run time; integrals over the profile itself are known to the linker alone."""
+LIBRARY = "from ..{place}.over_profile import over_profile, pressure_over_profile"
+"""Integrals over the profile itself, which are known to the linker alone."""
 
 
 def library_source(
@@ -140,19 +133,10 @@ def library_source(
         Radius at which the profile ends, a parameter or a number.
     """
     functions = PrivateFunctions(profile)
-    _profile_function(functions)
+    profile_function(functions)
     _General(functions, reach, floor, end).add_all(exponents)
-    lines = [
-        "import numpy as np",
-        "",
-        *(f"from ..{PLACE}.{file} import {names}" for file, names in LIBRARY.items()),
-    ]
-    for private in functions.functions.values():
-        row = _private(private, profile)
-        lines += ["", "", f"def {row['name']}({row['signature']}){row['returns']}:"]
-        lines += [f'    """{private.doc}"""'] if private.doc else []
-        lines += [("    " + line).rstrip() for line in private.lines]
-    return "\n".join([*lines, ""])
+    source = bodies_source(functions, profile.title)
+    return source.replace("import numpy as np\n", f"import numpy as np\n\n{LIBRARY.format(place=PLACE)}", 1)
 
 
 @dataclass
@@ -164,7 +148,6 @@ class _General:
 
     def __post_init__(self) -> None:
         self.profile = self.functions.profile
-        self.names = {p.name for p in self.profile.parameters}
         self.layers = layers(self.profile)
         self.start = self.profile.breaks[0] if self.profile.truncated else None
 
@@ -180,32 +163,27 @@ class _General:
         self._over("force", "x * x", python(2 * E_star))
         self._pressure()
         self._displacement()
-        self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"], {"E_star"})
-        force = self.functions.functions["force"]
-        self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"], force.needs)
+        self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"])
+        force = self.functions["force"]
+        self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"])
         rate = self._slope_at()
         for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
             self._inverse(field, curve, rate, exponent)
 
-    def _add(self, name: str, fields: tuple[str, ...], lines: list[str], doc: str = "") -> Private:
-        """Add a function that needs whatever parameter its lines name."""
-        words = set("".join(c if c.isalnum() or c == "_" else " " for c in " ".join(lines)).split())
-        return self.functions.add(name, fields, lines, words & {*self.names, "E_star"}, doc)
-
-    def _steepness(self, index: int, piece: Piece) -> Private | None:
+    def _steepness(self, index: int, piece: Piece) -> Function | None:
         starts = (sp.S.Zero, *self.profile.breaks[:index])
         own = [layer for layer in self.layers if layer.start in starts]
         if not own:
             return None
         if index == 0:
-            return self._add("steepness_0", ("r",), [f"return {text(own[0].slope)}"], "Slope f'(r).")
+            return self.functions.add("steepness_0", ("r",), [f"return {text(own[0].slope)}"], "Slope f'(r).")
         start = starts[-1]
         inner = [layer.slope.subs(r, start + excess) for layer in own if layer.start != start]
         slope = sp.Add(*inner, *(beyond(layer.slope, start) for layer in own if layer.start == start))
         doc = f"Slope f'(r) at r = {start} + excess."
-        return self._add(f"steepness_{index}", ("excess",), [f"return {text(slope)}"], doc)
+        return self.functions.add(f"steepness_{index}", ("excess",), [f"return {text(slope)}"], doc)
 
-    def _growth(self, index: int, layer: Layer) -> Private | None:
+    def _growth(self, index: int, layer: Layer) -> Function | None:
         """g'(t) of a layer in closed form, if it is a polynomial and the form does not cancel."""
         form = closed(layer)
         if form is None:
@@ -214,13 +192,13 @@ class _General:
         doc = "Rate g'(t) of the indentation depth" + (f", what begins at {layer.start}." if layer.start != 0 else ".")
         lines = self.functions.steps(form, fields)
         lines.append(f"return {self.functions.value_lines(form.value, lines)}")
-        return self._add(f"growth_{index}", fields, lines, doc)
+        return self.functions.add(f"growth_{index}", fields, lines, doc)
 
-    def _bend(self, index: int, layer: Layer) -> Private:
+    def _bend(self, index: int, layer: Layer) -> Function:
         if layer.start == 0:
-            return self._add(f"bend_{index}", ("r",), [f"return {text(layer.bend)}"], "(r f')'.")
+            return self.functions.add(f"bend_{index}", ("r",), [f"return {text(layer.bend)}"], "(r f')'.")
         bend, doc = beyond(layer.bend, layer.start), f"(r f')' of what begins at {layer.start}."
-        return self._add(f"bend_{index}", ("excess",), [f"return {text(bend)}"], doc)
+        return self.functions.add(f"bend_{index}", ("excess",), [f"return {text(bend)}"], doc)
 
     def _whole(self, weight: str) -> list[str]:
         """Lines that add up the integrals over the pieces; `weight` in x and z."""
@@ -243,7 +221,7 @@ class _General:
     def _over(self, name: str, weight: str, scale: str) -> None:
         lines = self._whole(weight)
         lines.append(f"return {self._reached(f'{scale} * whole')}")
-        self._add(name, ("a",), lines)
+        self.functions.add(name, ("a",), lines)
 
     def _reached(self, value: str) -> str:
         return f"np.where(a >= {self.start}, {value}, np.nan)" if self.start is not None else value
@@ -265,17 +243,17 @@ class _General:
                 at = f"(r == {layer.start}) & (a > {layer.start})"
                 lines.append(f"pressed = np.where({at}, np.inf, pressed)")
         lines.append(f"return {self._reached(f'np.where(r < a, {value}, 0.0)')}")
-        self._add("pressure", ("r", "a"), lines)
+        self.functions.add("pressure", ("r", "a"), lines)
 
     def _displacement(self) -> None:
-        depth, profile = self.functions.functions["depth"], self.functions.functions["profile"]
+        depth, profile = self.functions["depth"], self.functions["profile"]
         lines = ["root = difference_root(r, a)", "angle = np.arctan2(a, root)"]
         lines += self._whole("(a * angle - z * np.arctan2(z, root))")
         lines += ["outside = 2 / np.pi * whole", f"inside = {depth.call()} - {profile.call()}"]
         lines.append(f"return {self._reached('np.where(r > a, outside, inside)')}")
-        self._add("displacement", ("r", "a"), lines)
+        self.functions.add("displacement", ("r", "a"), lines)
 
-    def _slope_at(self) -> Private:
+    def _slope_at(self) -> Function:
         lines = []
         for i, (layer, growth, bend) in enumerate(zip(self.layers, self.growths, self.bends, strict=True)):
             before = "rate + " if i else ""
@@ -294,10 +272,10 @@ class _General:
                 value += f" + {text(layer.start * layer.kink)} / root_{i}" if layer.kink != 0 else ""
             value = value if layer.start == 0 else f"np.where(a > {layer.start}, {value}, 0.0)"
             lines.append(f"rate = {before}{value}")
-        return self._add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
+        return self.functions.add("slope_at", ("a",), [*lines, "return rate"], "Rate g'(a) of the indentation depth.")
 
-    def _inverse(self, field: str, curve: str, rate: Private, exponent: float) -> None:
-        target = self.functions.functions[curve]
+    def _inverse(self, field: str, curve: str, rate: Function, exponent: float) -> None:
+        target = self.functions[curve]
         scale = "2 * E_star * a * " if curve == "force" else ""
         if self.start is not None:
             place, step, start = (
@@ -323,11 +301,11 @@ class _General:
             f"t = inverse(curve, {field}, np.full_like({field}, {start}), ({exponent!r}, np.inf){largest})",
             f"return {found}",
         ]
-        radius = self._add(f"radius_from_{curve}", (field,), lines)
+        radius = self.functions.add(f"radius_from_{curve}", (field,), lines)
         other = "depth" if curve == "force" else "force"
         name = "force_from_depth" if curve == "depth" else "depth_from_force"
-        outer = self.functions.functions[other]
-        self._add(name, (field,), [f"a = {radius.call()}", *changed(field, outer, target, "a")])
+        outer = self.functions[other]
+        self.functions.add(name, (field,), [f"a = {radius.call()}", *changed(field, outer, target, "a")])
 
     def _length(self) -> str:
         """A length of the profile as first guess."""

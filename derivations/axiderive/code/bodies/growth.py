@@ -35,8 +35,8 @@ from ...profiles.profile import Profile
 from ...stable.opaque import Root
 from ...stable.slopes import RATE, ROOT
 from ..example import NUMERIC
+from ..function import Function
 from ..plane.compact import Compact as Strips
-from ..private import Private
 from .compact import Compact
 from .regimes import Regimes
 
@@ -46,29 +46,24 @@ def add_rate(compact: Regimes | Strips) -> None:
     known, b = compact.functions.functions, compact.b
     name = "growth" if isinstance(compact, Strips) else "slope"
     tip, beyond = known.get(name), known.get(f"{name}_beyond")
-    lines, needs, values = list[str](), set[str](), list[str]()
+    lines, values = list[str](), list[str]()
     if tip is not None:
         length = compact.scale("tip")[1] if isinstance(compact, Regimes) else None
-        values.append(_called(compact, tip, length, lines, needs, above=False))
+        values.append(_called(compact, tip, length, lines, above=False))
     if beyond is not None and b is not None:
-        values.append(_called(compact, beyond, b, lines, needs, above=True))
+        values.append(_called(compact, beyond, b, lines, above=True))
     if len(values) > 1:
-        values, needs = [f"np.where(a < {b}, {', '.join(values)})"], needs | {str(b)}
+        values = [f"np.where(a < {b}, {', '.join(values)})"]
     if values:
-        compact.functions.add(RATE.function, ("a",), [*lines, f"return {values[0]}"], needs)
+        compact.functions.add(RATE.function, ("a",), [*lines, f"return {values[0]}"])
 
 
-def _called(
-    compact: Regimes | Strips, own: Private, length: sp.Expr | None, lines: list[str], needs: set[str], *, above: bool
-) -> str:
+def _called(compact: Regimes | Strips, own: Function, length: sp.Expr | None, lines: list[str], *, above: bool) -> str:
     """The call of one regime, its root in the lines."""
-    needs |= set(own.needs)
     if ROOT not in own.fields or length is None:
         return own.call("a")
     root = f"root_{'beyond' if above else 'tip'}"
     lines.append(f"{root} = {compact.functions.definition(Root(a, length) if above else Root(length, a))}")
-    needs |= {str(symbol) for symbol in length.free_symbols}
-    needs |= {str(s) for symbol, d in compact.profile.abbreviations if symbol == length for s in d.free_symbols}
     return own.call("a", root)
 
 

@@ -27,14 +27,14 @@ from ...profiles.profile import Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import ROOT
-from ..private import Private
+from ..function import Function
 from ..text import python
 from .compact import Compact
 from .growth import exponents, powers, start, tip_exponent
 
 
-def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> tuple[list[str], set[str]]:
-    """The body of a(d) or a(F), by the `field`, and the parameters it needs.
+def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> list[str]:
+    """The body of a(d) or a(F), by the `field`.
 
     The depth is g(a) = square (z**2 + waves z H_0(z)) with a = unit z.
 
@@ -50,17 +50,15 @@ def wave_lines(profile: Profile, depth: sp.Expr, field: str) -> tuple[list[str],
     if any(sp.cancel(expr).has(a) for expr in (unit, square, waves)):
         message = f"{profile.name}: g(a) = {depth} is no paraboloid with one wave; solve it by `inverse`"
         raise ValueError(message)
-    scaled, needs = f"{field} / unit * ({python(sp.cancel(1 / square))} / unit)", set[str]()
+    scaled = f"{field} / unit * ({python(sp.cancel(1 / square))} / unit)"
     if field == "F":
         # dF = 2 E* a dg
         scaled += f" / ({python(HOMOGENEOUS.stiffness().subs(a, sp.Symbol('unit', positive=True)))})"
-        needs.add("E_star")
-    lines = [
+    return [
         f"unit = {python(sp.cancel(unit))}",
         f"waves = {python(sp.factor_terms(sp.cancel(waves)))}",
         f"return unit * inverse_over_waves({scaled}, waves, {1 if field == 'd' else 2})",
     ]
-    return lines, needs | {str(s) for s in (unit * square * waves).free_symbols | square.free_symbols} - {"a"}
 
 
 BEYOND, BELOW = "{0} * np.sqrt(1.0 + t * t), {0} * t", "{0} * np.tanh(t), {0} / np.cosh(t)"
@@ -69,7 +67,7 @@ TARGET = {q.suffix: (COMPACT[q.inverts].function, q.inverts) for q in COMPACT.va
 """Of an inverse: the curve of which it is a root, and the field that is given."""
 
 
-def changed(field: str, target: Private, curve: Private, *given: str) -> list[str]:
+def changed(field: str, target: Function, curve: Function, *given: str) -> list[str]:
     """The lines of F(a(d)) or d(a(F)): the radius is rounded, and dF/dd = 2 E* a makes good what it lost."""
     stiffness = python(HOMOGENEOUS.stiffness())
     missed = f"{field} - {curve.call(*given)}"
@@ -90,7 +88,7 @@ class Inverses:
         self.functions = self.compact.functions
         self.profile = self.compact.profile
 
-    def add_all(self) -> dict[str, Private]:
+    def add_all(self) -> dict[str, Function]:
         """Functions of `ad`, `aF`, `Fd`, `dF`."""
         own = [q for q in COMPACT.values() if q.inverts]
         return {q.suffix: self._through(q.suffix, *q.composed) if q.composed else self._radius(q.suffix) for q in own}
@@ -119,60 +117,55 @@ class Inverses:
                 yield "below", end, f"a<{b}"
             yield "beyond", b, f"a>{b}"
 
-    def _radius(self, suffix: str) -> Private:
+    def _radius(self, suffix: str) -> Function:
         entry, (_, field) = self.compact.entries[suffix], TARGET[suffix]
         form = self.closed(entry)
         name = entry.quantity.function
         if form is not None:
-            lines = self.functions.returned(form)
-            return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
+            return self.functions.add(name, (field,), self.functions.returned(form))
         if self.compact.rooted:
             contact = self._contact(suffix)
-            return self.functions.add(name, (field,), [f"return {contact.call()}[0]"], contact.needs)
+            return self.functions.add(name, (field,), [f"return {contact.call()}[0]"])
         return self._newton(suffix, name)
 
-    def _through(self, suffix: str, outer: str, inner: str) -> Private:
+    def _through(self, suffix: str, outer: str, inner: str) -> Function:
         """F(a(d)) or d(a(F)), closed or as that composition."""
         entry, (_, field) = self.compact.entries[suffix], TARGET[inner]
         name, outer = entry.quantity.function, COMPACT[outer].function
         form = self.closed(entry) if entry.composed is None else None
         if form is not None:
-            lines = self.functions.returned(form)
-            return self.functions.add(name, (field,), lines, self.functions.needs(form, (field,)))
+            return self.functions.add(name, (field,), self.functions.returned(form))
         if self.compact.rooted:
             contact = self.functions.functions.get(f"contact_from_{TARGET[inner][0]}") or self._contact(inner)
-            target, curve = (self.functions.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
+            target, curve = (self.functions[f"{part}_at"] for part in (outer, TARGET[inner][0]))
             lines = [f"a, root = {contact.call()}", *changed(field, target, curve, "a", "root")]
-            return self.functions.add(name, (field,), lines, {*contact.needs, *target.needs, *curve.needs, "E_star"})
-        radius = self.functions.functions[self.compact.entries[inner].quantity.function]
-        target = self.functions.functions[outer]
+            return self.functions.add(name, (field,), lines)
+        radius = self.functions[self.compact.entries[inner].quantity.function]
+        target = self.functions[outer]
         if not any("inverse" in line for line in radius.lines):
-            lines = [f"return {target.call(radius.call())}"]
-            return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs})
-        return self._corrected(name, field, target, radius, self.functions.functions[TARGET[inner][0]])
+            return self.functions.add(name, (field,), [f"return {target.call(radius.call())}"])
+        return self._corrected(name, field, target, radius, self.functions[TARGET[inner][0]])
 
-    def _corrected(self, name: str, field: str, target: Private, radius: Private, curve: Private) -> Private:
+    def _corrected(self, name: str, field: str, target: Function, radius: Function, curve: Function) -> Function:
         """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
         lines = [f"a = {radius.call()}", *changed(field, target, curve, "a")]
-        return self.functions.add(name, (field,), lines, {*radius.needs, *target.needs, *curve.needs, "E_star"})
+        return self.functions.add(name, (field,), lines)
 
-    def _contact(self, suffix: str) -> Private:
+    def _contact(self, suffix: str) -> Function:
         """Contact radius and its root together: near the end of the domain the radius alone says too little."""
         curve, field = TARGET[suffix]
-        target = self.functions.functions[f"{curve}_at"]
+        target = self.functions[f"{curve}_at"]
         slope = self.compact.slopes["beyond" if self.profile.truncated else "tip"][0]
         if self.profile.truncated:
             b = str(self.compact.b)
             place = BEYOND.format(b)
             scale = f"{python(HOMOGENEOUS.stiffness() / a)} * root * root" if suffix == "aF" else "root * root / a"
             rate = f"{scale} * {slope.call('a', 'root')}"
-            needs = {b}
         else:
             R = str(self.compact.scale("tip")[1])
             place = BELOW.format(R)
             scale = f"{python(HOMOGENEOUS.stiffness())} * t" if suffix == "aF" else "t"
             rate = f"{scale} * root * root / {R} * {slope.call('a', 'root')}"
-            needs = {R}
         like = start(self.compact, suffix)
         lines = [
             "def curve(t: Array) -> tuple[Array, Array]:",
@@ -188,19 +181,17 @@ class Inverses:
         doc = "Contact radius a and its root" + (
             f" sqrt(a**2 - {b}**2)." if self.profile.truncated else f" sqrt({R}**2 - a**2)."
         )
-        needs |= {*target.needs, *slope.needs}
-        return self.functions.add(f"contact_from_{curve}", (field,), lines, needs, doc)
+        return self.functions.add(f"contact_from_{curve}", (field,), lines, doc, "tuple[Array, Array]")
 
-    def _newton(self, suffix: str, name: str) -> Private:
+    def _newton(self, suffix: str, name: str) -> Function:
         curve, field = TARGET[suffix]
         if self.compact.scale("tip")[0] == "waves":
             return self._over_waves(suffix, name)
         if self.compact.b is not None:
             return self._across(suffix, name)
-        lines, needs = self._curve(suffix)
+        lines = self._curve(suffix)
         largest = self.profile.largest
         if largest is not None:
-            needs = needs | {str(s) for s in largest.free_symbols}
             like = start(self.compact, suffix)
             lines += [
                 "def like(short: Array) -> Array:",
@@ -210,36 +201,34 @@ class Inverses:
                 f"largest = {python(largest)} * np.ones_like({field})",
                 f"return inverse_below(curve, {field}, largest, {self._exponents(suffix)}, like)",
             ]
-            return self.functions.add(name, (field,), lines, needs)
+            return self.functions.add(name, (field,), lines)
         first = "start" if self.compact.summed else f"{python(self.first_radius())} * np.ones_like({field})"
-        needs = needs | {str(s) for s in self.first_radius().free_symbols}
         lines += self._least_start(suffix)
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
-        return self.functions.add(name, (field,), lines, needs)
+        return self.functions.add(name, (field,), lines)
 
-    def _over_waves(self, suffix: str, name: str) -> Private:
+    def _over_waves(self, suffix: str, name: str) -> Function:
         field = TARGET[suffix][1]
-        lines, needs = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
-        return self.functions.add(name, (field,), lines, needs)
+        lines = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
+        return self.functions.add(name, (field,), lines)
 
-    def _curve(self, suffix: str) -> tuple[list[str], set[str]]:
+    def _curve(self, suffix: str) -> list[str]:
         """Value and logarithmic slope over the radius."""
-        target = self.functions.functions[TARGET[suffix][0]]
-        slope, more = self._slope_of_radius()
-        lines = [
+        target = self.functions[TARGET[suffix][0]]
+        slope = self._slope_of_radius()
+        return [
             "def curve(a: Array) -> tuple[Array, Array]:",
             f"    value = {target.call('a')}",
             f"    return value, {self._rate(suffix)} * {slope} / value",
             "",
         ]
-        return lines, {*target.needs, *more, *({"E_star"} if suffix == "aF" else ())}
 
     @staticmethod
     def _rate(suffix: str) -> str:
         """What the slope g' is multiplied with in the derivative by ln a."""
         return python(HOMOGENEOUS.stiffness() * a) if suffix == "aF" else "a"
 
-    def _across(self, suffix: str, name: str) -> Private:
+    def _across(self, suffix: str, name: str) -> Function:
         """Beyond the break where the tip is a power, else on both sides, each with its own unknown."""
         (curve, field), b = TARGET[suffix], str(self.compact.b)
         grown, leaves = tip_exponent(self.compact, suffix), powers(self.compact, suffix)
@@ -249,7 +238,7 @@ class Inverses:
         else:
             slope = self.compact.slopes["beyond"][0]
             found = f"inverse_beyond(curve, {field}, {b}, {grown}, {leaves})"
-        target = self.functions.functions.get(f"{curve}_at") or self.functions.functions[f"{curve}_beyond"]
+        target = self.functions.functions.get(f"{curve}_at") or self.functions[f"{curve}_beyond"]
         lines = [
             "def curve(a: Array, root: Array) -> tuple[Array, Array]:",
             f"    rate = {self._rate(suffix)} * {slope.call('a', 'root')}",
@@ -257,8 +246,7 @@ class Inverses:
             "",
             f"return {found}",
         ]
-        needs = {*target.needs, *slope.needs, b, *({"E_star"} if suffix == "aF" else ())}
-        return self.functions.add(name, (field,), lines, needs)
+        return self.functions.add(name, (field,), lines)
 
     def _least_start(self, suffix: str) -> list[str]:
         """The radius at which the first term of a sum alone would do: at most `len(A)` times too large."""
@@ -282,16 +270,15 @@ class Inverses:
         lengths = [p for p in self.profile.parameters if p.name == "b"]
         return lengths[-1] / 1000 if lengths else sp.S.One
 
-    def _slope_of_radius(self) -> tuple[str, set[str]]:
+    def _slope_of_radius(self) -> str:
         """Text of g'(a) without a break."""
         if self.compact.summed:
-            depth = self.functions.functions["slope"]
-            return depth.call("a"), set(depth.needs)
+            return self.functions["slope"].call("a")
         tip = self.compact.slopes.get("tip")
         assert tip is not None
-        return tip[0].call("a"), set(tip[0].needs)
+        return tip[0].call("a")
 
-    def _joined_slope(self) -> Private:
+    def _joined_slope(self) -> Function:
         tip, beyond = (self.compact.slopes[side][0] for side in ("tip", "beyond"))
         b, end = self.compact.b, self.compact.scale("tip")[1]
         lines = [
@@ -299,7 +286,7 @@ class Inverses:
             f"return np.where(a < {b}, {tip.call('a', 'root_tip')}, {beyond.call('a', 'root')})",
         ]
         doc = "Rate g'(a) of the indentation depth on both sides of the break."
-        return self.functions.add("slope_at", ("a", ROOT), lines, {*tip.needs, *beyond.needs, str(b), str(end)}, doc)
+        return self.functions.add("slope_at", ("a", ROOT), lines, doc)
 
     def _exponents(self, suffix: str) -> str:
         """Whole numbers between which d ln value/d ln t lies."""

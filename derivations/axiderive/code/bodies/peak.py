@@ -31,30 +31,29 @@ def bodies(compact: Compact, functions: PrivateFunctions, entries: Mapping[str, 
     for entry, name in ((ring, RADIUS), (greatest, greatest.quantity.function)):
         (case,) = entry.cases
         form = functions.form(entry, case.expr, facts_of(case.chain))
-        functions.add(name, ("a",), functions.returned(form), functions.needs(form, ("a",)))
+        functions.add(name, ("a",), functions.returned(form))
 
 
 def _of_power(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
     """By what is left of a**2 outside the ring, which says more than the radius next to the edge."""
-    functions.add(RADIUS, ("a",), ["return a * ring_of_greatest_pressure(n)"], {"n"})
+    functions.add(RADIUS, ("a",), ["return a * ring_of_greatest_pressure(n)"])
     rise = sp.Symbol("rise", positive=True)
     (case,) = entry.cases
     expr = case.expr.subs(r_peak, a * sp.sqrt(1 - 1 / rise**2))
     form = functions.form(entry, expr, facts_of(case.chain))
     *lines, value = functions.returned(form)
     lines += ["rise = rise_to_greatest_pressure(n)", f"greatest = {value.removeprefix('return ')}"]
-    needs = functions.needs(form, ("a",)) - {str(rise)} | {"n"}
-    functions.add(entry.quantity.function, ("a",), [*lines, "return np.where(n > 1.0, greatest, np.inf)"], needs)
+    functions.add(entry.quantity.function, ("a",), [*lines, "return np.where(n > 1.0, greatest, np.inf)"])
 
 
 def _beyond(compact: Compact, functions: PrivateFunctions, entry: Entry) -> None:
     """By the share of the rounding that the radius lies in, which says more than the radius next to a = b."""
     name = entry.quantity.function
-    b, slope, (condition, _) = str(compact.b), compact.slopes["beyond"][0], compact.domain()
+    b, slope, condition = compact.b, compact.slopes["beyond"][0], compact.domain()
     # without an edge ring and pressure have no bound, which the product of nothing and infinity does not say
     within = f"np.where({condition}, np.where(a < np.inf, {{}}, a), np.nan)"
     ring = f"{b} + (a - {b}) * peak_share(a, {b})"
-    functions.add(RADIUS, ("a",), [f"return {within.format(ring)}"], {b})
+    functions.add(RADIUS, ("a",), [f"return {within.format(ring)}"])
     growth = f"peak_integral_beyond({slope.with_parameters()}, peak_share(a, {b}), a, {b})"
     value = within.format(f"{python(HOMOGENEOUS.pressure_scale)} * growth")
-    functions.add(name, ("a",), [f"growth = {growth}", f"return {value}"], {"E_star", b, *slope.needs})
+    functions.add(name, ("a",), [f"growth = {growth}", f"return {value}"])

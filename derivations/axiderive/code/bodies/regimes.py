@@ -20,7 +20,8 @@ from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.opaque import Arctan2, Root
 from ...stable.signs import Facts, facts_of
 from ...stable.slopes import ROOT, slope_form
-from ..private import Private, PrivateFunctions, without_subtraction
+from ..function import Function
+from ..private import PrivateFunctions, without_subtraction
 from ..text import printable, python
 
 SMOOTH = 32
@@ -83,7 +84,7 @@ class Regimes:
                 return "sinh", expr.args[1]
         return ("waves", None) if form.value.has(masters.StruveH) else ("", None)
 
-    def _slope(self, key: str, case: Case) -> tuple[Private, EvaluationForm]:
+    def _slope(self, key: str, case: Case) -> tuple[Function, EvaluationForm]:
         """The function in its variant, and the form by all rules, which tells its singularities."""
         plain = slope_form(case.expr, self.facts(case))
         form = slope_form(case.expr, self.facts(case), self.functions.rate_variant(self.entries["d"]))
@@ -95,7 +96,7 @@ class Regimes:
         lines.append(f"return {text}")
         name = "slope_beyond" if key == "beyond" else "slope"
         doc = "Rate g'(t) of the indentation depth g(t)" + (f" for t > {self.b}." if key == "beyond" else ".")
-        return self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc), plain
+        return self.functions.add(name, fields, lines, doc), plain
 
     def _summed_slope(self, depth: sp.Expr) -> None:
         """Term by term for a polynomial."""
@@ -103,32 +104,27 @@ class Regimes:
             lambda e: isinstance(e, sp.Sum), lambda e: sp.Sum(sp.powsimp(sp.diff(e.function, a)), *e.limits)
         )
         form = evaluation_form(slope, facts_of((a,)))
-        self.functions.add(
-            "slope", ("a",), [f"return {python(form.value)}"], {"A"}, "Rate g'(a) of the indentation depth."
-        )
+        self.functions.add("slope", ("a",), [f"return {python(form.value)}"], "Rate g'(a) of the indentation depth.")
 
     def root_pair(self) -> tuple[str, str]:
         """The texts of x and y in sqrt(x**2 - y**2), the root that depth and force are written in."""
         return ("a", str(self.b)) if self.profile.truncated else (str(self.scale("tip")[1]), "a")
 
-    def domain(self) -> tuple[str, set[str]]:
-        """The condition on the contact radius, and what it needs."""
+    def domain(self) -> str:
+        """The condition on the contact radius, "" where there is none."""
         if self.profile.truncated:
-            return f"a >= {self.b}", {str(self.b)}
+            return f"a >= {self.b}"
         if self.profile.largest is not None:
-            return f"a <= {python(self.profile.largest)}", {str(s) for s in self.profile.largest.free_symbols}
+            return f"a <= {python(self.profile.largest)}"
         kind, length = self.scale("tip")
-        if kind == "tanh" and self.b is None:
-            return f"a <= {length}", {str(length)}
-        return "", set()
+        return f"a <= {length}" if kind == "tanh" and self.b is None else ""
 
-    def _limited(self, name: str, lines: list[str], needs: set[str]) -> Private:
+    def _limited(self, name: str, lines: list[str]) -> Function:
         """NaN beyond the largest contact radius."""
         if self.profile.largest is not None:
             value = lines.pop().removeprefix("return ")
-            lines.append(f"return np.where({self.domain()[0]}, {value}, np.nan)")
-            needs = needs | self.domain()[1]
-        return self.functions.add(name, ("a",), lines, needs)
+            lines.append(f"return np.where({self.domain()}, {value}, np.nan)")
+        return self.functions.add(name, ("a",), lines)
 
     def _moved(self, form: EvaluationForm, radius: str) -> tuple[EvaluationForm, list[str]]:
         """The form of the tip for another name of its radius, and its steps.
@@ -178,16 +174,16 @@ def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond
     low, high = functions.functions.get(name), above.functions.get(name)
     if not functions.profile.breaks or low is None or high is None or "a" not in low.fields:
         return False
-    if low.lines == high.lines or any(high.uses(own) and own != high for own in _parts(above, name)):
+    if low.lines == high.lines or any(own.name in high.uses and own != high for own in _parts(above, name)):
         return False
-    known, b = functions.functions, str(functions.profile.breaks[0])
+    known, b = functions.functions, functions.profile.breaks[0]
     sides = [replace(side, name=f"{low.name}_{end}") for side, end in ((low, "below"), (high, "above"))]
     del known[name]
     known |= {side.name.removeprefix("_"): side for side in sides}
     value = f"np.where(a < {beyond!r} * {b}, {sides[0].call()}, {sides[1].call()})"
-    functions.add(name, low.fields, [f"return {value}"], {*sides[0].needs, *sides[1].needs, b})
+    functions.add(name, low.fields, [f"return {value}"])
     return True
 
 
-def _parts(functions: PrivateFunctions, name: str) -> list[Private]:
+def _parts(functions: PrivateFunctions, name: str) -> list[Function]:
     return [own for key, own in functions.functions.items() if key.startswith(name)]

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import sympy as sp
 
 from ...entry import Entry
 from ...letters import name_of
 from ...notation import n
-from ..physics import text
+from .. import docstring
+from ..function import Function
 from ..physics.adhesive import stated
-from ..physics.branches import SAMPLED, own_units, pull_off, radii, returned, sampled, search, unknowns
-from ..physics.text import Function
+from ..physics.branches import SAMPLED, own_units, pull_off, radii, returned, search, unknowns
 from ..text import python
+from ..writer import Writer
 from .families import family
-from .module import Writer
 
 ORDER = [
     "require_order(",
@@ -31,36 +29,39 @@ ORDERS = {"depth": ("d", "", "(1.0 - k) / 2.0"), "force": ("F", " + 1.0 + k", "(
 """Field, what the exponent of the load gains on that of the profile, and the exponent of the pull."""
 
 
-def module_source(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> str:
-    """The module of one profile; `plain` are its entries without adhesion."""
-    return _Adhesive(entries, plain).source()
+def interface(writer: Writer) -> None:
+    """Adds the public functions of a compact contact."""
+    _Adhesive(writer).interface()
+
+
+def rules(writer: Writer) -> None:
+    """Adds what they rest on."""
+    own = _Adhesive(writer)
+    own.rules()
+    if own.power is not None:
+        own.power_law(own.power.lengths[0])
+    else:
+        own.general()
 
 
 class _Adhesive:
-    def __init__(self, entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> None:
-        self.entries, self.profile = entries, plain["d"].profile
-        self.writer = Writer(self.profile, entries, plain)
+    def __init__(self, writer: Writer) -> None:
+        self.writer, self.entries, self.profile = writer, writer.entries, writer.profile
         self.family = family(self.profile)
         self.power = self.family.power
         self.geometry = [*self.writer.geometry, "k"]
         self.material = [*self.writer.geometry, "H", "k"]
         self.symbols = [
             *self.profile.parameters,
-            *(s for s in entries["F"].parameters if s not in self.profile.parameters),
+            *(s for s in self.entries["F"].parameters if s not in self.profile.parameters),
         ]
         self.keywords = [name_of(symbol) for symbol in self.symbols]
 
-    def source(self) -> str:
-        """The text of the whole module: public functions, pull-off, and the private rules below them."""
+    def interface(self) -> None:
+        """Adds the public functions."""
         for entry in stated(self.entries):
             self.public(entry)
         self.pull_off()
-        self.rules()
-        if self.power is not None:
-            self.power_law(self.power.lengths[0])
-        else:
-            self.general()
-        return self.writer.source(f"{self.profile.title} with adhesion on a power-law graded half-space")
 
     def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
@@ -73,15 +74,15 @@ class _Adhesive:
         if entry.quantity.inverts:
             body = [*writer.checks(symbols), *self.order()]
             signed = dict.fromkeys(fields, fields[0])
-            body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', [], keywords, **signed)}")
+            evaluated = writer.evaluated(f"_{entry.quantity.function}", [], keywords, **signed)
             notes = f"Valid for {self.profile.validity}. NaN below pull-off."
             if self.power is None:
                 notes += " Where several radii are stable, the largest, which is reached on unloading."
         else:
             body = writer.checks(symbols, reach=self.profile.truncated and own)
             function = f"_{entry.quantity.function}" if own else "graded_retraction"
-            body.append(f"return {writer.evaluated(function, fields, keywords)}")
-        writer.add(entry, notes, body)
+            evaluated = writer.evaluated(function, fields, keywords)
+        writer.add(entry, notes, body, evaluated)
 
     def order(self) -> list[str]:
         """The lines that check a free exponent of a power law; none for any other profile."""
@@ -140,10 +141,8 @@ class _Adhesive:
         steepness = f"a ** ((1.0 + k) / 2.0) * normal._rate({', '.join(['a', *self.geometry])})"
         level = "least_steepness(control, H, k, dgamma)"
         own, samples, found = search(self.profile, self.geometry, needs, grid, steepness, level)
-        writer.rule("_samples", [], own, samples, SAMPLED)
-        writer.private[-1] = sampled(writer.private[-1])
-        writer.rule("_branches", [], [*needs, "control"], found)
-        writer.private[-1] = writer.private[-1].replace("-> Array", "-> Branches")
+        writer.rule("_samples", [], own, samples, SAMPLED, returns="Samples", decorator="Kept")
+        writer.rule("_branches", [], [*needs, "control"], found, returns="Branches")
         lines = pull_off(own_units(self.profile, self.geometry, "H"), needs)
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
@@ -172,18 +171,13 @@ class _Adhesive:
                 function = f"partial(_pull_off_{name}, control=control)"
             body.append(f"{name} = elementwise({function}, radius, {named})")
         body.append("return PullOff(radius, force, depth)")
-        document = [*self.document(), "", "Examples", "--------", *writer.example.pull_off(self.keywords)]
-        self.writer.public.append(
-            Function(
-                "pull_off", [], self.keywords, "State at which the contact breaks on unloading.",
-                document, body, returns="PullOff", leading='control: str = "force"',
-            )
-        )  # fmt: skip
+        doc, control = self.document(), 'control: str = "force"'
+        writer.public.append(Function("pull_off", [], self.keywords, body, doc, "PullOff", control))
 
-    def document(self) -> list[str]:
-        """The lines of the docstring of `pull_off`, with the equation of its radius."""
+    def document(self) -> str:
+        """The docstring of `pull_off`, with the equation of its radius."""
         lines = ["At pull-off the retraction is 2 a g'(a)/xi, with the depth g(a) without adhesion, and", ""]
         lines += ["    a**((1 + k)/2)*g'(a) = xi*sqrt(pi*dgamma/(2*H))", ""]
-        lines += text.wrapped("where xi = 3 + k under control of the force and 1 - k under control of the depth.")
-        several = "" if self.power is not None else text.SEVERAL
-        return text.pull_off(lines, self.keywords, self.symbols, self.entries, several)
+        lines += docstring.wrapped("where xi = 3 + k under control of the force and 1 - k under control of the depth.")
+        several = "" if self.power is not None else docstring.SEVERAL
+        return docstring.pull_off(lines, self.symbols, self.entries, several, self.writer.example.state())

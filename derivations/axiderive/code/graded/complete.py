@@ -2,75 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
 from ...entry import COMPLETE, Entry
 from ...letters import name_of
-from ...notation import a, d, r
+from ...notation import a, d, n, r
 from ...physics.medium import GRADED
+from ...physics.systems import System
 from ...profiles.profile import Profile
+from ..module import Module
 from ..text import python
-from .module import Writer
+from ..writer import Writer, ordered, required
+from .compact import add_shape
 
-ORDER = [
-    "require_order(",
-    "    np.asarray(n) > 1.0 - np.asarray(k),",
-    '    "n > 1 - k",',
-    '    "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",',
-    "    n=n,",
-    "    k=k,",
-    ")",
-]
+ORDER = ordered(
+    "np.asarray(n) > 1.0 - np.asarray(k)",
+    "n > 1 - k",
+    "a sharper dimple never reaches complete contact at a finite load; use n > 1 - k",
+    ("n", "k"),
+)
 """The rule between the exponents of a concave face, which is n > 1 without grading."""
 
 
-def module_source(entries: Mapping[str, Entry]) -> str:
+def module(system: System, entries: Mapping[str, Entry]) -> Module:
     """The module of one profile."""
-    return _Complete(entries).source()
+    return _Complete(Writer(system, entries, entries)).module()
+
+
+def required_face(symbols: Sequence[sp.Symbol]) -> list[str]:
+    """The check of these parameters, and that between the exponent of a concave face and that of the grading."""
+    return [required(symbols), *(ORDER if n in symbols else [])]
 
 
 class _Complete:
-    def __init__(self, entries: Mapping[str, Entry]) -> None:
-        self.entries = {suffix: _with_depth(entry) for suffix, entry in entries.items()}
-        self.profile = entries["F"].profile
-        self.writer = Writer(self.profile, self.entries, self.entries)
+    def __init__(self, writer: Writer) -> None:
+        self.writer, self.entries, self.profile = writer, writer.entries, writer.profile
         self.geometry = [*self.writer.geometry, "k"]
         self.material = [*self.writer.geometry, "H", "k"]
         piece = self.profile.pieces[0].expr
         self.concave = piece.has(a)
         self.order = order_of(self.profile)
 
-    def source(self) -> str:
-        """The text of the whole module."""
-        self.writer.profile_function()
-        for suffix in COMPLETE:
-            if suffix in self.entries:
-                self.public(suffix)
+    def module(self) -> Module:
+        """The whole module."""
         if self.concave:
             self.concave_rules()
         elif self.profile.pieces[0].expr == 0:
             self.flat_rules()
         else:
             self.capped_rules()
-        return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
+        add_shape(self.writer)
+        for suffix in COMPLETE:
+            if suffix in self.entries:
+                self.public(self.entries[suffix])
+        return self.writer.module()
 
-    def public(self, suffix: str) -> None:
+    def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        entry, writer = self.entries[suffix], self.writer
-        names = [name_of(symbol) for symbol in entry.parameters]
-        body = [f"require({', '.join(f'{name}={name}' for name in names)})", *(ORDER if "n" in names else [])]
-        fields = [str(argument) for argument in entry.quantity.arguments]
-        used = ["a", "H", "k"] if suffix == "k" and not fields else names
-        apart = [name for name in names if name not in used]
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
         notes = f"Valid for {self.profile.validity}."
-        if fields:
+        if entry.arguments:
             notes += " Negative or NaN field values give NaN"
-            notes += ", and so do loads below those of complete contact." if self.concave and suffix != "k" else "."
-        writer.add(entry, notes, body)
+            notes += ", and so do loads below those of complete contact." if self.concave else "."
+        self.writer.add(entry, notes, required_face(entry.parameters))
 
     def rule(self, name: str, fields: list[str], needs: list[str], *lines: str) -> None:
         """Adds a private function of these lines; `needs` are the parameters it takes behind its fields."""
@@ -87,16 +82,18 @@ class _Complete:
 
     def capped_rules(self) -> None:
         """The cap alone up to the depth that brings the edge into contact, then the cap and a punch."""
-        own, order = self.writer, self.order
+        order = self.order
         shape = f"/ ({python(1 / self.profile.pieces[0].expr.coeff(r, int(float(order))))})"
         state = f"rho, rest = _contact({', '.join(['d', *self.geometry])})"
-        own.private.append(
-            f"def _contact(d: Array, {', '.join(f'{name}: Array' for name in self.geometry)}) -> tuple[Array, Array]:\n"
-            '    """Contact radius, and the depth that the edge adds."""\n'
-            f"    free = power_depth(a, {order}, k) {shape}\n"
-            f"    rho = a * np.minimum(d / free, 1.0) ** (1.0 / {order})\n"
-            "    return rho, np.maximum(d - free, 0.0)\n"
-        )
+        self.writer.rule(
+            "_contact", ["d"], self.geometry,
+            [
+                f"free = power_depth(a, {order}, k) {shape}",
+                f"rho = a * np.minimum(d / free, 1.0) ** (1.0 / {order})",
+                "return rho, np.maximum(d - free, 0.0)",
+            ],
+            "Contact radius, and the depth that the edge adds.", "tuple[Array, Array]",
+        )  # fmt: skip
         self.rule(
             "_force", ["d"], self.material, state,
             f"cap = 2.0 * H / (1.0 + k) * power_force(rho, {order}, k) {shape}",
@@ -124,7 +121,7 @@ class _Complete:
 
     def concave_rules(self) -> None:
         """Everything as the punch and the hollow h (r/a)**n, whose depth at the edge is h power_factor(n, k)."""
-        order, writer = self.order, self.writer
+        order = self.order
         offset = f"h * power_factor({order}, k) * (1.0 + k) / ({order} + 1.0 + k)"
         complete = f"complete = _minimum_depth({', '.join(self.geometry)}) * (1.0 - 1e-15) <= d"
         self.rule(
@@ -135,7 +132,7 @@ class _Complete:
         self.rule(
             "_displacement", ["r", "d"], self.geometry, complete,
             f"outside = d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
-            f"return np.where(complete, np.where(r > a, outside, d - {writer.shape_of('r')}), np.nan)",
+            f"return np.where(complete, np.where(r > a, outside, d - {self.shape()}), np.nan)",
         )  # fmt: skip
         self.rule("_stiffness", [], ["a", "H", "k"], "return punch_stiffness(a, H, k)")
         self.rule(
@@ -146,6 +143,13 @@ class _Complete:
         self.thresholds(order)
         least = f"_minimum_depth({', '.join(self.geometry)})"
         self.rule("_minimum_force", [], self.material, f"return punch_stiffness(a, H, k) * ({least} + {offset})")
+
+    def shape(self) -> str:
+        """The call of f(r) in the module of the homogeneous half-space."""
+        used = {name_of(symbol) for symbol in self.profile.pieces[0].expr.free_symbols} | {"a"}
+        return (
+            f"normal._profile({', '.join(['r', *(f'{name}={name}' for name in self.writer.geometry if name in used)])})"
+        )
 
     def concave_pressure(self, order: str, complete: str) -> None:
         """From the least depth on where the face is algebraic: there nothing cancels."""
@@ -192,8 +196,3 @@ def order_of(profile: Profile) -> str:
     piece = sp.expand_power_base(profile.pieces[0].expr)
     exponent = sp.expand_power_base(piece.as_independent(r, as_Add=False)[1]).as_base_exp()[1]
     return repr(float(exponent)) if exponent.is_Integer else python(exponent)
-
-
-def _with_depth(entry: Entry) -> Entry:
-    """A stiffness of two branches, told apart by the depth."""
-    return replace(entry, quantity=replace(entry.quantity, arguments=entry.arguments))

@@ -18,19 +18,17 @@ from ...physics.adhesive import CONTROLS, pull_off_rule
 from ...profiles.profile import Profile
 from ...stable.forms import EvaluationForm, evaluation_form
 from ...stable.signs import facts_of
-from ..layout import OFFERED
-from ..public import literal
+from .. import docstring
+from ..function import Function
 from ..text import python
-from . import text
+from ..writer import Writer, ordered
 from .branches import branch_functions
-from .examples import Example
-from .text import Function, NormalModule, evaluate, private
 
 
-def power_law_functions(module: NormalModule, entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
+def power_law_functions(module: Writer, entries: Mapping[str, Entry], power: sp.Expr) -> list[Function]:
     """The private functions of pull-off and of the stable radii."""
     needs = [*module.geometry, "E_star", "dgamma"]
-    radius = private("_pull_off_radius", [], [*needs, "control"], _radius(entries, power))
+    radius = Function("_pull_off_radius", [], [*needs, "control"], _radius(entries, power))
     own = [_pair(module, needs, "depth", "d", power, "0.5"), _pair(module, needs, "force", "F", power + 1, "1.5")]
     return [radius, *(function for pair in own for function in pair)]
 
@@ -50,11 +48,11 @@ def _radius(entries: Mapping[str, Entry], power: sp.Expr) -> list[str]:
     return [*lines, f"return np.where(n > 0.5, {value}, np.nan)" if power == n else f"return {value}"]
 
 
-def _pair(module: NormalModule, needs: list[str], quantity: str, field: str, order: sp.Expr, q: str) -> list[str]:
+def _pair(module: Writer, needs: list[str], quantity: str, field: str, order: sp.Expr, q: str) -> list[Function]:
     """The load at pull-off and the inverse of a load A a**order - B a**q."""
     passed = ", ".join(needs)
     lost = number(2 * order) if order.is_Integer else f"2 * {f'({python(order)})' if order.is_Add else order}"
-    load = private(
+    load = Function(
         f"_pull_off_{quantity}",
         ["a"],
         [*needs, "control"],
@@ -62,7 +60,7 @@ def _pair(module: NormalModule, needs: list[str], quantity: str, field: str, ord
         "With the retraction 2 a g'(a)/xi of pull-off, free of cancellation.",
     )
     plain = module.call(f"_radius_from_{quantity}", f"np.maximum({field}, 0.0)")
-    inverse = private(
+    inverse = Function(
         f"_radius_from_{quantity}",
         [field],
         needs,
@@ -81,21 +79,14 @@ def number(expr: sp.Expr) -> str:
     return repr(float(expr)) if expr.is_Integer else python(expr)
 
 
-IMPORTS = (
-    "physics.adhesion: PullOff, XI, hess_retraction, least_steepness, lift, power_law_radius, pull, require_control",
-    "physics.adhesion: tension",
-    "physics.branches: Branches, Samples, branches, decades, exponent_of, lowest, radii_around, radii_below",
-    "physics.branches: radii_beyond, radii_of_waves, radii_to",
-    "interface: Array, Kept, Result, elementwise, numbers, require, require_coefficients, require_order, require_reach",
-    *OFFERED,
-    "physics.stable: growth, stable_radius",
-    "physics.unknowns: beyond_edge, on_the_bump, radius_itself, up_to",
-)
+def interface(writer: Writer) -> None:
+    """Adds the public functions of a compact contact."""
+    _Adhesive(writer).interface()
 
 
-def module_source(module: NormalModule, entries: Mapping[str, Entry], *, interface: bool = True) -> str:
-    """The module of one profile with a compact contact; without its interface, what that rests on."""
-    return _Adhesive(module, entries).source(interface=interface)
+def rules(writer: Writer) -> None:
+    """Adds what they rest on."""
+    writer.private += _Adhesive(writer).rules()
 
 
 def stated(entries: Mapping[str, Entry]) -> list[Entry]:
@@ -113,78 +104,61 @@ def exponent(profile: Profile) -> sp.Expr | None:
 
 
 class _Adhesive:
-    def __init__(self, module: NormalModule, entries: Mapping[str, Entry]) -> None:
-        self.module, self.entries, self.profile = module, entries, module.profile
-        self.symbols = [*module.profile.parameters, E_star, dgamma]
+    def __init__(self, writer: Writer) -> None:
+        self.module, self.entries, self.profile = writer, writer.entries, writer.profile
+        self.symbols = [*self.profile.parameters, E_star, dgamma]
         self.keywords = [name_of(symbol) for symbol in self.symbols]
         self.power = exponent(self.profile)
-        self.example = Example(self.profile, entries, "adhesive")
 
-    def source(self, *, interface: bool) -> str:
-        """The text of the module; without `interface` the private functions alone."""
-        inverse = (
-            branch_functions(self.module)
-            if self.power is None
-            else power_law_functions(self.module, self.entries, self.power)
-        )
-        public = [*map(self.public, stated(self.entries)), self.pull_off()] if interface else []
-        title = f"{self.profile.title} with adhesion"
-        body = text.module(title, self.profile.subtitle, IMPORTS, public, self.rules() + inverse)
-        return body.replace(text.NORMAL, self.profile.name)
+    def interface(self) -> None:
+        """Adds the public functions."""
+        for entry in stated(self.entries):
+            self.public(entry)
+        self.pull_off()
 
-    def public(self, entry: Entry) -> Function:
-        """The public function of one quantity, with its checks, docstring and doctest."""
+    def public(self, entry: Entry) -> None:
+        """Adds the public function of one quantity, with its checks."""
         fields = [str(argument) for argument in entry.quantity.arguments]
         keywords = [name_of(symbol) for symbol in entry.parameters]
-        body = self.module.check(entry.parameters)
+        body = self.module.checks(entry.parameters)
         # the retraction is the same for every profile
         own = set(self.profile.parameters) <= set(entry.parameters)
-        summed = self.module.summed and own
         name = f"_{entry.quantity.function}" if own else "hess_retraction"
         notes = f"Valid for {self.profile.validity}. Negative or NaN radii give NaN."
         if entry.quantity.inverts:
             body += self.order()
             signed = dict.fromkeys(fields, fields[0])
-            body.append(f"return {evaluate(name, [], keywords, summed, **signed)}")
+            evaluated = self.module.evaluated(name, [], keywords, **signed)
             notes = self.notes_of_inverse()
         else:
-            if self.profile.truncated and own:
-                body.append(f"require_reach(a, {self.profile.breaks[0]})")
-            body.append(f"return {evaluate(name, fields, keywords, summed)}")
-        return Function(
-            entry.quantity.function,
-            fields,
-            keywords,
-            entry.quantity.summary,
-            text.document(entry, fields, keywords, notes),
-            body,
-            example=self.example.lines(entry.suffix),
-        )
+            body += self.module.reach() if own else []
+            evaluated = self.module.evaluated(name, fields, keywords)
+        self.module.add(entry, notes, body, evaluated)
 
     def order(self) -> list[str]:
         """The check of the exponent, without which there is no stable contact."""
         rule = pull_off_rule(self.profile)
         if rule is None:
             return []
-        return [
-            "require_order(",
-            f"    np.asarray({rule.right}) > {float(rule.left)!r},",
-            f'    "{rule.right} > {sp.sstr(rule.left)}",',
-            *literal(rule.reason),
-            f"    {rule.right}={rule.right},",
-            ")",
-        ]
+        condition = f"np.asarray({rule.right}) > {float(rule.left)!r}"
+        return ordered(condition, f"{rule.right} > {sp.sstr(rule.left)}", rule.reason, [str(rule.right)])
 
     def notes_of_inverse(self) -> str:
         """The sentences below an inverse: its validity, and which radius is meant where several are stable."""
         notes = f"Valid for {self.profile.validity}. NaN below pull-off."
         if self.power == n:
-            notes += f" {text.capital(self.entries['ad'].note)}."
+            notes += f" {docstring.capital(self.entries['ad'].note)}."
         if self.power is None:
             notes += " Where several radii are stable, the largest, which is reached on unloading."
         return notes
 
-    def rules(self) -> list[str]:
+    def rules(self) -> list[Function]:
+        """The rule of Hess for each quantity, and the functions of pull-off and of the stable radii."""
+        if self.power is None:
+            return [*self.hess(), *branch_functions(self.module)]
+        return [*self.hess(), *power_law_functions(self.module, self.entries, self.power)]
+
+    def hess(self) -> list[Function]:
         """The rule of Hess for each quantity."""
         call, needs = self.module.call, self.keywords
         normal = {
@@ -194,15 +168,15 @@ class _Adhesive:
             "_displacement": (["r", "a"], "lift(r, a, E_star, dgamma)"),
         }
         return [
-            private(name, fields, needs, [f"return {call(name, *fields)} - {loss}"])
+            Function(name, fields, needs, [f"return {call(name, *fields)} - {loss}"])
             for name, (fields, loss) in normal.items()
         ]
 
-    def pull_off(self) -> Function:
-        """The public function `pull_off` under control of force or depth."""
+    def pull_off(self) -> None:
+        """Adds the public function `pull_off` under control of force or depth."""
         named = ", ".join(f"{name}={name}" for name in self.keywords if not (self.module.summed and name == "A"))
         fixed = "A=A, " if self.module.summed else ""
-        body = [*self.module.check(self.symbols), "require_control(control)"]
+        body = [*self.module.checks(self.symbols), "require_control(control)"]
         body += self.order()
         body.append(f"radius = elementwise(partial(_pull_off_radius, {fixed}control=control), {named})")
         for name in ("force", "depth"):
@@ -211,24 +185,22 @@ class _Adhesive:
                 function = f"partial(_pull_off_{name}, control=control)"
             body.append(f"{name} = elementwise({function}, radius, {named})")
         body.append("return PullOff(radius, force, depth)")
-        return Function(
-            "pull_off", [], self.keywords, "State at which the contact breaks on unloading.",
-            self.pull_off_document(), body, "PullOff", 'control: str = "force"', self.example.pull_off(self.keywords),
-        )  # fmt: skip
+        doc, control = self.pull_off_document(), 'control: str = "force"'
+        self.module.public.append(Function("pull_off", [], self.keywords, body, doc, "PullOff", control))
 
-    def pull_off_document(self) -> list[str]:
-        """The lines of the docstring of `pull_off`, with the formulas under either control."""
+    def pull_off_document(self) -> str:
+        """The docstring of `pull_off`, with the formulas under either control."""
         lines = ["Under control of the force:", "", *self.pull_off_formulas(CONTROLS["force"])]
         lines += ["", "Under control of the depth:", "", *self.pull_off_formulas(CONTROLS["depth"])]
-        note = f" {text.capital(self.entries['ac'].note)}." if self.power == n else ""
-        note += "" if self.power is not None else text.SEVERAL
-        return text.pull_off(lines, self.keywords, self.entries["ac"].parameters, self.entries, note)
+        note = f" {docstring.capital(self.entries['ac'].note)}." if self.power == n else ""
+        note += "" if self.power is not None else docstring.SEVERAL
+        return docstring.pull_off(lines, self.symbols, self.entries, note, self.module.example.state())
 
     def pull_off_formulas(self, names: tuple[str, str, str]) -> list[str]:
         """Radius, force and depth at pull-off as indented lines: closed, or the equation of the radius."""
         radius = self.entries[names[0]]
         if radius.status == "closed":
-            return [f"    {line}" for suffix in names for line in text.formula(self.entries[suffix])]
+            return [f"    {line}" for suffix in names for line in docstring.stated(self.entries[suffix])]
         level = sp.sstr(radius.definition.rhs.subs(a, a_c))
         lines = (f"g'(a_c) = {level}", "F = F(a_c)", "d = d(a_c)", "with the depth g(a) without adhesion")
         return [f"    {line}" for line in lines]

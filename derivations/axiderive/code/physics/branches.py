@@ -19,8 +19,9 @@ from ... import notation as nt
 from ...letters import name_of
 from ...notation import wavelength
 from ...profiles.profile import Profile
+from ..function import Function
 from ..text import python
-from .text import NormalModule, private
+from ..writer import Writer
 
 LOADS = {"d": "-unit", "F": "-(stress + 2 * unit)"}
 """The power of two by which a load is multiplied."""
@@ -67,7 +68,7 @@ def _anchor(profile: Profile, kinds: dict[str, str]) -> str:
 PULLED = {"depth": "hess_retraction", "force": "pull"}
 
 
-def branch_functions(module: NormalModule) -> list[str]:
+def branch_functions(module: Writer) -> list[Function]:
     """The private functions of pull-off and of the stable radii."""
     geometry = module.geometry
     needs = [*geometry, "E_star", "dgamma"]
@@ -79,10 +80,10 @@ def branch_functions(module: NormalModule) -> list[str]:
     own, samples, found = search(profile, geometry, needs, grid, steepness, level)
     units = own_units(module.profile, geometry, "E_star")
     return [
-        private("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
-        sampled(private("_samples", [], own, samples, SAMPLED)),
-        private("_branches", [], [*needs, "control"], found).replace("-> Array", "-> Branches"),
-        private("_pull_off_radius", [], [*needs, "control"], pull_off(units, needs)),
+        Function("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
+        Function("_samples", [], own, samples, SAMPLED, returns="Samples", decorator="Kept"),
+        Function("_branches", [], [*needs, "control"], found, returns="Branches"),
+        Function("_pull_off_radius", [], [*needs, "control"], pull_off(units, needs)),
         *(_inverse(module, quantity, field, needs) for quantity, field in (("depth", "d"), ("force", "F"))),
     ]
 
@@ -100,11 +101,6 @@ def search(
     return own, [f"a = {grid}", f"return Samples(a, {steepness}, {end})"], [found]
 
 
-def sampled(text: str) -> str:
-    """The function of the samples, whose results are kept."""
-    return "@Kept\n" + text.replace("-> Array", "-> Samples")
-
-
 def pull_off(units: Sequence[str], needs: Sequence[str]) -> list[str]:
     """The lines of the private function of the radius at pull-off."""
     given = ", ".join(needs)
@@ -116,7 +112,7 @@ def pull_off(units: Sequence[str], needs: Sequence[str]) -> list[str]:
     ]
 
 
-def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str]) -> str:
+def _inverse(module: Writer, quantity: str, field: str, needs: list[str]) -> Function:
     passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
     units, unknown = own_units(module.profile, module.geometry, "E_star", field), unknowns(module.profile)
     rate = f"_rate({', '.join(['a', *module.geometry])})"
@@ -130,7 +126,7 @@ def _inverse(module: NormalModule, quantity: str, field: str, needs: list[str]) 
         f'found = _branches({passed}, control="{quantity}")',
         *returned(f"stable_radius({field}, found, {', '.join(curves)}, {unknown})", units),
     ]
-    return private(f"_radius_from_{quantity}", [field], needs, lines)
+    return Function(f"_radius_from_{quantity}", [field], needs, lines)
 
 
 def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str:
@@ -150,8 +146,8 @@ def unknowns(profile: Profile, grading: str = "", *, steep: bool = False) -> str
     return f"{inner}, {outer}" if profile.truncated else f"{inner}, {outer}, corner={end}"
 
 
-def _rate(module: NormalModule) -> list[str]:
-    functions, profile = module.functions, module.profile
+def _rate(module: Writer) -> list[str]:
+    functions, profile = module.normal, module.profile
     known = functions.get("_slope_at")
     if known is not None and known[1:2] != ["root"]:
         return [f"return {module.call('_slope_at', 'a')}"]

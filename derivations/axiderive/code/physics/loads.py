@@ -8,44 +8,34 @@ from dataclasses import replace
 import sympy as sp
 
 from ...entry import Entry
-from ...letters import name_of
 from ...notation import a, r, sigma
 from ...physics.medium import HOMOGENEOUS
+from ...physics.systems import BY_NAME
 from ...profiles.loads import Load
 from ...stable.forms import EvaluationForm, plane_form
 from ...stable.opaque import Root, named
 from ...stable.signs import facts_of
 from ..bodies.compact import beside
-from ..private import Private, PrivateFunctions
+from ..module import Module
+from ..private import PrivateFunctions
 from ..text import python
-from . import text
-from .examples import Example
-from .text import Function, evaluate, private
+from ..writer import Writer, required
 
-IMPORTS = (
-    "physics.circle: power, uniform",
-    "interface: Array, Result, elementwise, require",
-    "functions: beside",
-    "special: arctan_gap",
-    "kernels: OUTSIDE_2",
-)
 RULES = {sp.S.Zero: "uniform(r, a)", sigma: "power(r, a, s)"}
 """Exponents whose displacement is no elementary function, and w E*/(p_0 a) in the runtime."""
 ROOT = named("root")
 
 
-def module_source(entry: Entry) -> str:
+def module(entries: Mapping[str, Entry]) -> Module:
     """The module of one load."""
-    load = entry.profile
-    assert isinstance(load, Load)
-    functions = PrivateFunctions(load)
-    bodies(functions, {"w": entry})
-    keywords = [name_of(symbol) for symbol in entry.parameters]
-    body = [text.required(entry.parameters), f"return {evaluate('_displacement', ['r'], keywords, False)}"]
-    document = text.document(entry, ["r"], keywords, "Frictionless half-space. Negative or NaN radii give NaN.")
-    example = Example(load, {"w": entry}, "loads").lines("w")
-    public = Function("displacement", ["r"], keywords, entry.quantity.summary, document, body, example=example)
-    return text.module(load.title, load.subtitle, IMPORTS, [public], _private(functions))
+    entry = entries["w"]
+    writer = Writer(BY_NAME["loads"], entries, entries)
+    functions = PrivateFunctions(entry.profile)
+    bodies(functions, entries)
+    writer.private += functions.functions.values()
+    notes = "Frictionless half-space. Negative or NaN radii give NaN."
+    writer.add(entry, notes, [required(entry.parameters)])
+    return writer.module()
 
 
 def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
@@ -54,17 +44,13 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     assert isinstance(entry.profile, Load)
     rule = RULES.get(entry.profile.exponent)
     lines = [f"return p_0 / E_star * a * {rule}"] if rule else _by_regions(functions, entry)
-    needs = tuple(name_of(symbol) for symbol in entry.parameters)
-    functions.functions["displacement"] = Private("_displacement", ("r",), needs, tuple(lines))
+    functions.of_entry(entry, lines)
 
 
 def bodies_source(functions: PrivateFunctions, title: str) -> str:
     """A module of private functions alone: to be measured, not to be published."""
-    return text.module(functions.profile.title, title, IMPORTS, [], _private(functions))
-
-
-def _private(functions: PrivateFunctions) -> list[str]:
-    return [private(own.name, own.fields, own.needs, own.lines) for own in functions.functions.values()]
+    profile, private = functions.profile, list(functions.functions.values())
+    return Module(BY_NAME["loads"], profile.name, profile.title, title, [], private).source()
 
 
 def _by_regions(functions: PrivateFunctions, entry: Entry) -> list[str]:

@@ -9,14 +9,12 @@ import sympy as sp
 from ... import notation as nt
 from ...entry import Entry
 from ...letters import name_of
-from .. import example
-from . import text
-from .text import PACKAGE, Function, private
+from ...physics.systems import BY_NAME
+from .. import docstring, example
+from ..function import Function
+from ..module import PACKAGE, Module
+from ..writer import required
 
-IMPORTS = (
-    "interface: Array, Result, elementwise, numbers, require",
-    "functions: gamma",
-)
 NOTES = {
     "h_N": "Compared with a numerical solution of the equations of equilibrium of the graded half-space.",
 }
@@ -40,35 +38,32 @@ FORMULAS = {
         "return punch / (beta * np.sin(np.pi * beta / 2.0) * gammas)",
     ],
 }
-BODIES_CHECKED = """def _require_bodies(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike) -> None:
-    require(young_1=_finite("E_1", E_1), nu_1=nu_1, young_2=_finite("E_2", E_2), nu_2=nu_2)
-"""
-RIGID = [
-    "array = numbers(name, modulus)",
-    "return np.where(array == np.inf, 1.0, array)",
-]
+CHECKED = [
+    Function(
+        "_require_bodies", [f"{name}: ArrayLike" for name in ("E_1", "nu_1", "E_2", "nu_2")], [],
+        ['require(young_1=_finite("E_1", E_1), nu_1=nu_1, young_2=_finite("E_2", E_2), nu_2=nu_2)'], returns="None",
+    ),
+    Function(
+        "_finite", ["name: str", "modulus: ArrayLike"], [],
+        ["array = numbers(name, modulus)", "return np.where(array == np.inf, 1.0, array)"],
+        "A rigid body is allowed: its infinite modulus passes as one.",
+    ),
+]  # fmt: skip
 VALUES = {
     nt.young_1: "1", nt.nu_1: "3/10", nt.young_2: "2", nt.nu_2: "1/2", nt.E_0: "3", nt.c_0: "2", nt.k: "1/4",
     nt.nu: "3/10",
 }  # fmt: skip
 
 
-def module_source(entries: Mapping[str, Entry]) -> str:
+def module(entries: Mapping[str, Entry]) -> Module:
     """The module of the four constants."""
+    profile, system = entries["h_N"].profile, BY_NAME["materials"]
     public = [_public(entry) for entry in entries.values()]
-    functions = [
-        private(f"_{entries[suffix].quantity.function}", [], _names(entries[suffix]), lines)
+    stated = [
+        Function(f"_{entries[suffix].quantity.function}", [], _names(entries[suffix]), lines)
         for suffix, lines in FORMULAS.items()
     ]
-    profile = entries["h_N"].profile
-    return text.module(profile.title, profile.subtitle, IMPORTS, public, [*functions, BODIES_CHECKED, _finite()], ".")
-
-
-def _finite() -> str:
-    doc = "A rigid body is allowed: its infinite modulus passes as one."
-    return private("_finite", ["name", "modulus"], [], RIGID, doc).replace(
-        "name: Array, modulus: Array", "name: str, modulus: ArrayLike"
-    )
+    return Module(system, system.name, profile.title, profile.subtitle, public, [*stated, *CHECKED])
 
 
 def _names(entry: Entry) -> list[str]:
@@ -76,35 +71,35 @@ def _names(entry: Entry) -> list[str]:
 
 
 def _public(entry: Entry) -> Function:
-    names, function = _names(entry), entry.quantity.function
-    check = BODIES if nt.young_1 in entry.parameters else text.required(entry.parameters)
-    body = [check, f"return elementwise(_{function}, {', '.join(f'{name}={name}' for name in names)})"]
-    symbols = {name_of(symbol): symbol for symbol in entry.parameters}
-    result = nt.describe(entry.quantity.symbol)
-    lines = [*_formula(entry), "", "Parameters", "----------", *text.parameters(names, symbols, False)]
-    lines += ["", "Returns", "-------", "float or ndarray"]
-    lines += text.wrapped(f"{text.capital(result.meaning)} [{result.unit}].", 4)
-    lines += ["", "Raises", "------", "ValueError", "    If a parameter is outside its domain."]
-    lines += ["", "Notes", "-----", *text.wrapped(f"{NOTES.get(entry.suffix, '')} Handbook: {entry.key}.".strip())]
-    if entry.references:
-        sources = "; ".join(f"chapter 11, equation {reference}" for reference in entry.references)
-        lines += ["", "References", "----------", f"{sources}."]
-    return Function(function, names, [], entry.quantity.summary, lines, body, example=_example(entry))
+    quantity, names = entry.quantity, _names(entry)
+    check = BODIES if nt.young_1 in entry.parameters else required(entry.parameters)
+    doc = docstring.document(
+        quantity.summary,
+        _formula(entry),
+        docstring.parameters([], entry.parameters),
+        (docstring.NUMBERS, f"{docstring.measured(docstring.in_words(quantity.symbol), quantity.symbol)}."),
+        f"{NOTES.get(entry.suffix, '')} Handbook: {entry.key}.".strip(),
+        [f"chapter 11, equation {reference}" for reference in entry.references],
+        _example(entry),
+        "a parameter",
+    )
+    evaluated = f"elementwise({', '.join([f'_{quantity.function}', *(f'{name}={name}' for name in names)])})"
+    body = [check, f"return {evaluated}"]
+    return Function(quantity.function, names, [], body, doc, "Result")
 
 
 def _formula(entry: Entry) -> list[str]:
     """The definition where the result is one division away from it, else the result."""
     if entry.suffix == "h_N":
         (own,) = entry.profile.abbreviations
-        return text.wrapped(f"h_N = {sp.sstr(entry.cases[0].expr)} with {own[0]} = {sp.sstr(own[1])}")
+        return docstring.wrapped(f"h_N = {sp.sstr(entry.cases[0].expr)} with {own[0]} = {sp.sstr(own[1])}")
     equation = entry.definition
-    return text.renamed(text.wrapped(f"{sp.sstr(equation.lhs)} = {sp.sstr(equation.rhs)}"))
+    return docstring.usual(docstring.wrapped(f"{sp.sstr(equation.lhs)} = {sp.sstr(equation.rhs)}"))
 
 
 def _example(entry: Entry) -> list[str]:
     known = {symbol: sp.Rational(value) for symbol, value in VALUES.items()}
     known |= {symbol: expr.subs(known) for symbol, expr in entry.profile.abbreviations}
     passed = ", ".join(example.literal(known[symbol]) for symbol in entry.parameters)
-    call = f"materials.{entry.quantity.function}({passed})"
-    value = example.result(example.number(entry.cases[0].expr, known))
-    return [f">>> from {PACKAGE} import materials", f">>> value = {call}", ">>> round(value, 6)", value]
+    value = example.number(entry.cases[0].expr, known)
+    return example.doctest(PACKAGE, "materials", f"{entry.quantity.function}({passed})", value)

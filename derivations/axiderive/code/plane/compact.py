@@ -13,7 +13,8 @@ from ...physics.plane import PRESSURE, SURFACE
 from ...stable.forms import evaluation_form
 from ...stable.signs import facts_of
 from ...stable.slopes import slope_form
-from ..private import Private, PrivateFunctions
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import printable, python
 from .forms import exponents, form_of, lines_of, moved, regions, told_apart
 
@@ -58,9 +59,9 @@ class Compact:
             lines.append(f"return {python(form.value)}")
             doc = "Growth P'(t)/E_star of the line load" + (f" for t > {self.b}." if beyond else ".")
             name = "growth_beyond" if beyond else "growth"
-            self.functions.add(name, fields, lines, self.functions.needs(form, fields), doc)
+            self.functions.add(name, fields, lines, doc)
 
-    def _closed(self, suffix: str) -> tuple[list[str], set[str]] | None:
+    def _closed(self, suffix: str) -> list[str] | None:
         """Lines that end with `value = ...`, or None where a region loses digits or there are more than two."""
         own = regions(self.entries[suffix], self.functions.variant(self.entries[suffix]))
         if len(own) > 2 or any(region.form.cancels for region in own):
@@ -70,90 +71,81 @@ class Compact:
         names = ("value",) if len(forms) == 1 else ("below", "above")
         for name, form in zip(names, forms, strict=True):
             lines_of(self.functions, name, form, lines)
-        needs = {symbol for form in forms for symbol in self.functions.needs(form, ())}
         if len(forms) > 1:
             ((low, high),) = own[0].comparisons
             lines.append(f"value = np.where({low} < {high}, below, above)")
-            needs |= {str(low), str(high)}
-        return lines, needs
+        return lines
 
-    def _superposed(self, suffix: str, rule: str, scale: sp.Expr, field: str) -> tuple[list[str], set[str]]:
+    def _superposed(self, suffix: str, rule: str, scale: sp.Expr, field: str) -> list[str]:
         """The tip in closed form, and the strips beyond the break by a rule."""
-        growth = self.functions.functions["growth_beyond"]
-        lines, needs, parts = [], {str(self.b), *growth.needs}, []
+        growth = self.functions["growth_beyond"]
+        lines, parts = list[str](), list[str]()
         tip = self.tip(suffix)
         if tip is not None:
             form = moved(form_of(tip, self.functions.variant(self.entries[suffix])), a, "inner")
             lines.append(f"inner = np.minimum(a, {self.b})")
             lines_of(self.functions, "tip", form, lines)
-            needs |= self.functions.needs(form, ("inner",))
             parts.append(f"np.where({field} < inner, tip, 0.0)" if suffix == "p" else "tip")
         lines.append(f"beyond = {rule}({growth.with_parameters()}, {field}, a, {self.b})")
-        needs |= {str(symbol) for symbol in scale.free_symbols}
         sign, size = ("-", -scale) if scale.could_extract_minus_sign() else ("", scale)
         added = f"{python(size)} * beyond"
         value = f"{parts[0]} {sign or '+'} {added}" if parts else f"{sign}{added}"
-        return [*lines, f"value = {value}"], needs
+        return [*lines, f"value = {value}"]
 
-    def _add(self, suffix: str, lines: list[str], needs: set[str]) -> Private:
-        quantity = self.entries[suffix].quantity
-        fields = tuple(str(argument) for argument in quantity.arguments)
+    def _add(self, suffix: str, lines: list[str]) -> Function:
         *before, value, last = ["", *lines]
         if value.startswith("value = ") and last == "return value":
             lines = [*before[1:], value.replace("value =", "return", 1)]
-        return self.functions.add(quantity.function, fields, lines, needs)
+        return self.functions.of_entry(self.entries[suffix], lines)
 
     def _load(self) -> None:
         closed = self._closed("P")
         if closed is None or self.profile.truncated and self.entries["aP"].status == "root":
-            growth, b = self.functions.functions["growth_beyond"], str(self.b)
+            growth, b = self.functions["growth_beyond"], str(self.b)
             lines = [f"return E_star * load_beyond({growth.with_parameters()}, root, {b})"]
-            inner = self.functions.add(
-                "load_at", ("root",), lines, {"E_star", b, *growth.needs}, f"Line load at a = sqrt({b}**2 + root**2)."
-            )
-            by_rule = [f"root = np.sqrt((a - {b}) * (a + {b}))", f"value = {inner.call('root')}"], {*inner.needs}
-            closed = closed or by_rule
-        self._add("P", [*closed[0], "return value"], closed[1])
+            doc = f"Line load at a = sqrt({b}**2 + root**2)."
+            inner = self.functions.add("load_at", ("root",), lines, doc)
+            closed = closed or [f"root = np.sqrt((a - {b}) * (a + {b}))", f"value = {inner.call('root')}"]
+        self._add("P", [*closed, "return value"])
 
-    def _within(self, lines: list[str], needs: set[str], value: str) -> tuple[list[str], set[str]]:
+    def _within(self, lines: list[str], value: str) -> list[str]:
         """NaN for a contact smaller than the flat face."""
         if not self.profile.truncated:
-            return [*lines, f"return {value}"], needs
-        return [*lines, f"return np.where(a >= {self.b}, {value}, np.nan)"], needs | {str(self.b)}
+            return [*lines, f"return {value}"]
+        return [*lines, f"return np.where(a >= {self.b}, {value}, np.nan)"]
 
     def _pressure(self) -> None:
         found = self._closed("p") or self._superposed("p", "pressure_integral_beyond", PRESSURE * E_star, "x")
-        self._add("p", *self._within(*found, "np.where(x < a, value, 0.0)"))
+        self._add("p", self._within(found, "np.where(x < a, value, 0.0)"))
 
     def _slope(self) -> None:
-        lines, needs = self._closed("s") or self._superposed("s", "slope_beyond", -SURFACE, "x")
-        inside = self.functions.functions["profile_slope"]
+        lines = self._closed("s") or self._superposed("s", "slope_beyond", -SURFACE, "x")
+        inside = self.functions["profile_slope"]
         value = f"np.where(x > a, value, -{inside.call()})"
-        self._add("s", *self._within(lines, needs | set(inside.needs), value))
+        self._add("s", self._within(lines, value))
 
     def _depth(self) -> None:
         closed = self._closed("d")
-        lines, needs = closed or self._superposed("d", "depth_beyond", SURFACE, "L")
+        lines = closed or self._superposed("d", "depth_beyond", SURFACE, "L")
         if closed is None:
-            height = self.functions.functions["profile"]
+            height = self.functions["profile"]
             lines.append(f"value = np.where(a < L, value, {height.call('a')})")
-            needs |= set(height.needs)
         if not self.profile.truncated:
             lines.append("value = np.where(a > 0.0, value, 0.0)")
         value = "np.where(a <= L, value, np.nan)"
-        self._add("d", *self._within(lines, needs, value))
+        self._add("d", self._within(lines, value))
 
     def _half_width(self) -> None:
         entry = self.entries["aP"]
         if entry.status == "closed":
             form = self.functions.form(entry, entry.cases[0].expr, facts_of(()))
-            self._add("aP", self.functions.returned(form), self.functions.needs(form, ()))
+            self._add("aP", self.functions.returned(form))
             return
-        beyond = self.functions.functions["growth_beyond"]
+        beyond = self.functions["growth_beyond"]
         low, high = exponents(self.entries["P"])
-        b, needs = str(self.b), {str(self.b), "E_star", *beyond.needs}
+        b = str(self.b)
         if self.profile.truncated:
-            load = self.functions.functions["load_at"]
+            load = self.functions["load_at"]
             body = [
                 "def curve(t: Array) -> tuple[Array, Array]:",
                 f"    a, root = {b} * np.sqrt(1.0 + t * t), {b} * t",
@@ -164,7 +156,7 @@ class Compact:
                 f"return {b} * np.sqrt(1.0 + t * t)",
             ]
         else:
-            load, tip = self.functions.functions["load"], self.functions.functions["growth"]
+            load, tip = self.functions["load"], self.functions["growth"]
             body = [
                 "def curve(a: Array) -> tuple[Array, Array]:",
                 f"    root = np.sqrt((a - {b}) * (a + {b}))",
@@ -174,15 +166,14 @@ class Compact:
                 "",
                 f"return inverse(curve, P, np.full_like(P, {b}), ({low}, {high}))",
             ]
-            needs |= set(tip.needs)
-        self._add("aP", body, needs | set(load.needs))
+        self._add("aP", body)
 
 
 def add_profile(functions: PrivateFunctions) -> None:
     """The profile and its slope, piece by piece."""
     pieces = functions.profile.pieces
     for name, doc in (("profile", ""), ("profile_slope", "Slope f'(x) of the profile.")):
-        values, needs, lines = [], set(), []
+        values, lines = list[str](), list[str]()
         for piece in pieces:
             expr = sp.expand_power_base(piece.expr)
             if name == "profile_slope":
@@ -192,12 +183,11 @@ def add_profile(functions: PrivateFunctions) -> None:
             form = evaluation_form(expr, facts_of(()))
             lines += [line for line in functions.steps(form) if line not in lines]
             values.append(python(form.value) if form.value != 0 else "0.0")
-            needs |= functions.needs(form, ("x",))
         text = values[-1]
         for piece, value in reversed(list(zip(pieces, values, strict=True))[:-1]):
-            text, needs = f"np.where(x > {piece.upper}, {text}, {value})", needs | {str(piece.upper)}
+            text = f"np.where(x > {piece.upper}, {text}, {value})"
         if "x" not in text:
             text = "np.zeros_like(x)" if text == "0.0" else f"{text} * np.ones_like(x)"
         if functions.profile.complete and name == "profile":
-            text, needs = f"np.where(x <= a, {text}, np.nan)", needs | {"a"}
-        functions.add(name, ("x",), [*lines, f"return {text}"], needs, doc)
+            text = f"np.where(x <= a, {text}, np.nan)"
+        functions.add(name, ("x",), [*lines, f"return {text}"], doc)

@@ -17,10 +17,10 @@ from ...notation import P, a, e, x, x_zero
 from ...physics.plane import PRESSURE
 from ...stable.forms import EvaluationForm
 from ...stable.opaque import named
-from ...stable.signs import facts_of
 from ...stable.variants import Variant
-from ..bodies.complete import ZETA
-from ..private import Private, PrivateFunctions
+from ..bodies.complete import threshold
+from ..function import Function
+from ..private import PrivateFunctions
 from ..text import python
 from .compact import add_profile
 from .forms import form_of, lines_of, told_apart
@@ -46,25 +46,23 @@ class Complete:
         self._slope()
         self._depth()
 
-    def _add(self, suffix: str, lines: list[str], needs: set[str], value: str) -> Private:
+    def _add(self, suffix: str, lines: list[str], value: str) -> Function:
         """NaN where the contact is not complete."""
         if self.concave and suffix in ("p", "s", "d"):
-            least = self.functions.functions["minimum_load"]
+            least = self.functions["minimum_load"]
             # at the least load itself, which a caller computes, the contact is complete
             lines.append(f"complete = {least.call()} * (1.0 - 1e-15) <= P")
             lines.append(f"result = {value}")
-            value, needs = "np.where(complete, result, np.nan)", needs | set(least.needs)
-        quantity = self.entries[suffix].quantity
-        fields = tuple(str(argument) for argument in quantity.arguments)
-        return self.functions.add(quantity.function, fields, [*lines, f"return {value}"], needs - set(fields))
+            value = "np.where(complete, result, np.nan)"
+        return self.functions.of_entry(self.entries[suffix], [*lines, f"return {value}"])
 
-    def _parts(self, suffix: str, lines: list[str]) -> set[str]:
+    def _parts(self, suffix: str) -> list[str]:
         """Lines that end with `value = ...`: what the load does, and what the face does.
 
         The second part of the slope is opposed to the first by a bounded factor at
         most, since P >= P_min; depth and pressure do change their signs.
         """
-        needs: set[str] = set()
+        lines: list[str] = []
         entry = self.entries[suffix]
         exprs, forms = parts(entry, self.concave, self.functions.variant(entry))
         for name, form in zip(exprs, forms, strict=True):
@@ -75,57 +73,39 @@ class Complete:
             else:
                 lines_of(self.functions, name, form, lines)
                 lines += ["value = strip + face"] if name == "face" else []
-            needs |= self.functions.needs(form, ())
-        return needs
+        return lines
 
     def _zero_distance(self) -> None:
         entry = self.entries["xz"]
-        if entry.status == "root":
-            value, needs = "a * ring_of_zero_pressure(n)", {"a", "n"}
-        else:
-            place = entry.cases[0].expr
-            value, needs = python(place) if place != 0 else "0.0 * a", {"a"}
-        self._add("xz", [], needs, value)
+        place = "a * ring_of_zero_pressure(n)" if entry.status == "root" else python(entry.cases[0].expr)
+        self._add("xz", [], "0.0 * a" if place == "0" else place)
 
     def _minimum_load(self) -> None:
-        expr = self.entries["Pmin"].cases[0].expr
-        if expr.has(x_zero):
-            # in what is left of a**2 outside that place: for large exponents the difference of the squares is lost
-            expr = sp.factor(sp.expand(expr.subs(x_zero, a * sp.sqrt(1 - ZETA))))
-        form = self.functions.form(self.entries["Pmin"], expr, facts_of(()))
-        lines, needs, value = self.functions.steps(form), self.functions.needs(form, ()), python(form.value)
-        if expr.has(ZETA):
-            lines.append(f"{ZETA} = outside_zero_pressure(n)")
-            needs = needs - {str(ZETA)}
-        self._add("Pmin", lines, needs, value)
+        place, form = threshold(self.functions, self.entries["Pmin"], x_zero)
+        self._add("Pmin", [*self.functions.steps(form), *place], python(form.value))
 
     def _pressure(self) -> None:
-        lines: list[str] = []
         excess = excess_over_threshold(self.entries) if self.concave else None
         if excess is None:
-            needs = self._parts("p", lines)
+            lines = self._parts("p")
         else:
-            least = self.functions.functions["minimum_load"]
+            least = self.functions["minimum_load"]
             lines = ["root = np.sqrt((a - x) * (a + x))", f"face = {python(excess)}"]
             carried = named("carried")
             lines.append(f"carried = P - {least.call()} + face")
             lines.append(f"value = {python(PRESSURE * carried / named('root'))}")
-            needs = {str(symbol) for symbol in excess.free_symbols} | {*least.needs, "a"}
-        self._add("p", lines, needs, "np.where((x <= a) & (P > 0.0), value, 0.0)")
+        self._add("p", lines, "np.where((x <= a) & (P > 0.0), value, 0.0)")
 
     def _slope(self) -> None:
-        lines: list[str] = []
-        needs = self._parts("s", lines)
-        inside = self.functions.functions["profile_slope"]
+        lines = self._parts("s")
+        inside = self.functions["profile_slope"]
         slope = f"-{inside.call()}" if self.concave else "0.0"
         # infinite at the edge itself
         lines.append("outside = np.where(P > 0.0, value, 0.0)")
-        self._add("s", lines, needs | {*inside.needs, "a"}, f"np.where(x >= a, outside, {slope})")
+        self._add("s", lines, f"np.where(x >= a, outside, {slope})")
 
     def _depth(self) -> None:
-        lines: list[str] = []
-        needs = self._parts("d", lines)
-        self._add("d", lines, needs | {"a"}, "np.where(a <= L, value, np.nan)")
+        self._add("d", self._parts("d"), "np.where(a <= L, value, np.nan)")
 
 
 def parts(entry: Entry, concave: bool, variant: Variant) -> tuple[tuple[str, ...], tuple[EvaluationForm, ...]]:
@@ -204,14 +184,12 @@ def _pressure(entry: Entry, functions: PrivateFunctions) -> None:
         f"pressed = np.where({_limit(entry)}, touching, apart)",
         "return np.where((x <= a) & (P > 0.0), pressed, 0.0)",
     ]
-    functions.add("pressure", ("x", "P"), lines, {"a", "e"}, "Pressure for x >= 0 under a load on either side.")
+    functions.of_entry(entry, lines, "Pressure for x >= 0 under a load on either side.")
 
 
 def _by_regimes(entry: Entry, functions: PrivateFunctions) -> None:
     touching, apart = (case.expr for case in entry.cases)
     lifted = sp.factor(_lifted(apart))
-    needs = {str(symbol) for case in entry.cases for symbol in case.expr.free_symbols}
     lines = [f"{symbol} = {LEAN[symbol.name]}" for symbol in (SHORT, SIDE) if lifted.has(symbol)]
     lines.append(f"return np.where({_limit(entry)}, {python(touching)}, {python(lifted)})")
-    fields = tuple(str(argument) for argument in entry.quantity.arguments)
-    functions.add(entry.quantity.function, fields, lines, needs | {"a", "e"})
+    functions.of_entry(entry, lines)

@@ -17,8 +17,7 @@ from types import FunctionType, ModuleType
 from typing import TypeGuard
 
 from ...stable.measure import imported
-from ..imports import PLACE
-from ..public import PACKAGE
+from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import Twins
 from .expressions import RULE, expression

@@ -15,40 +15,13 @@ from __future__ import annotations
 import ast
 from typing import TYPE_CHECKING
 
+from .source import Edit, Source
+
 if TYPE_CHECKING:
     from .linking import Definition, Key, Linker
 
 
 MARK, SHORT_WAYS = "in_groups", ("at_many_radii", "over_radii", "Kept")
-Edit = tuple[int, int, str]
-
-
-class _Text:
-    """Source with the byte offsets of its nodes."""
-
-    def __init__(self, text: str) -> None:
-        self.data, self.tree = text.encode(), ast.parse(text)
-        self.starts = [0]
-        for line in text.splitlines(keepends=True):
-            self.starts.append(self.starts[-1] + len(line.encode()))
-
-    def span(self, node: ast.expr | ast.stmt | ast.arg | ast.alias) -> tuple[int, int]:
-        """First byte of a node, and the byte behind its last."""
-        assert node.end_lineno is not None and node.end_col_offset is not None
-        return self.starts[node.lineno - 1] + node.col_offset, self.starts[node.end_lineno - 1] + node.end_col_offset
-
-    def source(self, node: ast.expr) -> str:
-        """The text of a node."""
-        start, end = self.span(node)
-        return self.data[start:end].decode()
-
-    def edited(self, edits: list[Edit]) -> str:
-        """The text with new words in place of spans, given as (first byte, byte behind the last, words)."""
-        out, place = [], 0
-        for start, end, new in sorted(edits):
-            out += [self.data[place:start], new.encode()]
-            place = end
-        return b"".join([*out, self.data[place:]]).decode()
 
 
 def rules(text: str) -> dict[str, int]:
@@ -60,7 +33,7 @@ def ungrouped(text: str, known: dict[str, int]) -> str:
     """The module with these rules, and calls of them, written plainly."""
     if not any(name in text for name in (*known, *SHORT_WAYS)):
         return text
-    own, edits = _Text(text), []
+    own, edits = Source(text), []
     for node in ast.walk(own.tree):
         if isinstance(node, ast.FunctionDef) and _marked(node):
             edits += _plain_rule(own, node)
@@ -87,7 +60,7 @@ def _arity(rule: ast.FunctionDef) -> int:
     return next(len(c.args) for c in calls if isinstance(c.func, ast.Name) and c.func.id == slope)
 
 
-def _plain_rule(own: _Text, rule: ast.FunctionDef) -> list[Edit]:
+def _plain_rule(own: Source, rule: ast.FunctionDef) -> list[Edit]:
     """Without the mark, with a width, and integrating what it returned."""
     last = rule.body[-1]
     assert isinstance(last, ast.Return) and isinstance(last.value, ast.Tuple)
@@ -99,7 +72,7 @@ def _plain_rule(own: _Text, rule: ast.FunctionDef) -> list[Edit]:
     return [(mark, own.starts[rule.lineno - 1], ""), (end, end, ", width: Array = 1.0"), (*own.span(last.value), value)]
 
 
-def _integrating(own: _Text, imported: ast.ImportFrom) -> list[Edit]:
+def _integrating(own: Source, imported: ast.ImportFrom) -> list[Edit]:
     """What integrates a plain rule, beside the mark that it replaces."""
     names = {alias.name: alias for alias in imported.names}
     if MARK not in names or "integral_in_strip" in names:
@@ -107,7 +80,7 @@ def _integrating(own: _Text, imported: ast.ImportFrom) -> list[Edit]:
     return [(*own.span(names[MARK]), "integral_in_strip")]
 
 
-def _plain_call(own: _Text, call: ast.Call, arity: int) -> list[Edit]:
+def _plain_call(own: Source, call: ast.Call, arity: int) -> list[Edit]:
     """`rule(_slope, (R, b), r, a)` becomes `rule(lambda t: _slope(t, R, b), r, a)`."""
     slope, given = call.args[0], call.args[1]
     if not isinstance(given, ast.Tuple):

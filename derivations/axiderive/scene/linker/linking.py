@@ -14,12 +14,11 @@ import ast
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
-from ...code.imports import PLACE
-from ..calls import arguments
+from ...code.module import PLACE
 from .inlining import inlined
 from .rewriting import rewritten
+from .source import Source, arguments
 
 Key = tuple[str, str]
 """Module and name."""
@@ -78,27 +77,19 @@ class Definition:
                     yield node, (alias, node.attr)
 
 
-@dataclass(eq=False)
-class Module:
+class Module(Source):
     """One module, parsed."""
 
-    name: str
-    text: str
-    definitions: dict[str, Definition] = field(default_factory=dict)
-    imported: dict[str, Key] = field(default_factory=dict)
-    aliases: dict[str, str] = field(default_factory=dict)
-    notes: dict[str, str] = field(default_factory=dict)
-    """What the text under a constant says of it."""
-
-    def __post_init__(self) -> None:
-        self.text = _with_imports_outside(self.text)
-        tree = ast.parse(self.text)
-        self.lines = self.text.splitlines(keepends=True)
-        self.starts = [0]
-        for line in self.lines:
-            self.starts.append(self.starts[-1] + len(line.encode()))
-        self.bytes = self.text.encode()
-        for node, below in zip(tree.body, [*tree.body[1:], None], strict=True):
+    def __init__(self, name: str, text: str) -> None:
+        super().__init__(_with_imports_outside(text))
+        self.name = name
+        self.definitions: dict[str, Definition] = {}
+        self.imported: dict[str, Key] = {}
+        self.aliases: dict[str, str] = {}
+        self.notes: dict[str, str] = {}
+        """What the text under a constant says of it."""
+        body = self.tree.body
+        for node, below in zip(body, [*body[1:], None], strict=True):
             self._define(node)
             match node, below:
                 case ast.Assign(targets=[ast.Name(id=name)]), ast.Expr(value=ast.Constant(value=str(note))):
@@ -130,18 +121,6 @@ class Module:
         if name in self.definitions:
             return self.name, name
         return self.imported.get(name)
-
-    def span(self, node: Any) -> tuple[int, int]:
-        """First and last byte of a node, decorators of a function included."""
-        first = min([node, *getattr(node, "decorator_list", [])], key=lambda n: n.lineno)
-        column = 0 if first is not node else node.col_offset
-        end = self.starts[node.end_lineno - 1] + node.end_col_offset
-        return self.starts[first.lineno - 1] + column, end
-
-    def source(self, node: Any) -> str:
-        """The text of a node, decorators included."""
-        start, end = self.span(node)
-        return self.bytes[start:end].decode()
 
 
 def _with_imports_outside(text: str) -> str:

@@ -8,8 +8,8 @@ import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from ..calls import arguments
 from .inlining import returned
+from .source import Edit, arguments
 
 if TYPE_CHECKING:
     from .linking import Definition, Key, Linker, Module
@@ -110,17 +110,9 @@ class _Rewriting:
 
     def _render(self, node: ast.AST) -> str:
         """Source of a node with all edits inside it made."""
-        start, end = self.module.span(node)
-        edits = sorted(self._edits(node), key=lambda edit: (edit[0], -edit[1]))
-        data, out, place = self.module.bytes, [], start
-        for first, last, new in edits:
-            if first < place:
-                continue
-            out += [data[place:first].decode(), new]
-            place = last
-        return "".join([*out, data[place:end].decode()])
+        return self.module.edited(self._edits(node), *self.module.span(node))
 
-    def _edits(self, node: ast.AST) -> list[tuple[int, int, str]]:
+    def _edits(self, node: ast.AST) -> list[Edit]:
         edits = []
         for child in ast.walk(node):
             if isinstance(child, ast.Call) and self._certain(child):
@@ -167,7 +159,7 @@ class _Rewriting:
     def _name(self, key: Key) -> str:
         return self.linker.names[key]
 
-    def _call(self, call: ast.Call) -> list[tuple[int, int, str]]:
+    def _call(self, call: ast.Call) -> list[Edit]:
         """The call without the arguments that are no longer taken; untouched inside if none is."""
         key = self.keys[id(call.func)]
         if key in self.linker.inlined:
@@ -204,7 +196,7 @@ class _Rewriting:
             return name
         return f"({text})" if _binds_less(value, self.parents.get(id(call))) else text
 
-    def _header(self, node: ast.FunctionDef) -> list[tuple[int, int, str]]:
+    def _header(self, node: ast.FunctionDef) -> list[Edit]:
         """A nested function without annotations."""
         start = self.module.span(node)[0]
         end = self.module.bytes.index(b":\n", self._header_end(node)) + 1

@@ -5,30 +5,24 @@ from __future__ import annotations
 import ast
 import json
 from collections import ChainMap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from ... import profiles
 from ...abel.reduce import NotReducibleError
-from ...code import graded, physics, plane, python
 from ...code.graded.families import family
-from ...code.imports import PLACE, RUNTIME
-from ...code.physics import loads as pressures
-from ...code.physics import viscoelastic
-from ...code.physics.text import NormalModule
+from ...code.module import PLACE, RUNTIME
 from ...code.python import NODE_COUNTS
+from ...code.systems import alone, superposed
 from ...code.tables import kernels_source, nodes_source
 from ...entry import Entry
 from ...notation import r
-from ...physics import Physics
-from ...physics import loads as prescribed
 from ...physics import normal as plain
-from ...physics import plane as strips
 from ...physics import viscoelastic as creeping
 from ...physics.medium import GRADED
-from ...physics.systems import System
+from ...physics.systems import BY_NAME, System
 from ...profiles.profile import Profile
 from ...store.index import NoCatalogueError, package
 from ...store.records import read_entry
@@ -36,6 +30,7 @@ from ..interface import NORMAL, Kind
 from .inlining import rules, ungrouped
 from .linking import Module
 
+CREEPING = BY_NAME["viscoelastic"]
 FOLDERS = (RUNTIME, Path(__file__).with_name("runtime"))
 """The run time, and new modules of it, or definitions in place of others of the same name."""
 
@@ -116,17 +111,14 @@ def evidence(name: str) -> dict[str, Any] | None:
     return record
 
 
-MODULES: dict[Physics, Callable[[Mapping[str, Entry]], str]] = {
-    plain.PHYSICS: python.module_source,
-    strips.PHYSICS: plane.module_source,
-    prescribed.PHYSICS: lambda entries: pressures.module_source(entries["w"]),
-}
-"""The writers of the modules that rest on no other."""
-
-
 def stored_module(name: str, entries: Mapping[str, Entry], kind: Kind) -> str:
     """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
-    return stored(f"{kind.plain.name}/{name}.py") or MODULES[kind.plain.physics](entries)
+    return stored(f"{kind.plain.name}/{name}.py") or alone(kind.plain, entries).source()
+
+
+def _parameters(module: Module) -> dict[str, list[str]]:
+    """What each function of a module takes."""
+    return {name: own.parameters for name, own in module.definitions.items() if own.function}
 
 
 @cache
@@ -136,8 +128,8 @@ def _viscoelastic(name: str) -> str:
     if text is None:
         profile = profiles.load(name)
         entries = stored_entries(profile, NORMAL)
-        own = NormalModule.read(entries, stored_module(name, entries, NORMAL))
-        text = viscoelastic.module_source(own, creeping.derive(profile))
+        normal = Module(name, stored_module(name, entries, NORMAL))
+        text = superposed(CREEPING, creeping.derive(profile), entries, _parameters(normal)).source()
     return text
 
 
@@ -168,8 +160,13 @@ def _graded(profile: Profile, systems: Sequence[System]) -> dict[str, str]:
     if len(found) == len(names):
         return found
     pressed = plain.derive(profile, GRADED)
-    entries = {own: own.derive(profile, pressed) if own.base else pressed for own in systems}
-    return {name: graded.WRITERS[own.physics](entries[own], pressed) for own, name in names.items()}
+    base, *above = systems
+    normal = alone(base, pressed)
+    found = {names[base]: normal.source()}
+    for own in above:
+        entries = own.derive(profile, pressed)
+        found[names[own]] = superposed(own, entries, pressed, normal.parameters, interface=False).source()
+    return found
 
 
 def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: Kind) -> ChainMap[str, Module]:
@@ -185,7 +182,8 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         The kind of contact.
     """
     system, first = wanted.system, f"{wanted.plain.name}.{profile.name}"
-    modules = ChainMap({first: _module(first, normal)}, runtime())
+    below = _module(first, normal)
+    modules = ChainMap({first: below}, runtime())
     if wanted.graded:
         texts = _graded(profile, [own for own in (system.base, system) if own])
     elif system.base is None:
@@ -193,7 +191,7 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
     elif wanted.law and profile.name in profiles.NAMES:
         texts = {f"{system.name}.{profile.name}": _viscoelastic(profile.name)}
     else:
-        below = NormalModule.read(entries, normal)
         own = {} if wanted.law else system.derive(profile, entries)
-        texts = {f"{system.name}.{profile.name}": physics.FORMULAS[system.physics](below, own)}
+        above = superposed(system, own, entries, _parameters(below), interface=False)
+        texts = {f"{system.name}.{profile.name}": above.source()}
     return modules | {key: _module(key, text) for key, text in texts.items()}

@@ -19,11 +19,9 @@ from collections import ChainMap
 from collections.abc import Callable, Iterator, Mapping, MutableMapping, Sequence
 from typing import Any
 
-from ..calls import arguments
 from .linking import Definition, Key, Module
+from .source import Edit, arguments
 
-Edit = tuple[int, int, str]
-"""First and last byte of a text, and what takes its place."""
 WIDTH = 110
 UNKNOWN = object()
 RELATIONS: Mapping[type[ast.cmpop], Callable[[Any, Any], bool]] = {
@@ -240,7 +238,7 @@ def specialised(modules: Modules, roots: Sequence[Key], shared: frozenset[Key]) 
             for call, key in _calls(modules, definition):
                 if key in found:
                     own += _without(definition.module, call, reached[key].parameters, found[key])
-        changed = {module: Module(module.name, _edited(module, own)) for module, own in edits.items() if own}
+        changed = {module: Module(module.name, module.edited(own)) for module, own in edits.items() if own}
         names = {module.name for module in changed}
         modules = ChainMap({name: _joined(modules[name], changed) for name in names}, modules)
 
@@ -252,16 +250,6 @@ def _joined(module: Module, changed: Mapping[Module, Module]) -> Module:
         if definition.module is not module:
             found.definitions[name] = changed.get(definition.module, definition.module).definitions[name]
     return found
-
-
-def _edited(module: Module, edits: Sequence[Edit]) -> str:
-    """The text of a module; of edits one inside the other the outer counts."""
-    out, place = [], 0
-    for first, last, new in sorted(edits, key=lambda edit: (edit[0], -edit[1])):
-        if first >= place:
-            out += [module.bytes[place:first].decode(), new]
-            place = last
-    return "".join([*out, module.bytes[place:].decode()])
 
 
 def _reach(modules: Modules, roots: Sequence[Key], shared: frozenset[Key]) -> dict[Key, Definition]:

@@ -18,6 +18,7 @@ from ...expression import ExpressionError
 from ...expression.definition import Definition, Numeric
 from ...expression.validity import examine
 from ...oracle.definitions import greatest
+from ...oracle.half_space import HalfSpace
 from ...oracle.shape import shape
 from ...profiles.profile import Profile
 from .. import interface
@@ -30,6 +31,8 @@ UNITS = {"a": "m", "d": "m", "F": "N"}
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free."""
+SYMBOLS = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu}
+"""Of the half-space, by their letters."""
 
 
 def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
@@ -173,6 +176,29 @@ class Contact:
         if kind.graded or not kind.physics.tension:
             return mp.mpf(0)
         return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
+
+    def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
+        """The half-space, graded or not, under this profile at the values of the scene; `places` are fields by name."""
+        known = {nt.E_star: mp.mpf(self.all.get("E_star", 1.0))}
+        known |= {symbol: mp.mpf(self.all[name]) for name, symbol in SYMBOLS.items() if name in self.all}
+        fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
+        return HalfSpace(self.profile, {**known, **self.given(), **fields}, digits, graded=self.request.kind.graded)
+
+    def quantity(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
+        """A quantity on the homogeneous half-space, less what adhesion takes; fields at the radius `at`."""
+        E, moved, radius = mp.mpf(self.all.get("E_star", 1.0)), self.moved(a), mp.mpf(a)
+        match suffix:
+            case "Dl":
+                return moved
+            case "k":
+                return 2 * E * radius
+            case "pm":
+                return self.force(a) / (mp.pi * radius**2)
+            case "p" if at is not None:
+                return self.normal("p", a, at) - E * moved / (mp.pi * mp.sqrt((radius - at) * (radius + at)))
+            case "w" if at is not None:
+                return self.normal("w", a, at) - 2 / mp.pi * mp.asin(radius / at) * moved
+        return self.depth(a) if suffix == "d" else self.force(a)
 
     def depth(self, a: float) -> mp.mpf:
         """The depth at a contact radius [m], less the retraction under adhesion."""

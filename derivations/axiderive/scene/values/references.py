@@ -21,14 +21,12 @@ from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
-from ...oracle.half_space import HalfSpace
 from ...oracle.integrals import GUARD
 from ...oracle.shape import number
 from .. import interface
 from .contact import DIGITS, Contact, short
 
 Rows = list[tuple[tuple[float, ...], Any]]
-MATERIAL = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu}
 STICK = 0.6
 """Radius of the stick zone over the contact radius, or its place between a flat face and it."""
 COARSE = 8
@@ -37,46 +35,42 @@ FURTHER = 1.3 ** np.arange(1, 6)
 """Larger radii over this one at which a load is asked whether it is carried twice."""
 
 
-def graded(contact: Contact, name: str) -> Rows:
-    """Calls of a function with their results."""
+def compact(contact: Contact, name: str) -> Rows:
+    """Calls of a function of a contact that grows, with their results."""
     kind = contact.request.kind
     own, below = interface.functions(kind), interface.functions(interface.NORMAL)
     rows: Rows = []
     with mp.workdps(DIGITS + 10):
         for a in contact.radii():
-            at = _Radius(contact, a, adhesive=kind.physics.tension)
+            at = _Radius(contact, a)
             if kind.physics.shear and name in own:
                 rows += at.slipping(name, own[name])
             else:
-                rows += at.pressed(name, own.get(name) or below[name])
+                rows += at.pressed(name, own.get(name) or below.get(name) or interface.peaks(contact.profile)[name])
     return rows
 
 
 class _Radius:
-    """One contact radius."""
+    """One contact radius, on either half-space."""
 
-    def __init__(self, contact: Contact, a: float, *, adhesive: bool) -> None:
-        self.contact, self.a, self.adhesive = contact, a, adhesive
-
-    def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
-        """The graded half-space under this profile at the values of the scene; `places` are fields by name."""
-        contact = self.contact
-        known = {symbol: mp.mpf(contact.all[name]) for name, symbol in MATERIAL.items() if name in contact.all}
-        fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
-        return HalfSpace(contact.profile, {**known, **contact.given(), **fields}, digits, graded=True)
+    def __init__(self, contact: Contact, a: float) -> None:
+        self.contact, self.a = contact, a
+        self.adhesive, self.graded = contact.request.kind.physics.tension, contact.request.kind.graded
 
     def load(self, suffix: str, a: float | None = None, digits: int = DIGITS, **places: float) -> Any:
         """A quantity of the contact, with adhesion where there is some."""
         radius, found = a or self.a, self.contact.found
+        if not self.graded:
+            return self.contact.quantity(suffix, radius, places.get("r"))
         key = (f"{suffix}, {digits} digits", radius, places.get("r"))
         if key not in found:
-            own = self.half_space(digits, **places)
+            own = self.contact.half_space(digits, **places)
             found[key] = (own.adhesive if self.adhesive else own.normal)(suffix, mp.mpf(radius))
         return found[key]
 
     def pressed(self, name: str, function: interface.Function) -> Rows:
         """Normal contact, with or without adhesion."""
-        a, height, suffix = self.a, self.contact.height, function.quantity.suffix
+        a, height, quantity = self.a, self.contact.height, function.quantity
         places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
         outside = short(1.6 * a)
         match name:
@@ -87,21 +81,25 @@ class _Radius:
             case "displacement":
                 under = [((r, a), self.load("d") - height(r)) for r in places]
                 return [((outside, a), self.load("w", r=outside)), *under]
-            case _ if source := function.quantity.inverts:
+            case _ if quantity.member:
+                return [((a,), self.contact.peak(a)[quantity.member == "radius"])]
+            case _ if source := quantity.inverts:
                 if self.adhesive and not self.outermost(source):
                     return []
-                target = function.quantity.symbol
+                target = quantity.symbol
                 return [((float(self.load(source)),), mp.mpf(a) if target == nt.a else self.load(str(target)))]
-        return [((a,), self.load(suffix))]
+        return [((a,), self.load(quantity.suffix))]
 
     def outermost(self, source: str) -> bool:
         """Whether the load rises through this radius and no larger one in the domain carries the same.
 
-        That of waves is not asked: the quadrature over many of them takes more than a minute.
+        That of waves is not asked on a graded half-space: the quadrature over many of them takes more than a minute.
         """
+        if not self.graded:
+            return self.contact.outermost(source, self.a)
         if nt.wavelength in self.contact.profile.parameters:
             return False
-        own = self.half_space()
+        own = self.contact.half_space()
         if not own.separation(COMPACT[source].function, mp.mpf(self.a)) > own.at(nt.dgamma):
             return False
         here = self.load(source, digits=COARSE)
@@ -114,16 +112,26 @@ class _Radius:
         a, contact = self.a, self.contact
         floor = float(contact.given()[contact.profile.breaks[0]]) if contact.profile.truncated else 0.0
         c = short(floor + STICK * (a - floor))
-        radius = mp.mpf(a)
         match name:
             case "traction":
-                places = (0.5 * c, 0.5 * (a + c))
-                return [((r, a, c), self.half_space(r=r, c=c).tangential("tau", radius)) for r in places]
+                return [((r, a, c), self.slip("tau", c, r)) for r in (0.5 * c, 0.5 * (a + c))]
             case "stick_radius":
-                return [((float(self.half_space(c=c).tangential("F", radius)), a), mp.mpf(c))]
+                return [((float(self.slip("F", c)), a), mp.mpf(c))]
             case "full_slip_displacement":
-                return [((a,), self.half_space().tangential("us", radius))]
-        return [((a, c), self.half_space(c=c).tangential(function.quantity.suffix, radius))]
+                return [((a,), self.slip("us", c))]
+        return [((a, c), self.slip(function.quantity.suffix, c))]
+
+    def slip(self, suffix: str, c: float, r: float = 0.0) -> Any:
+        """A quantity of partial slip with this stick radius."""
+        if self.graded:
+            return self.contact.half_space(c=c, r=r).tangential(suffix, mp.mpf(self.a))
+        own, a = self.contact.normal, self.a
+        friction, E, G = (mp.mpf(self.contact.all[name]) for name in ("mu", "E_star", "G_star"))
+        if suffix == "tau":
+            return friction * (own("p", a, r) - own("p", c, r))
+        if suffix == "F":
+            return friction * (own("F", a) - own("F", c))
+        return friction * E / G * (own("d", a) - (own("d", c) if suffix == "u" else 0))
 
 
 """Digits of a pressure that is only compared with others."""
@@ -143,16 +151,9 @@ class Edged:
         """Radius of the edge."""
         return mp.mpf(self.contact.all["a"])
 
-    def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
-        """The half-space, graded or not, under this punch at the values of the scene; `places` are fields by name."""
-        own, known = self.contact, {nt.E_star: mp.mpf(self.contact.all.get("E_star", 1.0))}
-        known |= {symbol: mp.mpf(own.all[name]) for name, symbol in MATERIAL.items() if name in own.all}
-        fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
-        return HalfSpace(own.profile, {**known, **own.given(), **fields}, digits, graded=self.graded)
-
     def at(self, suffix: str, depth: float, **places: float) -> Any:
         """A quantity of the normal contact at a depth."""
-        here = self.half_space(DIGITS, d=depth, **places)
+        here = self.contact.half_space(DIGITS, d=depth, **places)
         radius, free = of_depth(here, self.a)
         place = places.get("r")
         if suffix == "p" and place is not None and place > radius:
@@ -164,7 +165,7 @@ class Edged:
     @cached_property
     def depths(self) -> list[float]:
         """Above the least depth of complete contact; of a convex face also one at which its edge is free."""
-        full = self.half_space().depth(self.a)
+        full = self.contact.half_space().depth(self.a)
         if full > 0:
             return [short(float(full * share)) for share in (0.4, 1.7)]
         if full == 0:
@@ -174,7 +175,7 @@ class Edged:
 
     def weighted(self, r: Any, digits: int = DIGITS) -> Any:
         """The depth that the face alone needs for its pressure at r to vanish, with the sign turned."""
-        here = self.half_space(digits, r=r)
+        here = self.contact.half_space(digits, r=r)
         punch = here.pressure(r, self.a, here.depth(self.a) + 1) - here.pressure(r, self.a)
         return here.pressure(r, self.a) / punch
 
@@ -195,11 +196,11 @@ class Edged:
     @cached_property
     def least(self) -> Any:
         """The least depth of complete contact."""
-        return self.half_space().depth(self.a) - self.weighted(self.ring)
+        return self.contact.half_space().depth(self.a) - self.weighted(self.ring)
 
     def pulled(self) -> tuple[Any, Any]:
         """Force and depth at which the edge peels: the contact without adhesion, short of its depth by Dl."""
-        here = self.half_space()
+        here = self.contact.half_space()
         depth = here.depth(self.a) - here.retraction(self.a)
         return here.force(self.a, depth), depth
 
@@ -214,13 +215,13 @@ class Edged:
             case "profile":
                 return [((inside,), self.contact.height(inside))]
             case "retraction":
-                return [((), self.half_space().retraction(self.a))]
+                return [((), self.contact.half_space().retraction(self.a))]
             case "zero_radius":
                 return [((), self.ring)]
             case "minimum_depth":
                 return [((), self.least)]
             case "minimum_force":
-                return [((), self.half_space().force(self.a, self.least))]
+                return [((), self.contact.half_space().force(self.a, self.least))]
         rows: Rows = []
         for depth in self.depths:
             match name:
@@ -283,7 +284,7 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
         corner = next((b for b in _corners(contact) if abs(radius / b - 1) < NEAR), None)
         if contact.request.own is not None and not edged.graded:
             return _least(contact, control, radius, corner)
-        here, wanted = edged.half_space(), mp.mpf(contact.all["dgamma"])
+        here, wanted = contact.half_space(), mp.mpf(contact.all["dgamma"])
 
         def missing(scale: Any) -> Any:
             return mp.log(here.separation(control, radius * scale) / wanted)

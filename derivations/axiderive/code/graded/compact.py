@@ -7,11 +7,13 @@ from collections.abc import Mapping
 import sympy as sp
 
 from ...entry import COMPACT, Entry
-from ...letters import name_of
 from ...notation import a
-from ..layout import fit
+from ...physics.systems import System
+from .. import docstring
+from ..function import Function
+from ..module import Module
+from ..writer import Writer, ordered
 from .families import Family, family
-from .module import HOMOGENEOUS, Writer
 
 METHOD = {
     "inside": "Evaluated as an integral over the growing contact, by a rule that carries the weight of the grading.",
@@ -19,9 +21,18 @@ METHOD = {
 }
 
 
-def module_source(entries: Mapping[str, Entry]) -> str:
+def module(system: System, entries: Mapping[str, Entry]) -> Module:
     """The module of one profile."""
-    return _Normal(entries).source()
+    return _Normal(Writer(system, entries, entries)).module()
+
+
+def add_shape(writer: Writer) -> None:
+    """Adds the public function of the shape of the indenter, which no medium changes."""
+    profile, names = writer.profile, writer.geometry
+    body = [f"return normal.profile(r, {', '.join(f'{name}={name}' for name in names)})"]
+    notes = f"Valid for {profile.validity}. Negative or NaN field values give NaN."
+    doc = docstring.of_shape(profile, notes, writer.example.shape())
+    writer.public.append(Function("profile", ["r"], names, body, doc, "Result"))
 
 
 LIMITS = {"flank": ("1.0 + k", 1.0), "rim": ("1.0 + k", 2.0), "rounding": ("3.0 + k", 2.0)}
@@ -29,35 +40,28 @@ LIMITS = {"flank": ("1.0 + k", 1.0), "rim": ("1.0 + k", 2.0), "rounding": ("3.0 
 
 
 class _Normal:
-    def __init__(self, entries: Mapping[str, Entry]) -> None:
-        self.entries, self.profile = entries, entries["d"].profile
+    def __init__(self, writer: Writer) -> None:
+        self.writer, self.entries, self.profile = writer, writer.entries, writer.profile
         self.family: Family = family(self.profile)
-        self.writer = Writer(self.profile, entries, entries)
         self.geometry = [*self.writer.geometry, "k"]
         self.material = [*self.writer.geometry, "H", "k"]
 
-    def source(self) -> str:
-        """The text of the whole module."""
-        self.writer.profile_function()
-        for suffix in COMPACT:
-            if suffix in self.entries:
-                self.public(suffix)
+    def module(self) -> Module:
+        """The whole module."""
         self.growth()
         self.fields()
         self.inverses()
+        add_shape(self.writer)
+        for suffix in COMPACT:
+            if suffix in self.entries:
+                self.public(self.entries[suffix])
         if self.profile.rules:
             self.check()
-        return self.writer.source(f"{self.profile.title} on a power-law graded half-space")
+        return self.writer.module()
 
-    def public(self, suffix: str) -> None:
+    def public(self, entry: Entry) -> None:
         """Adds the public function of one quantity to the module."""
-        entry, writer, profile = self.entries[suffix], self.writer, self.profile
-        at_radius = a in entry.quantity.arguments
-        body = writer.checks(entry.parameters, reach=profile.truncated and at_radius)
-        fields = [str(argument) for argument in entry.quantity.arguments]
-        used = ["H", "k"] if suffix == "k" else [name_of(symbol) for symbol in entry.parameters]
-        apart = self.writer.geometry if suffix == "k" else []
-        body.append(f"return {writer.evaluated(f'_{entry.quantity.function}', fields, used, apart)}")
+        profile, at_radius = self.profile, a in entry.arguments
         outside = "Negative or NaN field values"
         if profile.truncated and at_radius:
             outside += f", and radii below {profile.breaks[0]} among larger ones,"
@@ -66,31 +70,29 @@ class _Normal:
             notes.append(METHOD[entry.quantity.place])
         if entry.quantity.inverts and self.family.power is None:
             notes.append("Evaluated by a safeguarded Newton iteration.")
-        writer.add(entry, " ".join(notes), body)
+        self.writer.add(entry, " ".join(notes), self.writer.checks(entry.parameters, reach=at_radius))
 
     def check(self) -> None:
         """The rules between the parameters; that of the waves depends on the grading."""
         names = self.writer.geometry
-        typed, passed = (", ".join(part.format(name) for name in names) for part in ("{}: ArrayLike", "{0}={0}"))
-        head = fit(f"def _check({typed}, *, k: ArrayLike, **material: ArrayLike) -> None:", 0)
+        passed = ", ".join(f"{name}={name}" for name in names)
         if not self.family.has("waves"):
-            body = [HOMOGENEOUS, "", f"normal._check({passed}, k=k, **material)"]
+            body = [f"normal._check({passed}, k=k, **material)"]
         else:
             (rule,) = self.profile.rules
             body = [
                 f"require({passed}, k=k, **material)",
                 "R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)",
-                "require_order(",
-                "    elementwise(steepest_waves, k=k) * R * h <= wavelength**2,",
-                '    "steepest_waves(k)*R*h <= wavelength**2",',
-                f'    "{rule.reason}",',
-                "    R=R,",
-                "    h=h,",
-                "    wavelength=wavelength,",
-                "    k=k,",
-                ")",
+                *ordered(
+                    "elementwise(steepest_waves, k=k) * R * h <= wavelength**2",
+                    "steepest_waves(k)*R*h <= wavelength**2",
+                    rule.reason,
+                    ("R", "h", "wavelength", "k"),
+                ),
             ]
-        self.writer.private.append("\n".join([*head, *(f"    {line}".rstrip() for line in body)]) + "\n")
+        typed = [f"{name}: ArrayLike" for name in names]
+        more = ["*", "k: ArrayLike", "**material: ArrayLike"]
+        self.writer.private.append(Function("_check", typed, more, body, returns="None"))
 
     def domain(self) -> str:
         """The condition on the contact radius, "" where there is none."""

@@ -1,0 +1,103 @@
+"""A function of a generated module as data: what it takes, its lines, and the names it rests on."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from .layout import fit
+
+TYPES = {"control": "str"}
+"""Of parameters that are neither numbers nor arrays."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """`name(fields, needs)`: a public one takes its `needs` by keyword, a private one takes all by place.
+
+    A parameter that brings its annotation along stands in the signature as it is.
+    """
+
+    name: str
+    fields: Sequence[str]
+    needs: Sequence[str]
+    lines: Sequence[str]
+    doc: str = ""
+    """The docstring; a private function has one where its name does not say it all."""
+    returns: str = "Array"
+    leading: str = ""
+    """A first parameter that is neither field nor number, with its annotation and default."""
+    summed: bool = False
+    """Whether A is a tuple of coefficients, and no array."""
+    decorator: str = ""
+
+    @property
+    def public(self) -> bool:
+        """Whether it belongs to the interface."""
+        return not self.name.startswith("_")
+
+    @property
+    def parameters(self) -> list[str]:
+        """The names of all it takes, in their order."""
+        return [*self.fields, *self.needs]
+
+    def call(self, *fields: str) -> str:
+        """The code of a call with these fields, or with its own where none are given."""
+        return f"{self.name}({', '.join([*(fields or self.fields), *self.needs])})"
+
+    def growth(self, *fields: str) -> str:
+        """The function of its fields alone, to be integrated."""
+        return f"lambda {', '.join(fields)}: {self.call(*fields)}"
+
+    def with_parameters(self) -> str:
+        """The function and what it needs besides its fields, for a rule that passes them on."""
+        return f"{self.name}, ({', '.join(self.needs)}{',' if len(self.needs) == 1 else ''})"
+
+    def text(self, imports: Sequence[str] = ()) -> str:
+        """The function as Python code; `imports` are lines at its beginning."""
+        head = fit(f"def {self.name}({', '.join(self._typed())}) -> {self.returns}:", 0)
+        lines = [*imports, *([""] if imports else []), *self.lines]
+        apart = [""] if self.doc and lines[0].startswith("def ") else []
+        body = [*self._docstring(), *apart, *(part for line in lines for part in fit(line))]
+        above = [f"@{self.decorator}"] if self.decorator else []
+        return "\n".join([*above, *head, *(f"    {line}".rstrip() for line in body)]) + "\n"
+
+    def _typed(self) -> list[str]:
+        kind = "ArrayLike" if self.public else "Array"
+        types = TYPES | ({"A": "tuple[float, ...]"} if self.summed and not self.public else {})
+        fields, needs = (
+            [name if name == "*" or ":" in name else f"{name}: {types.get(name, kind)}" for name in names]
+            for names in (self.fields, self.needs)
+        )
+        apart = ["*"] if self.public and needs else []
+        return [*([self.leading] if self.leading else []), *fields, *apart, *needs]
+
+    def _docstring(self) -> list[str]:
+        if not self.doc:
+            return []
+        first, *others = self.doc.split("\n")
+        return [f'"""{first}', *others, '"""'] if others else [f'"""{first}"""']
+
+    @cached_property
+    def uses(self) -> frozenset[str]:
+        """The names that mean something of the module or of the run time, those of annotations among them."""
+        nodes = list(ast.walk(ast.parse(self.text())))
+        names = [node for node in nodes if isinstance(node, ast.Name)]
+        bound = {node.id for node in names if isinstance(node.ctx, ast.Store)}
+        bound |= {node.arg for node in nodes if isinstance(node, ast.arg)}
+        bound |= {node.name for node in nodes if isinstance(node, ast.FunctionDef)}
+        return frozenset({node.id for node in names} - bound)
+
+
+def reached(functions: Iterable[Function], roots: Iterable[Function]) -> list[Function]:
+    """Those of some functions that the roots use, directly or through others, in their order."""
+    known = {own.name: own for own in functions}
+    found, pending = set[str](), [name for root in roots for name in root.uses]
+    while pending:
+        name = pending.pop()
+        if name in known and name not in found:
+            found.add(name)
+            pending += known[name].uses
+    return [own for name, own in known.items() if name in found]
