@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import gc
 import json
+import os
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from types import ModuleType
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+# SymPy keeps all its results, as in a build; it asks for this when it is imported
+os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+
 from stored_book import CATALOGUE, KEYS, evidence, kernels, stored
 
 from axiderive.code import python, tables
@@ -26,6 +32,21 @@ PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("repeatable", PATIENT, derandomize=True)
 settings.register_profile("explore", PATIENT)
 settings.load_profile("repeatable")
+
+# an expression makes thousands of objects and few circles: to look for them at every 700 took 5 % of a run
+gc.set_threshold(100_000, 20, 20)
+
+
+def pytest_collection_finish() -> None:
+    """What is imported stays."""
+    gc.freeze()
+
+
+def pytest_unconfigure() -> None:
+    """What lies in circles is looked for once more, and not six times while the interpreter ends: 6 s of a worker."""
+    gc.collect()
+    gc.freeze()
+
 
 WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materials")
 
