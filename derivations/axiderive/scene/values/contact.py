@@ -156,12 +156,11 @@ class Contact:
 
     def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
         """The greatest pressure and its radius, searched for once."""
-        known, key = self.given() | {nt.a: sp.Rational(a)}, ("peak", a, None)
+        key = ("peak", a, None)
         # the nodes next to the edge are told from it
         with mp.workdps(3 * DIGITS):
-            if key not in self.found:
-                self.found[key] = greatest(shape(self.profile, known), mp.mpf(a), 2 * DIGITS)
-            place, found = self.found[key]
+            face = shape(self.profile, self.given() | {nt.a: sp.Rational(a)})
+            place, found = self.found.get(key) or self.found.setdefault(key, greatest(face, mp.mpf(a), 2 * DIGITS))
             return mp.mpf(self.all["E_star"]) * found, place
 
     def height(self, at: float) -> mp.mpf:
