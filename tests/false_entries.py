@@ -26,6 +26,8 @@ from axiderive.entry import Case, Entry, Primitive
 from axiderive.oracle.evaluate import at_precision
 from axiderive.oracle.shape import coefficient, concrete
 from axiderive.physics import systems
+from axiderive.store.records import entry_record, profile_record
+from axiderive.verifier import rests_on
 
 Entries = dict[str, Entry]
 Change = Callable[[sp.Expr], sp.Expr]
@@ -64,6 +66,25 @@ class FalseEntry:
 @functools.cache
 def derived(problem: str) -> Entries:
     return systems.problem(problem).derive()
+
+
+@functools.cache
+def _encoded(problem: str) -> dict[str, Any]:
+    return {suffix: entry_record(entry) for suffix, entry in derived(problem).items()}
+
+
+def record(problem: str, entries: Entries) -> dict[str, Any]:
+    """The problem as the evidence stores it, with these entries."""
+    true, known = derived(problem), _encoded(problem)
+    stored = {s: known[s] if entry is true.get(s) else entry_record(entry) for s, entry in entries.items()}
+    return {"problem": problem, "profile": profile_record(systems.problem(problem).profile), "entries": stored}
+
+
+@functools.cache
+def below(problem: str) -> dict[str, Any] | None:
+    """The normal contact that it rests on, as it is stored."""
+    plain = rests_on(problem)
+    return record(plain, derived(plain)) if plain else None
 
 
 # how an entry is changed

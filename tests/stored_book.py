@@ -31,14 +31,27 @@ SEED = 29
 
 
 @cache
+def record(key: str) -> dict[str, Any]:
+    """What the catalogue holds of a problem, as plain data."""
+    found: dict[str, Any] = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())
+    return found
+
+
+@cache
+def receipts() -> dict[str, dict[str, str]]:
+    """By problem and kind of result, of which inputs a build has made it."""
+    found: dict[str, dict[str, str]] = json.loads((CATALOGUE / "evidence" / "receipts.json").read_bytes())
+    return found
+
+
+@cache
 def stored(key: str) -> dict[str, Entry]:
-    record = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())
-    return read_entries(problem(key), record["entries"])
+    return read_entries(problem(key), record(key)["entries"])
 
 
 def suffixes(key: str) -> tuple[str, ...]:
     """The quantities of a problem, without reading their formulas."""
-    return tuple(json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["entries"])
+    return tuple(record(key)["entries"])
 
 
 @cache
@@ -47,10 +60,9 @@ def kernels() -> str:
     return (CATALOGUE / "axicontact" / "_runtime" / "kernels.py").read_text()
 
 
-@cache
 def evidence(key: str) -> dict[str, Any]:
     """What the catalogue holds of the checks and measurements of a problem."""
-    found: dict[str, Any] = json.loads((CATALOGUE / "evidence" / f"{key}.json").read_bytes())["evidence"]
+    found: dict[str, Any] = record(key)["evidence"]
     return found
 
 

@@ -52,7 +52,7 @@ def imported(name: str, *, inside: bool) -> Iterator[str]:
     """What a module imports of the engine: at its top, or inside its functions too."""
     parts = name.split(".")
     package = parts if (ENGINE.joinpath(*parts) / "__init__.py").is_file() else parts[:-1]
-    for node in _running(sources()[name], inside=inside):
+    for node in ast.walk(sources()[name]) if inside else _at_top(sources()[name]):
         if isinstance(node, ast.ImportFrom) and node.level:
             base = [*package[: len(package) - node.level + 1], *(node.module or "").split(".")]
             for alias in node.names:
@@ -60,14 +60,15 @@ def imported(name: str, *, inside: bool) -> Iterator[str]:
                 yield own if own in sources() else ".".join(filter(None, base))
 
 
-def _running(node: ast.AST, *, inside: bool) -> Iterator[ast.AST]:
+def _at_top(node: ast.AST) -> Iterator[ast.AST]:
+    """What runs when a module is imported."""
     yield node
-    if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING" and not inside:
+    if isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING":
         return
-    if isinstance(node, ast.FunctionDef) and not inside:
+    if isinstance(node, ast.FunctionDef | ast.expr):
         return
     for child in ast.iter_child_nodes(node):
-        yield from _running(child, inside=inside)
+        yield from _at_top(child)
 
 
 def room(name: str) -> str:

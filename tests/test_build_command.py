@@ -204,12 +204,13 @@ def test_a_missing_pdf_is_an_error_only_if_asked(elsewhere, monkeypatch, capsys)
 
 @pytest.mark.slow
 def test_jobs_and_hash_seed_do_not_change_a_byte(tmp_path):
+    """Of two profiles, to few digits: a build of all by other processes is compared with the catalogue in `.ci/run`."""
     catalogues = []
     for jobs, seed in (("1", "1"), ("2", "2")):
         out = tmp_path / seed
         done = axicontact(
-            *("build", "--only", "cone,rounded_punch,flat_punch", "--no-pdf", "--fresh"),
-            *("--jobs", jobs, "--out", str(out)),
+            *("build", "--only", "cone,flat_punch", "--no-pdf", "--fresh"),
+            *("--jobs", jobs, "--out", str(out), "--points", "2", "--digits", "20"),
             env={**os.environ, "PYTHONHASHSEED": seed},
         )
         assert done.returncode == 0, done.stderr

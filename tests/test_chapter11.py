@@ -8,7 +8,7 @@ import json
 import re
 import textwrap
 from collections.abc import Iterator
-from dataclasses import asdict, replace
+from dataclasses import replace
 from typing import Any
 
 import mpmath as mp
@@ -19,7 +19,7 @@ from stored_book import CATALOGUE
 from axiderive import cli
 from axiderive.chapter11 import runner
 from axiderive.chapter11.equation import Draw, Formula
-from axiderive.chapter11.errata import REMARKS, agreement, errata
+from axiderive.chapter11.errata import REMARKS, agreement
 from axiderive.chapter11.first_principles import Step, steps
 from axiderive.print.words import NAMES, typeset
 
@@ -56,8 +56,9 @@ def test_section(section: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("section", SECTIONS)
-def test_section_with_many_draws(section: str) -> None:
-    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=2, draws=6))
+def test_section_with_other_draws(section: str) -> None:
+    """Two that neither the build nor the plain run draws."""
+    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=2, draws=2))
 
 
 def test_more_digits_are_reached_on_demand() -> None:
@@ -67,7 +68,7 @@ def test_more_digits_are_reached_on_demand() -> None:
 
 
 def test_rows_do_not_depend_on_the_number_of_processes() -> None:
-    numbers = [3, 5, 66, 88, 102]
+    numbers = [5, 88, 102]
     assert runner.run(numbers, draws=1, jobs=2) == runner.run(numbers, draws=1)
 
 
@@ -98,13 +99,9 @@ def test_a_correction_of_a_correct_equation_fails() -> None:
     assert runner.check(replace(equation, corrected=equation.formula), draws=1).verdict == "fails"
 
 
-@pytest.mark.parametrize("made", ["by the build", pytest.param("now", marks=pytest.mark.slow)])
-def test_errata_are_the_misprints_and_the_remarks(made: str) -> None:
-    """Those of the catalogue too: `test_catalogue` asks by digest whether they were made by this engine."""
-    if made == "now":
-        found = [asdict(erratum) for erratum in errata(DIGITS, seed=4)]
-    else:
-        found = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())["errata"]
+def test_errata_are_the_misprints_and_the_remarks() -> None:
+    """Those of the catalogue: `test_catalogue` asks by digest whether they were made by this engine."""
+    found = json.loads((CATALOGUE / "evidence" / "chapter11.json").read_bytes())["errata"]
     misprints = found[: len(MISPRINTED)]
     assert [e["place"] for e in misprints] == [f"(11.{n})" for n in sorted(MISPRINTED)]
     assert all(e["printed"] != e["right"] and e["reason"] and e["evidence"] for e in misprints)
@@ -203,7 +200,7 @@ def test_altered_equation_is_flagged(number: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(1, 111))
+@pytest.mark.parametrize("number", sorted({*range(1, 111)} - {*CHEAP}))
 def test_every_altered_equation_is_flagged(number: int) -> None:
     test_altered_equation_is_flagged(number)
 

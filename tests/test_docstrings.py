@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,7 @@ FIELDS = {"f", "g", "a", "d", "F", "p", "E"}
 """Functions that the text itself defines, or that the docstring of their own entry does."""
 
 
+@cache
 def formulas(path: Path) -> list[tuple[str, str]]:
     """Name and the text above the parameters of every public function that has some."""
     functions = [node for node in ast.parse(path.read_text()).body if isinstance(node, ast.FunctionDef)]

@@ -19,7 +19,7 @@ from axiderive.profiles.profile import Piece, Profile, Sketch
 
 B1, B2 = sp.symbols("b1 b2", positive=True)
 DIGITS = 30
-FEW, MANY = range(3), range(3, 40)
+FEW, SOME, MANY = range(3), range(3, 15), range(15, 40)
 
 
 def random_polynomial(source: random.Random) -> sp.Expr:
@@ -96,8 +96,11 @@ def test_closed_forms_of_a_random_profile(seed):
     check(seed)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", MANY)
+@pytest.mark.parametrize(
+    "seed",
+    [*(pytest.param(seed, marks=pytest.mark.slow) for seed in SOME),
+     *(pytest.param(seed, marks=pytest.mark.sweep) for seed in MANY)],
+)  # fmt: skip
 def test_closed_forms_of_many_random_profiles(seed):
     check(seed)
 

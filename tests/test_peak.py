@@ -70,7 +70,7 @@ def test_the_numbers_known_before(ratio: float, over_mean: float, place: float) 
 
 @pytest.mark.parametrize("ratio", [1e-3, 0.4, 0.97])
 def test_a_search_over_another_integral_finds_it(ratio: float) -> None:
-    with mp.workdps(30):
+    with mp.workdps(20):
         place, height = searched(lambda r: mpmath_pressure(ratio, 1.0, r), mp.mpf(ratio), mp.mpf(1))
         found = rounded_punch.peak_pressure(1.0, b=ratio, **FLAT)
         assert abs(found.pressure * mp.pi / height - 1) < 8 * EPS

@@ -93,9 +93,15 @@ def test_random_scenes_write_below_their_folder_only(place, capsys):
     assert watched(place, range(15), capsys) >= 1
 
 
-@pytest.mark.slow
-def test_many_random_scenes_write_below_their_folder_only(place, capsys):
-    assert watched(place, range(15, 1000), capsys) > 100
+@pytest.mark.parametrize(
+    ("seeds", "least"),
+    [
+        pytest.param(range(15, 300), 30, marks=pytest.mark.slow),
+        pytest.param(range(300, 1000), 70, marks=pytest.mark.sweep),
+    ],
+)
+def test_many_random_scenes_write_below_their_folder_only(place, capsys, seeds, least):
+    assert watched(place, seeds, capsys) > least
 
 
 EMIT = 'name = "own"\nprofile = "cone"\n[want]\nquantities = ["depth"]\n[output]\nformats = ["python"]\n'

@@ -109,8 +109,9 @@ def through(entry: Entry) -> tuple[str, ...]:
 
 def failures(entries: dict[str, Entry], suffix: str, function: Callable[..., float], points: list[Sample]) -> list[str]:
     entry, rows = entries[suffix], []
+    usual = bound(entry)
     for point in points:
-        error, largest = ulps(value(function, point), point.exact), bound(entry)
+        error, largest = ulps(value(function, point), point.exact), usual
         if entry.key in CONDITIONED and largest < error < math.inf:
             largest = AMPLIFIED * (1.0 + condition(entries, suffix, point.values))
         if not error <= largest:

@@ -104,7 +104,7 @@ class Contact:
         self.compact = profile.compact
         round_contact = self.compact and not request.kind.system.pool.strip
         self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
-        self.found: dict[tuple[str, float, float | None], mp.mpf] = {}
+        self.found: dict[tuple[str, float, float | None], Any] = {}
 
     def given(self) -> dict[sp.Symbol, sp.Expr]:
         """Parameters, and abbreviations as floats of 40 digits."""
@@ -158,11 +158,12 @@ class Contact:
             return (mp.mpf(self.all.get("E_star", 1.0)) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
 
     def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
-        """The greatest pressure and its radius, searched for."""
-        known = self.given() | {nt.a: sp.Rational(a)}
+        """The greatest pressure and its radius, searched for once."""
+        key = ("peak", a, None)
         # the nodes next to the edge are told from it
         with mp.workdps(3 * DIGITS):
-            place, found = greatest(shape(self.profile, known), mp.mpf(a), 2 * DIGITS)
+            face = shape(self.profile, self.given() | {nt.a: sp.Rational(a)})
+            place, found = self.found.get(key) or self.found.setdefault(key, greatest(face, mp.mpf(a), 2 * DIGITS))
             return mp.mpf(self.all["E_star"]) * found, place
 
     def height(self, at: float) -> mp.mpf:
