@@ -188,10 +188,14 @@ FAR = {
 @pytest.mark.parametrize("name", FAR)
 @pytest.mark.parametrize("power", [-900, 300])
 def test_inverses_are_scaled_by_powers_of_two(name: str, power: int) -> None:
-    """To the last digit, over 600 decades: the cubes of such radii are no doubles."""
+    """To the last digit, over 600 decades: the cubes of such radii are no doubles.
+
+    In arrays, since plain numbers of that size are left to them.
+    """
     module, unit = emitted(f"adhesive.{name}"), 2.0**power
     far = {key: value if key == "theta" else value * unit for key, value in FAR[name].items()}
-    near, far = FAR[name] | {"E_star": 3.0, "dgamma": 0.05}, far | {"E_star": 3.0, "dgamma": 0.05 * unit}
+    near = FAR[name] | {"E_star": 3.0, "dgamma": np.array([0.05])}
+    far |= {"E_star": 3.0, "dgamma": np.array([0.05 * unit])}
     for control, scale in (("depth", unit), ("force", unit * unit if abs(power) < 500 else 0.0)):
         if not scale:
             continue

@@ -20,6 +20,8 @@ SLOW = ("sphere_tipped_cone",)
 """Its force is an integral."""
 MISSED = 8.0
 """What the load at the radius misses, over the rounding of its two parts and of the radius; 7.0 measured."""
+MORE = {"adhesive": 0, "graded.adhesive": 1}
+"""Evaluations beyond those of a normal contact: seven of one draw with 1 - k = 7e-13, whose first is all rounding."""
 SHARPEST = -0.99
 """Below, an edge is told from a radius beyond it by less than the rounding of the radius."""
 Arrays = dict[str, Any]
@@ -71,7 +73,7 @@ def check(module: ModuleType, group: str, name: str, quantity: str, calls: list[
         found = inverse(value, *arguments(inverse, known))
         below, here, above = (load(found * (1.0 + i * EPS), *arguments(load, known)) for i in (-1, 0, 1))
         plain = load(found, *arguments(load, known | {"dgamma": 0.0 * value}))
-    assert calls[0] <= STEPS
+    assert calls[0] <= STEPS + MORE[group]
     unit = np.fmax(np.abs(above - here), np.abs(here - below))
     missed = np.abs(here - value) / (EPS * (np.abs(value) + 2.0 * np.abs(plain)) + unit)
     # a load between two branches has no stable radius where the upper branch ends below it

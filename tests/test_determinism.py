@@ -20,7 +20,7 @@ from axiderive import profiles
 from axiderive.physics import normal
 from axiderive.physics.medium import GRADED, HOMOGENEOUS
 
-for profile in profiles.catalogue():
+for profile in map(profiles.load, profiles.NAMES):
     for medium in (HOMOGENEOUS, GRADED):
         for entry in normal.derive(profile, medium).values():
             print(entry.text())
@@ -31,13 +31,13 @@ EVERYTHING = (
 from axiderive.physics import adhesive, plane, tangential, viscoelastic
 from axiderive.profiles import plane as plane_profiles
 
-for profile in profiles.catalogue():
+for profile in map(profiles.load, profiles.NAMES):
     results = [viscoelastic.derive(profile)]
     if profile.contact == "compact":
         results += [rule.derive(profile, medium) for rule in (adhesive, tangential) for medium in (HOMOGENEOUS, GRADED)]
     for entry in (entry for entries in results for entry in entries.values()):
         print(entry.text())
-for profile in plane_profiles.catalogue():
+for profile in map(plane_profiles.load, plane_profiles.NAMES):
     for entry in plane.derive(profile).values():
         print(entry.text())
 """

@@ -7,12 +7,16 @@ from functools import cache
 
 import mpmath as mp
 import pytest
+import sympy as sp
 from stored_book import HANDBOOK, PROFILES, stored
 
 from axiderive import notation as nt
-from axiderive.book import book, evidence, front_rules, references, word_index
+from axiderive.book import book, evidence, front_rules, handbook, references, word_index
 from axiderive.figures.chart import QUESTIONS, chart
 from axiderive.oracle.evaluate import evaluate
+from axiderive.physics.systems import pool_of
+from axiderive.profiles import load
+from axiderive.rows.special import HOSTS
 
 
 @cache
@@ -100,6 +104,31 @@ def test_a_doi_is_one() -> None:
         assert not work.doi or re.fullmatch(r"10\.\d{4,5}/[\w.()/-]+", work.doi), work
         assert not work.place.endswith("."), work
         assert re.search(r"\((18|19|20)\d\d\)", work.place), work
+
+
+def test_every_entry_has_one_place_in_the_book() -> None:
+    placed = [name for names in book.ENTRIES.values() for name in names]
+    assert sorted(placed) == sorted(name for name in PROFILES if name not in HOSTS)
+    numbers = handbook.numbered(PROFILES)
+    assert [numbers[name] for name in ("cone", "plane.wedge", "plane.flat_punch", "materials")] == [
+        *("1.1", "1.2", "2.2", "4.1"),
+    ]
+    assert {name: numbers[name] for name in HOSTS} == {name: numbers[host] for name, host in HOSTS.items()}
+    # of some profiles the numbers follow each other too
+    assert handbook.numbered(("paraboloid", "plane.wedge", "sphere")) == {
+        **{"plane.wedge": "1.1", "paraboloid": "1.2", "sphere": "1.3"},
+    }
+
+
+def test_the_plane_contact_of_a_shape_stands_behind_its_entry() -> None:
+    """Its last piece is that of an entry before it in the chapter, with x for r."""
+    for names in book.ENTRIES.values():
+        for i, name in enumerate(names):
+            if pool_of(name).strip and "eccentric" not in name:
+                own = pool_of(name).load(name.partition(".")[2])
+                shape = own.pieces[-1].expr.subs(pool_of(name).place, nt.r)
+                before = [load(other).pieces[-1].expr for other in names[:i] if not pool_of(other).strip]
+                assert any(sp.expand(shape - other) == 0 for other in before), name
 
 
 def test_every_profile_is_an_answer_once() -> None:

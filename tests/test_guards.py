@@ -669,7 +669,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: beside("power_law", "rp", Case((a, h), sp.Integer(7))),
         ONCE,
     ),
-    "peak._of_power: one change of the sign of dp/dr for n > 2, and none for n <": (
+    "peak._of_power: one change of the sign of dp/dr for n > 2, and none for n <=": (
         lambda: hollowed("power_law"),
         "one change of the sign of dp/dr for n > 2",
     ),

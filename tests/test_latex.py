@@ -114,6 +114,10 @@ def test_reading_a_row_with_definitions_and_a_range() -> None:
     env = {"a": mp.mpf(1), "r": mp.mpf(2), "R": mp.mpf(3)}
     assert holds(r"a\le r< R", env)
     assert holds("r> a", env)
+    assert holds(r"2\ge n", {"n": 2})
+    assert holds(r"1< n\le 2", {"n": 2})
+    assert not holds("1< n< 2", {"n": 2})
+    assert not holds("n> 2", {"n": 2})
     assert not holds(r"a\le r,\; R< r", env)
 
 

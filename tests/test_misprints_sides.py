@@ -82,6 +82,19 @@ def test_printed_ranges_tell_the_cases_apart(key: str) -> None:
         assert range_faults(key, index, [region.condition for region in one.regions]) == []
 
 
+@pytest.mark.parametrize("key", ["power_law", "concave_power", "concave_power.fgm", "plane.concave_power"])
+def test_the_exponent_at_which_a_ring_leaves_the_axis_belongs_to_the_axis(key: str) -> None:
+    """The paraboloid, n = 2: once it stood in neither of the ranges n < 2 and n > 2."""
+    index, one = next((i, one) for i, one in enumerate(ranged(key)) if one.suffix in ("rp", "rz", "xz"))
+    inner, beyond = (region.condition for region in one.regions)
+    assert range_faults(key, index, [inner, beyond]) == []
+    neither, both = [inner.replace(r"\le", "<"), beyond], [inner, beyond.replace(">", r"\ge")]
+    the_other = [neither[0], both[1]]
+    for wrong in (neither, both, the_other):
+        assert wrong != [inner, beyond]
+        assert range_faults(key, index, wrong) != [], wrong
+
+
 @pytest.mark.parametrize("key", QUICK)
 def test_a_misprint_of_a_side_does_not_survive(key: str) -> None:
     survivors, tried = _left_survivors(key, 4)

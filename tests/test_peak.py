@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -13,9 +14,10 @@ import pytest
 import sympy as sp
 from scenes import composed_from, problems, run_plainly
 
-from axicontact.normal import power_law, quartic, rounded_punch, sextic
+from axicontact.normal import paraboloid, power_law, quartic, rounded_punch, sextic
 from axiderive import notation as nt
 from axiderive.checks import quadrature
+from axiderive.code.docstring import formula
 from axiderive.entry import Entry
 from axiderive.notation import E_star, R, a, b, r_peak
 from axiderive.physics.normal import derive
@@ -132,6 +134,9 @@ def test_up_to_the_paraboloid_the_peak_is_on_the_axis() -> None:
     assert (found.radius == 0.0).all()
     assert np.isinf(found.pressure[:2]).all()
     assert found.pressure[2:] == pytest.approx(power_law.pressure(0.0, 0.4, A=1.5, n=powers[2:], E_star=3.0), rel=1e-14)
+    assert power_law.peak_pressure(0.4, A=1.5, n=2.0, E_star=3.0) == pytest.approx(
+        (paraboloid.pressure(0.0, 0.4, R=1 / 3.0, E_star=3.0), 0.0), rel=4 * EPS, abs=0.0
+    )
     left = power_law.peak_pressure(1.0, A=1.5, n=2.0 + 2.0**-30, E_star=3.0)
     assert left.radius == pytest.approx(math.pi * 2.0**-31, rel=1e-8)
 
@@ -217,6 +222,21 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
 def test_another_place_or_pressure_is_refused(name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> None:
     entries = moved(derive(load(name)), suffix, change)
     assert not certify(load(name), entries, suffix).proved
+
+
+def test_the_docstring_has_the_paraboloid_in_one_range() -> None:
+    ring = derive(load("power_law"))["rp"]
+    text = " ".join(formula(ring.profile, ring.quantity, ring))
+    assert re.findall(r" for ([^A-Z=]* n\b(?: <=? 2)?)", text) == ["1 < n <= 2", "2 < n"]
+
+
+@pytest.mark.parametrize("place", [a / 100, (2 - nt.n) * a])
+def test_a_ring_beside_the_axis_is_refused_up_to_the_paraboloid(place: sp.Expr) -> None:
+    """Of which the second one is wrong below n = 2 alone."""
+    entries = derive(load("power_law"))
+    axis, ring = entries["rp"].cases
+    wrong = entries | {"rp": replace(entries["rp"], cases=(replace(axis, expr=place), ring))}
+    assert not certify(load("power_law"), wrong, "rp").proved
 
 
 def test_the_search_sees_a_wrong_place() -> None:

@@ -110,7 +110,7 @@ def test_pressure_closes_the_integral_equation(name):
 
 
 @pytest.mark.parametrize(
-    ("name", "limit"), [(p.name, limit) for p in profiles.catalogue() for limit in p.limits], ids=str
+    ("name", "limit"), [(p.name, limit) for p in map(profiles.load, profiles.NAMES) for limit in p.limits], ids=str
 )
 def test_limits(name, limit):
     """At the limit itself, or 1e-30 of the half-width away from a length that vanishes."""

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Callable, Sequence
+from functools import cache
+from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+import axicontact
 from axicontact._runtime.arrays.blocks import Program, largest
 from axicontact._runtime.plain import rule
 from axiderive.code.programs.blocks import Blocks
@@ -54,4 +59,12 @@ def program(formula: Callable[..., Any], count: int, arrays: Sequence[bool]) -> 
 
 def needs_arrays(formula: Callable[..., Any]) -> bool:
     """Whether its body cannot run over plain numbers."""
-    return Twins("axicontact", {}).needs_arrays(formula)
+    own = inspect.getsource(import_module(formula.__module__))
+    return Twins("axicontact", package_texts() | {formula.__module__: own}).needs_arrays(formula)
+
+
+@cache
+def package_texts() -> dict[str, str]:
+    """The modules of the package by dotted name."""
+    root = Path(axicontact.__file__).parent
+    return {".".join(path.relative_to(root).with_suffix("").parts): path.read_text() for path in root.rglob("*.py")}

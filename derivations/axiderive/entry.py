@@ -145,6 +145,17 @@ class Entry:
         depends = not self.quantity.arguments and any(case.expr.has(nt.d) for case in self.cases)
         return (nt.d,) if depends else self.quantity.arguments
 
+    @property
+    def borders(self) -> set[sp.Expr]:
+        """Numbers at which an equation begins: it has no root there yet, so that the formula before it still holds."""
+        equations = (own.chain for own in self.cases if own.chain and isinstance(own.expr, sp.Equality))
+        return {first for first, *_ in equations if first.is_number}
+
+    def where(self, case: Case) -> str:
+        """The order of the members of one of its cases as text: 1 < n <= 2."""
+        first, _, last = (text := " < ".join(map(sp.sstr, case.chain))).rpartition(" < ")
+        return f"{first} <= {last}" if self.borders & {*case.chain[1:]} else text
+
     def regions(self) -> tuple[tuple[tuple[tuple[sp.Expr, sp.Expr], ...], sp.Expr], ...]:
         """The distinct formulas with the fewest comparisons (low, high) that tell them apart, for print and code.
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from typing import Any
 
 from .. import __version__
 from ..figures.chart import chart
+from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
 from ..store.cache import digest
@@ -18,9 +19,33 @@ from .notation_table import symbol_index
 from .study.spread import CELLS, spread
 from .word_index import word_index
 
-CHAPTERS = ("Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants")
-PLACES = {"plane": 2, "loads": 3, "materials": 4}
-"""Chapters of the profiles whose id begins so, counted from zero; the others are compact or complete."""
+ENTRIES = {
+    "Compact contact": (
+        *("cone", "plane.wedge", "rounded_cone", "sphere_tipped_cone", "plane.rounded_wedge"),
+        *("paraboloid", "plane.parabola", "power_law", "plane.power_law", "polynomial", "ellipsoid", "hyperboloid"),
+        *("wavy_paraboloid", "gaussian", "truncated_cone", "truncated_paraboloid", "capped_paraboloid"),
+        *("rounded_curved_punch", "rounded_punch", "plane.truncated_wedge", "plane.rounded_punch"),
+    ),
+    "Complete contact": (
+        *("flat_punch", "plane.flat_punch", "plane.eccentric_punch", "capped_cylinder"),
+        *("concave_power", "plane.concave_power"),
+    ),
+    "Prescribed pressure": ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power"),
+    "Elastic constants": ("materials",),
+}
+"""The entries by chapter, in the order of the book.
+
+An entry of three pages, from a left one, ends on a left one. The page that faces its end has the plane contact of the
+same shape, so that the next entry begins on a left page too, and no page is empty.
+"""
+CHAPTERS = tuple(ENTRIES)
+KINDS = {
+    "Compact contact": r"depth $g(a)$, force $F_{\mathrm N}$",
+    "Complete contact": r"depth $d$, force $F_{\mathrm N}$",
+    "Plane contact": r"depth relative to the surface at the distance $L$, line load $P$",
+    **dict.fromkeys(("Prescribed pressure", "Elastic constants"), ""),
+}
+"""The groups of the tables of all profiles, and what the table of their depths and forces has of them."""
 FRONT = (
     ("How to read an entry", "howto"), ("Conventions", "conventions"), ("When does it hold?", "validity"),
     ("Which profile?", "chart"), ("All profiles", "master"), ("Notation", "notation"),
@@ -40,6 +65,11 @@ Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
 """Title and summaries of each chapter."""
 
 
+def _grouped(titles: Iterable[str], own: Sequence[tuple[str, Mapping[str, Any]]]) -> Chapters:
+    """The summaries by title, in the order of the titles; without those that have none."""
+    return [(t, members) for t in titles if (members := [m for title, m in own if title == t])]
+
+
 def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
     """Number, title and label of every part and entry; the chapters with their own numbers and titles."""
     front, back = ([("", t, f"part:{name}") for t, name in part if name not in left_out] for part in (FRONT, BACK))
@@ -47,25 +77,17 @@ def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
         "front": front,
         "back": back,
         "chapters": [
-            (
-                members[0]["chapter"],
-                title,
-                [(m["number"], m["title"], f"sec:{m['name']}") for m in members if not m["host"]],
-            )
-            for title, members in chapters
+            (own[0]["chapter"], title, [(m["number"], m["title"], f"sec:{m['name']}") for m in own if not m["host"]])
+            for title, own in chapters
         ],
     }
 
 
-def _held(chapters: Chapters) -> str:
+def _held(summaries: Sequence[Mapping[str, Any]]) -> str:
     """36 profiles, 4 prescribed pressures and the elastic constants: neither of the last two is a profile."""
-    kinds = dict(zip(CHAPTERS, ("profile",) * 3 + ("prescribed pressure", ""), strict=True))
-    counts: Counter[str] = Counter()
-    for title, members in chapters:
-        counts[kinds[title]] += len(members)
-    words = [
-        f"{count} {kind}{'s' * (count > 1)}" if kind else "the elastic constants" for kind, count in counts.items()
-    ]
+    kinds = "profile", "profile", "prescribed pressure", ""
+    counts = Counter(kinds[m["chapter"] - 1] for m in summaries)
+    words = [f"{n} {kind}{'s' * (n > 1)}" if kind else "the elastic constants" for kind, n in counts.items()]
     *most, last = words or ["no formula"]
     return f"{', '.join(most)} and {last}" if most else last
 
@@ -85,8 +107,10 @@ def model(
     studies: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
     """What the template of the main file prints."""
-    chapters = [(title, [m for m in summaries if m["chapter"] == i + 1]) for i, title in enumerate(CHAPTERS)]
-    chapters = [(title, members) for title, members in chapters if members]
+    summaries = sorted(summaries, key=lambda m: tuple(map(int, m["number"].split("."))))
+    parts = [(CHAPTERS[m["chapter"] - 1], m) for m in summaries]
+    chapters = _grouped(CHAPTERS, parts)
+    kinds = _grouped(KINDS, [("Plane contact" if pool_of(m["name"]).strip else title, m) for title, m in parts])
     keys = [key for m in summaries for key in m["keys"]]
     drawn = study.figures(studies or {}, frozenset(keys))
     shown = {**drawn, "chapter11": chapter11}
@@ -94,6 +118,7 @@ def model(
     contents = _contents(chapters, left_out)
     return {
         "chapters": chapters,
+        "kinds": [(title, KINDS[title], members) for title, members in kinds],
         "summaries": summaries,
         "contents": contents,
         "suffixes": front.suffixes(),
@@ -120,7 +145,7 @@ def model(
         ],
         "symbol_index": symbol_index(summaries),
         "word_index": word_index(summaries, contents, WITHIN),
-        "held": _held(chapters),
+        "held": _held(summaries),
         "formulas": len(keys),
         "version": __version__,
         "edition": digest([(m["name"], m["digest"]) for m in summaries])[:8],

@@ -21,7 +21,6 @@ from ..figures.drawing import outline
 from ..figures.tikz import tikz
 from ..physics.systems import pool_of, profile_ids
 from ..print.box import width
-from ..profiles import COMPLETE_NAMES
 from ..rows import special
 from ..store.cache import digest
 from . import book, references, spread
@@ -135,21 +134,14 @@ def book_sources(
 
 
 def numbered(ids: Sequence[str]) -> dict[str, str]:
-    """Section numbers, counted within the chapters of `book.CHAPTERS`; a special case has that of its host."""
-    counts = [0] * len(book.CHAPTERS)
-    found = {}
-    for profile_id in (i for i in ids if special.HOSTS.get(i) not in ids):
-        chapter = _chapter(profile_id)
-        counts[chapter] += 1
-        found[profile_id] = f"{chapter + 1}.{counts[chapter]}"
-    return {i: found[special.HOSTS[i] if special.HOSTS.get(i) in ids else i] for i in ids}
-
-
-def _chapter(profile_id: str) -> int:
-    prefix = profile_id.rpartition(".")[0] or profile_id
-    if prefix in book.PLACES:
-        return book.PLACES[prefix]
-    return int(profile_id in COMPLETE_NAMES)
+    """Section numbers, in the order of `book.ENTRIES`; a special case has that of its host."""
+    hosts = {i: special.HOSTS.get(i, i) for i in ids}
+    found = {
+        name: f"{chapter}.{section}"
+        for chapter, entries in enumerate(book.ENTRIES.values(), 1)
+        for section, name in enumerate((name for name in entries if name in hosts.values()), 1)
+    }
+    return {i: found[host] for i, host in hosts.items()}
 
 
 def templates() -> jinja2.Environment:

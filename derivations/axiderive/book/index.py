@@ -171,7 +171,8 @@ def _cases(entry: Entry) -> list[dict[str, str]]:
         return [_case(chain, case.expr)]
     found = []
     for pairs, expr in regions(entry):
-        found.append(_case(" and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in pairs), expr))
+        signs = ((low, "<=" if high in entry.borders else "<", high) for low, high in pairs)
+        found.append(_case(" and ".join(f"{sp.sstr(low)} {sign} {sp.sstr(high)}" for low, sign, high in signs), expr))
     return found
 
 

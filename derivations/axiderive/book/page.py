@@ -73,7 +73,9 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
     shown = [(s, v) for s, v in numbers.values.items() if s != nt.E_star and s not in dict(profile.abbreviations)]
     # the depth of a strip goes with the load, so that of the sketch is none of its parameters
     left_out = (nt.N, nt.d) if force == "P" else (nt.N,)
-    where = [f"{_symbol_tex(s)}={_plain(v)}" for s, v in shown if s not in left_out]
+    where = [
+        f"{nt.describe(s).latex if nt.known(s.name) else s.name}={float(v):g}" for s, v in shown if s not in left_out
+    ]
     given = [text.partition("=")[0] for text in where]
     if force == "P":
         where.append("L=2.7\\,a")
@@ -141,14 +143,6 @@ def _instead(profile: Profile, length: sp.Expr = sp.S.One, numbers: Numbers | No
 def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
     """The ratios with those moved on that meet a break, where the pressure may be infinite."""
     return [f"{float(x) + 0.05:g}" if any(abs(mp.mpf(x) - b) < 1e-3 for b in breaks) else x for x in ratios]
-
-
-def _symbol_tex(symbol: sp.Symbol) -> str:
-    return nt.describe(symbol).latex if nt.known(symbol.name) else symbol.name
-
-
-def _plain(value: Any) -> str:
-    return f"{float(value):g}"
 
 
 STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "

@@ -41,12 +41,13 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     profile = pool.load(name)
     refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
     own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
+    records = {key: evidence.get(key, {"entries": {}}) for key in own}
     main = next((entries for key, entries in own.items() if key == profile_id), {})
     rows = blocks.every(profile_id, derived)
     shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
     return {
         "name": profile_id,
-        "title": prose(profile.title),
+        "title": prose(f"Plane {profile.title[0].lower()}{profile.title[1:]}" if pool.strip else profile.title),
         "number": number,
         "chapter": int(number.partition(".")[0]),
         "subtitle": prose(profile.subtitle),
@@ -69,39 +70,21 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "special": special.tables(profile_id),
         "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
-        "status": _status(profile_id, own, evidence),
-        "coverage": readme.coverage(e for key in own for e in evidence.get(key, {"entries": {}})["entries"].values()),
+        "status": readme.matrix(own, records)["profiles"].get(profile_id, {}),
+        "coverage": readme.coverage(e for record in records.values() for e in record["entries"].values()),
         **_figures(profile_id, profile, main, derived),
     }
 
 
-def _status(profile_id: str, own: Mapping[str, Entries], evidence: Mapping[str, Any]) -> dict[str, str]:
-    """The cells of the profile in the matrix profile x physics, by system."""
-    records = {key: evidence.get(key, {"entries": {}}) for key in own}
-    cells: dict[str, str] = readme.matrix(own, records)["profiles"].get(profile_id, {})
-    return cells
-
-
 def _equations(own: Mapping[str, Entries]) -> list[str]:
     found = {r for entries in own.values() for entry in entries.values() for r in entry.references}
-    return sorted(found, key=_order)
-
-
-def _order(text: str) -> tuple[int, ...]:
-    return tuple(int(x) for x in text.strip("()").split("."))
+    return sorted(found, key=lambda text: tuple(map(int, text.strip("()").split("."))))
 
 
 NOTHING: dict[str, Any] = {
-    "worked": None,
-    "picture": None,
-    "loaded": False,
-    "plots": (),
-    "checks": None,
-    "derivation": "",
-    "complete": False,
-    "curves": (),
-    "axes": (),
-    "graded": (),
+    **dict.fromkeys(("worked", "picture", "checks")),
+    **dict.fromkeys(("plots", "curves", "axes", "graded"), ()),
+    **{"loaded": False, "complete": False, "derivation": ""},
 }
 
 

@@ -21,8 +21,8 @@ TIMEOUT = 600
 """Seconds for one pass: it takes about 20 s of processor time, on a machine that may be busy with other things."""
 MOST_PASSES = 7
 WIDEST_OVERFULL_PT = 2.0
-LEAST_FILLED = 0.3
-"""Share of its height that a page holds; only the title page, the first, may hold less."""
+LEAST_FILLED = 0.5
+"""Share of its height that a page holds; only the title page, the first, and the last may hold less."""
 
 
 class LatexError(RuntimeError):
@@ -178,6 +178,9 @@ def problems(log: str, sources: Mapping[str, bytes]) -> list[str]:
         # the title page, and the end of the index, are as full as they are
         if 1 < page < max(pages) and share < LEAST_FILLED:
             found.append(f"page {page} is filled to {100 * share:.0f} % only")
+    for key, count, first in re.findall(r"^Entry (\S+) has (\d+) pages from (\d+)$", log, re.M):
+        if int(count) > 1 and int(first) % 2:
+            found.append(f"{key} has {count} pages and begins on page {first}, a right one")
     if "LaTeX Font Warning: Font shape" in log:
         found.append(f"a font shape was substituted; the fonts come with: {INSTALL}")
     return found

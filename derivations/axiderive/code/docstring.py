@@ -223,7 +223,7 @@ def _rows(entry: Entry) -> list[tuple[str, str]]:
     chains = {case.chain for case in entry.cases}
     same = all(set(chain) == set(next(iter(chains))) for chain in chains)
     if not same:
-        return [(_text(case.expr), " < ".join(sp.sstr(x) for x in case.chain)) for case in entry.cases]
+        return [(_text(case.expr), entry.where(case)) for case in entry.cases]
     return [
         (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
         for comparisons, expr in entry.regions()

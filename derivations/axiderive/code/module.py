@@ -30,7 +30,7 @@ COMMON = (
 """Files of the run time that any module may call."""
 FILES = {
     normal.PHYSICS: ("physics.unknowns",),
-    adhesive.PHYSICS: ("physics.adhesion", "physics.stable", "physics.unknowns"),
+    adhesive.PHYSICS: ("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
     tangential.PHYSICS: ("physics.slip",),
     viscoelastic.PHYSICS: ("physics.relaxation",),
     plane.PHYSICS: ("physics.plane",),

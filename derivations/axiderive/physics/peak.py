@@ -16,10 +16,12 @@ For f = A r^n and q = (r/a)^2 it is a multiple of r^(n - 3), positive for n > 2,
 which falls. Where it vanishes p is the pressure p(0) = E* g'(a)/[pi (n - 1)] of a ring that has shrunk to the axis,
 as it has for n <= 2, over sqrt(1 - q).
 
-Two more have a greatest pressure that is no formula yet. That of the sphere leaves the axis at a = 0.93761 R, where
-the bracket is zero at r = 0; in numbers it has one zero beyond, which is not proved, as a sum of powers may have
-several. The curved punch with a rounded edge always has a ring beyond b, with one proof for both, but where
-that is narrow or flat more pressure on the axis: which of the two is greater only their values say.
+Two more have a greatest pressure that is no entry yet. That of the sphere leaves the axis at a = 0.93761 R. With R = 1,
+u^2 = (a^2 - r^2)/(1 - r^2) and Psi(z) = (1 - z^2) (z artanh z - 1), (1 - a^2) r^2 sqrt(a^2 - r^2) times the bracket is
+Psi(u) - Psi(a). Psi rises from -1 up to z = 0.93761, where 3 z = (3 z^2 - 1) artanh z, and falls to zero beyond, and u
+falls from a to zero as r grows: no zero of the bracket below that radius, and one beyond. The ellipsoid is that sphere
+stretched along its axis. The curved punch with a rounded edge always has a ring beyond b, with one proof for both, but
+where that is narrow or flat more pressure on the axis: which of the two is greater only their values say.
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@ A system applied to a profile is a problem.  Its key (`cone`, `cone.fgm.adh`,
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -19,7 +18,7 @@ from ..notation import F, P, r, x
 from ..profiles import loads as prescribed
 from ..profiles import plane as plane_profiles
 from ..profiles.materials import PROFILE as ELASTIC
-from ..profiles.profile import Profile
+from ..profiles.profile import Profile, unknown
 from . import Physics, adhesive, loads, materials, normal, plane, tangential, viscoelastic
 from .medium import GRADED, HOMOGENEOUS, Medium
 
@@ -165,7 +164,7 @@ def pool_of(profile_id: str) -> Pool:
 
 
 def profile_ids() -> tuple[str, ...]:
-    """All profiles in the order of the handbook: cone, ..., plane.wedge, ..., loads.uniform, ..."""
+    """All profiles in the order of the catalogue: cone, ..., plane.wedge, ..., loads.uniform, ..."""
     return tuple(pool.id(name) for pool in POOLS for name in pool.names)
 
 
@@ -188,7 +187,5 @@ def problem(key: str) -> Problem:
     """The problem of that key; `KeyError` with the nearest key if there is none."""
     known = _by_key()
     if key not in known:
-        near = difflib.get_close_matches(key, known, n=1)
-        message = f"there is no problem {key!r}" + (f"; did you mean {near[0]!r}?" if near else "")
-        raise KeyError(message)
+        raise unknown(key, known, "there is no problem")
     return known[key]

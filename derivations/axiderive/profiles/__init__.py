@@ -1,11 +1,10 @@
-"""The catalogue of profiles, in the order of the handbook."""
+"""The catalogue of axisymmetric profiles, in the order of lists; that of the book is its own."""
 
 from __future__ import annotations
 
-import difflib
 from importlib import import_module
 
-from .profile import Profile
+from .profile import Profile, unknown
 
 COMPACT_NAMES = (
     "cone", "sphere_tipped_cone", "rounded_cone", "paraboloid", "quartic", "sextic", "power_law", "polynomial",
@@ -19,13 +18,6 @@ NAMES = COMPACT_NAMES + COMPLETE_NAMES
 def load(name: str) -> Profile:
     """The profile of that name; `KeyError` with the nearest name if there is none."""
     if name not in NAMES:
-        near = difflib.get_close_matches(name, NAMES, n=1)
-        message = f"unknown profile {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
-        raise KeyError(message)
+        raise unknown(name, NAMES, "unknown profile")
     profile: Profile = import_module(f".{name}", __package__).PROFILE
     return profile
-
-
-def catalogue() -> tuple[Profile, ...]:
-    """All axisymmetric profiles, in the order of `NAMES`."""
-    return tuple(load(name) for name in NAMES)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..notation import a, p_0, sigma
-from .profile import Profile, Sketch
+from .profile import Profile, Sketch, unknown
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,4 @@ def load(name: str) -> Load:
     for own in LOADS:
         if own.name == name:
             return own
-    near = difflib.get_close_matches(name, [own.name for own in LOADS], n=1)
-    message = f"unknown pressure {name!r}" + (f"; did you mean {near[0]!r}?" if near else "")
-    raise KeyError(message)
+    raise unknown(name, [own.name for own in LOADS], "unknown pressure")

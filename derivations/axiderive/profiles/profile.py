@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
 import sympy as sp
 
 from .. import notation
+
+
+def unknown(name: str, known: Iterable[str], words: str) -> KeyError:
+    """What a name that is none is refused with: the nearest one there is."""
+    near = difflib.get_close_matches(name, tuple(known), n=1)
+    return KeyError(f"{words} {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
 
 
 @dataclass(frozen=True)

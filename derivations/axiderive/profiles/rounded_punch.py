@@ -17,5 +17,5 @@ PROFILE = Profile(
     meanings=((b, "radius of the flat face"),),
     sketch=Sketch(((R, 1.45), (b, 1.15)), a=1.62),
     limits=(Limit("paraboloid", b, 0),),
-    note="the pressure is bounded, with its peak just outside b",
+    note="the pressure is bounded",
 )

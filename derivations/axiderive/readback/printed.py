@@ -5,6 +5,8 @@ What stands on the left of a row is the quantity whose value is compared, at the
 
 from __future__ import annotations
 
+import itertools
+import operator
 import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache
@@ -24,6 +26,7 @@ from .meaning import Environment, Node, environment
 
 Values = dict[Any, Any]
 Function = Callable[..., Any]
+SIGNS = {"<": operator.lt, r"\le": operator.le, ">": operator.gt, r"\ge": operator.ge}
 
 
 class Printed:
@@ -127,10 +130,9 @@ def holding(one: Row, env: Environment) -> Region:
 def holds(condition: str, env: Environment) -> bool:
     """Whether a printed range, chains of < and <= separated by commas, contains the point."""
     for chain in filter(None, condition.split(r",\; ")):
-        if re.search(r">|\\ge(?![a-z])", chain):
-            chain = "<".join(reversed(re.split(r">|\\ge(?![a-z])", chain)))
-        members = [read(part)[0].members[0](env) for part in re.split(r"<|\\le(?![a-z])", chain)]
-        if any(lo >= hi for lo, hi in zip(members, members[1:], strict=False)):
+        parts = re.split(r"([<>]|\\[lg]e(?![a-z]))", chain)
+        members = [read(part)[0].members[0](env) for part in parts[::2]]
+        if not all(SIGNS[sign](*pair) for sign, pair in zip(parts[1::2], itertools.pairwise(members), strict=True)):
             return False
     return True
 

@@ -159,12 +159,20 @@ def places_of(entry: Entry, kind: str, entries: Mapping[str, Entry], seed: int =
     for case, exact in points_of(entry, kind, entries, 1, seed):
         values = {s: float(number(exact[s])) for s in numeric_symbols(exact)}
         values |= {coefficient(i): 1.0 for i in range(1, 1 + int(exact.get(nt.N, 0)))}
-        found.append(_placed(entry, values, entry.cases.index(case)))
+        found += [_placed(entry, values, entry.cases.index(case)), *_on_borders(entry, values)]
         for moved in _moved(entry, meeting, values):
             if _stands(entry, moved):
                 reached = (i for i, own in enumerate(entry.cases) if _ascends(own.chain, moved))
                 found.append(_placed(entry, moved, next(reached, None)))
     return found
+
+
+def _on_borders(entry: Entry, values: Numbers) -> Iterator[Place]:
+    """Points of the exponent at which an equation begins: the formula that ends there still holds."""
+    formulas = {own.chain[-1]: i for i, own in enumerate(entry.cases) if not isinstance(own.expr, sp.Equality)}
+    for border, exponent in (own.chain[:2] for own in entry.cases if isinstance(own.expr, sp.Equality) and own.chain):
+        if border.is_number and border in formulas:
+            yield Place({**values, exponent: float(border)}, formulas[border])
 
 
 def _placed(entry: Entry, values: Numbers, case: int | None) -> Place:

@@ -63,7 +63,7 @@ def condition(entry: Entry, pairs: Pairs, chain: tuple[sp.Expr, ...], printer: P
         sign = r"\ge" if steps[0] in own else ">"
         return f"{_flat(high, printer)}{sign} {_flat(low, printer)}"
     ascending = _as_chain(steps)
-    signs = {pair: r"\le" if pair in own else "<" for pair in steps}
+    signs = {pair: r"\le" if pair in own or pair[1] in entry.borders else "<" for pair in steps}
 
     def text(length: sp.Expr) -> str:
         return _flat(length, printer)

@@ -69,7 +69,7 @@ TAIL = "(n - 2)*r**(n - 2)/(2*a**(n - 1))"
 
 
 class Power:
-    """Pressure, its slope and E* g'(a)/pi under r**n, for any n, n = 2 + q, or n = 2 - 1/q with q > 1."""
+    """Pressure, its slope and E* g'(a)/pi under r**n, for any n, n = 2 + q, n = 2, or n = 2 - 1/q with q > 1."""
 
     def __init__(self, problem: Problem, more: tuple[tuple[Tree, str], ...] = (), n: str = "n") -> None:
         self.field = field = problem.field(("r", "a"), *more)
@@ -96,13 +96,14 @@ def of_power(problem: Problem) -> None:
     for own in (beyond, below):
         factor, one, other = own.equation(left, right)
         problem.vanishes("the slope of the pressure", own.slope - factor * (one - other))
-    below_zero = below.field.sign(factor * (one - other)) == -1
+    paraboloid = Power(problem, n="2")
+    below_zero = below.field.sign(factor * (one - other)) == -1 and paraboloid.field.sign(paraboloid.slope) == -1
     factor, one, other = beyond.equation(left, right)
     field, gap, weight = beyond.field, one - other, beyond.read(tree("r**(n - 2)"))
     positive = all(field.sign(part) == 1 for part in (factor, one, other)) and field.analytic(one)
     falls = field.sign(field.slope(gap, "r")) == -1
     if head not in ("Equality", "Eq") or cases[1, "n", 2] != 0 or not (below_zero and positive and falls):
-        message = "a slope that changes its sign at one radius, or for n < 2 at none, is not shown"
+        message = "a slope that changes its sign at one radius, or for n <= 2 at none, is not shown"
         raise UnknownError(message)
     # were the gap below zero up to some radius, the left side would grow faster than the right one towards the axis
     risen = field.slope(weight * one, "r") - beyond.read(tree("(n - 2)*r**(n - 3)")) * gap
@@ -112,16 +113,17 @@ def of_power(problem: Problem) -> None:
 
 
 def pressure_of_power(problem: Problem) -> None:
-    """r dp/dr = (n - 1) (p - p_max), which is zero at the ring; for n < 2 the pressure goes to p_max on the axis."""
+    """r dp/dr = (n - 1) (p - p_max), which is zero at the ring; for n <= 2 the pressure goes to p_max on the axis."""
     (own,) = problem.places("pp", {(1, "n")})
     there = put(own.expr, {"r_peak": "r"})
-    for power in (Power(problem, ((1, "n"),)), Power(problem, ((1, "q"),), "2 - 1/q")):
-        greatest = power.read(there)
-        gap = power.pressure - greatest
+    every, flatter = Power(problem, ((1, "n"),)), (Power(problem, n="2"), Power(problem, ((1, "q"),), "2 - 1/q"))
+    for power in (every, *flatter):
+        gap = power.pressure - power.read(there)
         problem.vanishes("the pressure at the ring", power.slope * power.read("r") - power.read(tree("n - 1")) * gap)
-    tail = power.read(tree(f"r*{TAIL}/(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (3 - n)/2)")) * power.scale
-    rest = power.pressure - greatest * power.read(tree("1 - r**2/a**2")) - tail
-    problem.vanishes("the pressure next to the axis", rest)
+    tail = tree(f"r*{TAIL}/(n - 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (3 - n)/2)")
+    for power in flatter:
+        rest = power.pressure - power.read(there) * power.read(tree("1 - r**2/a**2")) - power.read(tail) * power.scale
+        problem.vanishes("the pressure next to the axis", rest)
 
 
 def by_tangent(formula: Tree) -> Tree:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -68,7 +68,8 @@ def html_sources(
         timing = study.timing(measured, ruled(models[i])) if measured else None
         shown = page(models[i], derived, evidence, modules)
         files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
-    matrix = {"columns": COLUMNS, "rows": _matrix(front["chapters"], models), "legend": LEGEND}
+    kinds = [(title, [_cells(member["name"], models) for member in members]) for title, _, members in front["kinds"]]
+    matrix = {"columns": COLUMNS, "rows": kinds, "legend": LEGEND}
     files["index.html"] = site.render("index", front | matrix | home(front, models))
     parts = [(title, address) for title, address, _ in PARTS if address.startswith("reading")]
     files["reading.html"] = site.render("reading", front | {"parts": parts})
@@ -84,14 +85,8 @@ COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
 """Systems of the matrix; the other profiles have one system each."""
 
 
-def _matrix(
-    chapters: Sequence[tuple[str, Sequence[Mapping[str, Any]]]], models: Mapping[str, Model]
-) -> list[tuple[str, list[dict[str, Any]]]]:
-    """Profile by physics: the cells of `book.readme`, or that of the only system a profile has, by chapter."""
-    return [(title, [_cells(member["name"], models) for member in members]) for title, members in chapters]
-
-
 def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
+    """A row of the matrix: the cells of `book.readme`, or that of the only system a profile has."""
     title, status = models[profile_id]["title"], models[profile_id]["status"]
     own = COLUMNS if pool_of(profile_id) is ROUND else list(status)
     cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ...entry import Entry
@@ -10,7 +12,7 @@ from ...notation import n
 from .. import docstring
 from ..function import Function
 from ..physics.adhesive import stated
-from ..physics.branches import own_units, radii, returned, unknowns
+from ..physics.branches import KEPT, SAMPLED, own_units, pull_off, radii, returned, search, unknowns
 from ..text import python
 from ..writer import Writer
 from .families import family
@@ -137,16 +139,14 @@ class _Adhesive:
         """Between refined changes of sign of the growth."""
         writer, needs = self.writer, [*self.material, "dgamma"]
         geometry, both = f"({', '.join(self.geometry)})", ", ".join(needs)
-        grid, high = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
-        lines = [f"return graded_branches(normal._rate, {geometry}, {grid}, {high}, H, k, dgamma, control)"]
-        writer.rule("_branches", [], [*needs, "control"], lines, returns="Branches")
-        units = own_units(self.profile, self.geometry, "H")
-        lines = [
-            *units,
-            f"found = _branches({both}, control)",
-            'load = _force if control == "force" else _depth',
-            *returned(f"lowest(found, lambda a: load(a, {both}))", units),
-        ]
+        grid = radii(self.profile, "gaussian_reach(s, k)", "4.0 * wavelength")
+        steepness = f"a ** ((1.0 + k) / 2.0) * normal._rate({', '.join(['a', *self.geometry])})"
+        level = "least_steepness(control, H, k, dgamma)"
+        own, samples, found = search(self.profile, self.geometry, needs, grid, steepness, level)
+        writer.rule("_samples", [], own, samples, SAMPLED, "Samples")
+        writer.private[-1] = replace(writer.private[-1], decorator=KEPT)
+        writer.rule("_branches", [], [*needs, "control"], found, returns="Branches")
+        lines = pull_off(own_units(self.profile, self.geometry, "H"), needs)
         writer.rule("_pull_off_radius", [], [*needs, "control"], lines)
         for quantity, (field, *_) in ORDERS.items():
             units = own_units(self.profile, self.geometry, "H", field)

@@ -10,6 +10,7 @@ of two loses nothing.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import sympy as sp
@@ -71,24 +72,43 @@ def branch_functions(module: Writer) -> list[Function]:
     """The private functions of pull-off and of the stable radii."""
     geometry = module.geometry
     needs = [*geometry, "E_star", "dgamma"]
-    passed, arguments = ", ".join(needs), ", ".join(["a", *needs])
     profile = module.profile
     reach = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
-    grid, high = radii(profile, "" if profile.largest is None else python(profile.largest), reach)
-    rate = f"lambda a: _rate({', '.join(['a', *geometry])})"
-    found = [f"return branches({rate}, {grid}, {high}, control, E_star, dgamma)"]
+    grid = radii(profile, "" if profile.largest is None else python(profile.largest), reach)
+    steepness = f"np.sqrt(a) * _rate({', '.join(['a', *geometry])})"
+    level = "least_steepness(control, E_star, dgamma)"
+    own, samples, found = search(profile, geometry, needs, grid, steepness, level)
     units = own_units(module.profile, geometry, "E_star")
-    lowest = [
-        *units,
-        f"found = _branches({passed}, control)",
-        'load = _force if control == "force" else _depth',
-        *returned(f"lowest(found, lambda a: load({arguments}))", units),
-    ]
     return [
         Function("_rate", ["a"], geometry, _rate(module), "Derivative g'(a) of the depth without adhesion."),
+        Function("_samples", [], own, samples, SAMPLED, "Samples", decorator=KEPT),
         Function("_branches", [], [*needs, "control"], found, returns="Branches"),
-        Function("_pull_off_radius", [], [*needs, "control"], lowest),
+        Function("_pull_off_radius", [], [*needs, "control"], pull_off(units, needs)),
         *(_inverse(module, quantity, field, needs) for quantity, field in (("depth", "d"), ("force", "F"))),
+    ]
+
+
+KEPT, SAMPLED = "Kept", "The steepness at radii that separate the minima of the load."
+
+
+def search(
+    profile: Profile, geometry: Sequence[str], needs: Sequence[str], grid: str, steepness: str, level: str
+) -> tuple[list[str], list[str], list[str]]:
+    """The arguments and the lines of `_samples`, which depend on the geometry alone, and the lines of `_branches`."""
+    own = [name for name in needs if name in geometry or re.search(rf"\b{name}\b", grid)]
+    end = "a[-1]" if profile.largest is not None or (profile.chain and not profile.breaks) else "np.inf"
+    found = f"return branches(lambda a: {steepness}, _samples({', '.join(own)}), {level})"
+    return own, [f"a = {grid}", f"return Samples(a, {steepness}, {end})"], [found]
+
+
+def pull_off(units: Sequence[str], needs: Sequence[str]) -> list[str]:
+    """The lines of the private function of the radius at pull-off."""
+    given = ", ".join(needs)
+    return [
+        *units,
+        f"found = _branches({given}, control)",
+        'load = _force if control == "force" else _depth',
+        *returned(f"lowest(found, lambda a: load(a, {given}))", units),
     ]
 
 
@@ -157,17 +177,14 @@ def root_beyond(profile: Profile) -> str:
     return f"sine_root(a, {python(whole / sine)}, {python(sine.args[0])})"
 
 
-def radii(profile: Profile, largest: str, reach: str) -> tuple[str, str]:
-    """The grid that separates the minima of the load, and the largest radius; over waves up to `reach`."""
+def radii(profile: Profile, largest: str, reach: str) -> str:
+    """The grid that separates the minima of the load; over waves up to `reach`."""
     if profile.largest is not None:
-        return f"radii_to({largest})", f"np.atleast_1d({largest})"
+        return f"radii_to({largest})"
     if profile.breaks:
         own = dict(profile.abbreviations)
         end = python(own.get(profile.breaks[0], profile.breaks[0]))
-        return f"radii_{'beyond' if profile.truncated else 'around'}({end})", "np.inf"
+        return f"radii_{'beyond' if profile.truncated else 'around'}({end})"
     if profile.chain:
-        end = python(profile.chain[-1])
-        return f"radii_below({end})", f"np.atleast_1d({end})"
-    if wavelength in profile.parameters:
-        return f"radii_of_waves(wavelength, {reach})", "np.inf"
-    return "decades()", "np.inf"
+        return f"radii_below({python(profile.chain[-1])})"
+    return f"radii_of_waves(wavelength, {reach})" if wavelength in profile.parameters else "decades()"

@@ -20,15 +20,17 @@ from ...stable.measure import imported
 from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import Twins
-from .expressions import expression
+from .expressions import RULE, expression
 from .graph import Lengths, Node, needed, trace
 from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum
 
 FOLDER = "_programs"
+WORDS = frozenset(("control", "A"))
+"""Arguments that are no numbers: what is held at pull-off, and the coefficients of a polynomial."""
 EVALUATING = ("elementwise", "even", "odd")
 """Functions of the run time whose first argument is a formula, and whose further ones are its arguments."""
-REACH = "require_reach"
-"""What asks that its first argument is not below the second."""
+REACH, REQUIRE = "require_reach", "require"
+"""What asks that its first argument is not below the second, and that parameters are inside their domains."""
 OF_MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
 
 
@@ -43,10 +45,14 @@ class Call:
     """Arguments of which the public function asks that the first is not above the second."""
     unused: tuple[str, ...]
     """Arguments of the public function that the formula does not need, but whose ranges are asked for."""
+    signed: tuple[str, ...]
+    """Loads of either sign: neither fields, which are NaN where they are negative, nor parameters that are required."""
+    words: tuple[str, ...]
+    """Arguments that are no numbers."""
 
     def order(self) -> tuple[object, ...]:
         """By name, and the same in every run."""
-        return self.formula.__name__, self.fields, self.keywords, self.orders, self.unused
+        return self.formula.__name__, self.fields, self.keywords, self.orders, self.unused, self.signed, self.words
 
 
 def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
@@ -109,14 +115,18 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
             for call in calls
             if call.func.id == REACH  # type: ignore[attr-defined]
         )
+        required = {k.arg for call in calls if call.func.id == REQUIRE for k in call.keywords}  # type: ignore[attr-defined]
         for call in calls:
             if call.func.id not in EVALUATING:  # type: ignore[attr-defined]
                 continue
-            formula = _named(module, call.args[0])
-            if formula is not None:
+            named, words = _bound(call.args[0])
+            formula = _named(module, named)
+            if formula is not None and WORDS.issuperset(words):
                 keywords = tuple(str(k.arg) for k in call.keywords if k.arg != "unused")
                 unused = [n.id for k in call.keywords if k.arg == "unused" for n in ast.walk(k.value) if _is_name(n)]
-                yield Call(formula, _arguments(formula)[: len(call.args) - 1], keywords, orders, tuple(unused))
+                fields = _arguments(formula)[: len(call.args) - 1]
+                signed = () if fields else tuple(name for name in keywords if name not in required)
+                yield Call(formula, fields, keywords, orders, tuple(unused), signed, words)
 
 
 def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
@@ -128,7 +138,7 @@ def _arguments(formula: FunctionType) -> tuple[str, ...]:
 
 
 def _named(module: ModuleType, node: ast.expr) -> FunctionType | None:
-    """The function that a name, or an attribute of a module, stands for; None for what is bound to arguments."""
+    """The function that a name, or an attribute of a module, stands for."""
     if isinstance(node, ast.Name):
         found = getattr(module, node.id, None)
     elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
@@ -136,6 +146,13 @@ def _named(module: ModuleType, node: ast.expr) -> FunctionType | None:
     else:
         return None
     return found if isinstance(found, FunctionType) and found.__closure__ is None else None
+
+
+def _bound(node: ast.expr) -> tuple[ast.expr, tuple[str, ...]]:
+    """A formula, and the names of its arguments that a `partial` binds."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "partial":
+        return node.args[0], tuple(str(keyword.arg) for keyword in node.keywords)
+    return node, ()
 
 
 class _Module:
@@ -159,8 +176,9 @@ class _Module:
         """The module, empty if nothing can be written."""
         for name, calls in self.calls.items():
             arguments = _arguments(calls[0].formula)
-            result = trace(calls[0].formula, arguments, ())
-            whole = result or trace(calls[0].formula, arguments, (), roots=True)
+            words = calls[0].words
+            result = None if words else trace(calls[0].formula, arguments, ())
+            whole = None if words else trace(calls[0].formula, arguments, (), roots=True)
             over = whole and expression(name.removeprefix("_"), arguments, whole)
             self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
             self._plain(name, calls, arguments, result)
@@ -175,21 +193,25 @@ class _Module:
     def expressions(self) -> str:
         """The formulas in closed form over any array library `xp`, empty if there are none."""
         head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
+        if any(RULE in text for text in self.over):
+            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}expressions import {RULE}"
         return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
         unused = dict.fromkeys(name for call in calls for name in call.unused)
-        ranges = {own: self._range(own) for own in (*arguments, *unused)}
+        words = calls[0].words
+        ranges = {own: self._range(own) for own in (*arguments, *unused) if own not in words}
         if result is not None:
             lines = Lines(result, ranges, self.rules).text()
         elif self.twins.add(calls[0].formula):
             self.bodies.add(name)
+            ranges |= dict.fromkeys((name for call in calls for name in call.signed), (-LARGE, LARGE))
             lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED]
         else:
             return
         orders = dict.fromkeys(order for call in calls for order in call.orders if ranges.keys() >= {*order})
         relations = [f"{low} <= {high}" for low, high in orders]
-        self.texts.append(function(name.removeprefix("_"), ranges, relations, lines, tuple(unused)))
+        self.texts.append(function(name.removeprefix("_"), ranges, relations, lines, tuple(unused), words))
 
     def _range(self, name: str) -> tuple[float, float]:
         low, high = self.inside.get(name, (SMALL, LARGE))

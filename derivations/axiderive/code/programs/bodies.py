@@ -1,4 +1,4 @@
-"""Bodies that iterate, over plain numbers: their own text, with `math` under NumPy's names for `np`.
+"""Bodies that iterate or integrate, over plain numbers: the same with `math` under NumPy's names for `np`.
 
 What a body calls of the package is taken along; constants and classes stay where they are.  A body that needs nodes
 along an axis, or anything else that only arrays have, has no such twin.
@@ -7,7 +7,7 @@ along an axis, or anything else that only arrays have, has no such twin.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dis import get_instructions
 from functools import cache
@@ -18,12 +18,18 @@ from typing import Any
 
 import numpy as np
 
-NEEDS_ARRAYS = frozenset(("integral_by_panels", "gauss_legendre", "enumerate"))
-"""Names that a body may not refer to: nodes along an axis, and sums over coefficients."""
-PLAIN = "_runtime.plain"
-RULES = frozenset(("integral", "integral_in_strip", "integral_by_length", "in_groups", "over_radii", "at_many_radii"))
-"""Rules of `_runtime.integrals` that `_runtime.plain` has for one number."""
-HEAD = '"""Bodies of {title} over plain numbers: the same text with `math` for NumPy."""\n\n'
+NEEDS_ARRAYS = frozenset(("gauss_legendre",))
+"""Names that a body may not refer to: nodes along an axis."""
+COUNTERPARTS = {
+    "_runtime.integrals": "_runtime.plain",
+    "_runtime.physics.branches": "_runtime.physics.single",
+    "_runtime.graded.rules": "_runtime.graded.single",
+}
+"""Modules of which another one has functions of the same name for plain numbers."""
+RULES = ("_runtime.integrals", "_runtime.graded.rules")
+"""Those of which these are rules of integration."""
+BODIES = "_programs.bodies"
+HEAD = '"""Bodies of {title} over plain numbers: the same with `math` for NumPy."""\n\n'
 
 
 @dataclass
@@ -47,6 +53,7 @@ class Twins:
         self.found: dict[str, Twin] = {}
         self.math = import_module(f"{package}._runtime.plain").MATH
         self._needy: dict[FunctionType, bool] = {}
+        self._integrating: dict[FunctionType, bool] = {}
 
     def add(self, function: FunctionType) -> bool:
         """Take a function along with all it calls; False, and nothing is taken, if it needs arrays."""
@@ -72,18 +79,19 @@ class Twins:
     def _taken(self, function: FunctionType, twin: Twin) -> Iterator[FunctionType]:
         """What else has to be taken along for a function; what it imports is noted in the twin."""
         space, own = function.__globals__, self._module(function)
+        yield from filter(None, map(self._body, self._late(function).values()))
         for name in sorted(_globals(function.__code__) | self._decorators(function)):
             value: Any = space.get(name)
             if name not in space or value is np:
                 continue
             inner = self._body(value)
-            if self._is_rule(value):
-                twin.imports.setdefault(PLAIN, set()).add(name)
+            if counterpart := self._counterpart(value):
+                twin.imports.setdefault(counterpart, set()).add(name)
             elif inner is not None:
                 yield inner
                 if self._module(inner) != own or inner.__name__ != name:
                     taken = name if inner.__name__ == name else f"{inner.__name__} as {name}"
-                    twin.imports.setdefault(f"_programs.bodies.{self._module(inner)}", set()).add(taken)
+                    twin.imports.setdefault(f"{BODIES}.{self._module(inner)}", set()).add(taken)
             elif self._is_own(value, ModuleType):
                 twin.modules[name] = value.__name__.removeprefix(f"{self.package}.")
                 yield from filter(None, [self._body(getattr(value, a)) for a in sorted(_attributes_of(function, name))])
@@ -98,15 +106,35 @@ class Twins:
     def _body(self, value: Any) -> FunctionType | None:
         """The function of a module of the package behind a name, without its decorators; None for anything else."""
         inner = unwrap(value) if isinstance(value, FunctionType) else value
-        return inner if self._is_own(inner, FunctionType) and inner.__closure__ is None else None
+        own = self._is_own(inner, FunctionType) and inner.__closure__ is None and not self._counterpart(inner)
+        return inner if own else None
 
-    def _is_rule(self, value: Any) -> bool:
-        own = isinstance(value, FunctionType) and self._module(value) == "_runtime.integrals"
-        return own and value.__name__ in RULES
+    def _late(self, function: FunctionType) -> dict[str, Any]:
+        """What a body imports itself, by name."""
+        found: dict[str, Any] = {}
+        for node in _imports(self._text(function)):
+            module = import_module(f"{self.package}.{_resolved(self._module(function), node)}")
+            found |= {one.name: getattr(module, one.name) for one in node.names}
+        return found
+
+    def _written(self, function: FunctionType) -> str:
+        """The text of a twin."""
+        own, late = self._module(function), self._late(function)
+
+        def home(path: str, name: str) -> str:
+            body = f"{BODIES}.{path}" if self._body(late[name]) else path
+            return self._counterpart(late[name]) or body
+
+        return ast.unparse(_Single(own, home).visit(ast.parse(self._text(function))))
+
+    def _counterpart(self, value: Any) -> str:
+        """The module that has a function of this name for plain numbers, or none."""
+        module = COUNTERPARTS.get(self._module(value), "") if isinstance(value, FunctionType) else ""
+        return module if module and hasattr(import_module(f"{self.package}.{module}"), value.__name__) else ""
 
     def sources(self) -> dict[str, str]:
         """The texts of all twins by dotted name below the package."""
-        return {f"_programs.bodies.{path}": self._source(path, twin) for path, twin in sorted(self.found.items())}
+        return {f"{BODIES}.{path}": self._source(path, twin) for path, twin in sorted(self.found.items())}
 
     def _source(self, path: str, twin: Twin) -> str:
         level = "." * (path.count(".") + 3)
@@ -115,13 +143,11 @@ class Twins:
         lines = ["from __future__ import annotations", "", *(f"import {name}" for name in sorted(twin.others)), ""]
         for name, module in sorted(twin.modules.items()):
             folder, _, last = module.rpartition(".")
-            lines.append(
-                f"from {level}_programs.bodies.{folder} import {last}" + (f" as {name}" if name != last else "")
-            )
+            lines.append(f"from {level}{BODIES}.{folder} import {last}" + (f" as {name}" if name != last else ""))
         lines += [
             f"from {level}{module} import {', '.join(sorted(names))}" for module, names in sorted(twin.imports.items())
         ]
-        texts = [self._text(function) for function in functions]
+        texts = [self._written(function) for function in functions]
         if any("np." in text for text in texts):
             lines.append(f"from {level}_runtime.plain import MATH as np")
         head = HEAD.format(title=f"axicontact.{path}")
@@ -147,26 +173,80 @@ class Twins:
 
     def _looks_for_arrays(self, function: FunctionType) -> bool:
         code = function.__code__
-        if _names(code) & NEEDS_ARRAYS or any(self._of_arrays(*attribute) for attribute in _attributes(code)):
-            return True
-        # what it imports has NumPy for `np`
-        return any(step.opname == "IMPORT_NAME" for step in get_instructions(code))
+        of_arrays = any(self._of_arrays(*attribute) for attribute in _attributes(code))
+        return of_arrays or bool(_names(code) & NEEDS_ARRAYS) or self._is_nested(function)
+
+    def _is_nested(self, function: FunctionType) -> bool:
+        """Whether it integrates over integrals: for those a call over all nodes is quicker than a loop."""
+        tree, space = ast.parse(self._text(function)), function.__globals__ | self._late(function)
+        inner = {node.name: node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+        for call in [
+            node for node in ast.walk(tree) if isinstance(node, ast.Call) and self._integrates(node.func, space)
+        ]:
+            handed = [own for own in call.args if own is call.args[0] or not isinstance(own, ast.Call)]
+            if any(self._integrates(inner.get(ast.unparse(own), own), space) for own in handed):
+                return True
+        return False
+
+    def _integrates(self, tree: ast.AST, space: Mapping[str, Any]) -> bool:
+        """Whether a name in an expression stands for a function that calls a rule."""
+        names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        return any(self._reaches(space[name]) for name in sorted(names & space.keys()))
+
+    def _reaches(self, value: Any) -> bool:
+        """Whether a function is a rule or calls one."""
+        if not isinstance(value, FunctionType):
+            return False
+        if value not in self._integrating:
+            self._integrating[value] = False  # while those it calls are asked
+            rule = self._module(value) in RULES and bool(self._counterpart(value))
+            body = None if rule else self._body(value)
+            found = rule or (body is not None and any(self._reaches(own) for own in self._mentioned(body)))
+            self._integrating[value] = found
+        return self._integrating[value]
+
+    def _mentioned(self, function: FunctionType) -> list[Any]:
+        """What the names in a body stand for, of its module, of modules it knows and of those it imports."""
+        names = _names(function.__code__) | self._decorators(function)
+        space = function.__globals__ | self._late(function)
+        spaces = [space, *(vars(m) for n in names if self._is_own(m := space.get(n), ModuleType))]
+        return [known[name] for known in spaces for name in sorted(names) if name in known]
 
     def _called(self, function: FunctionType) -> list[FunctionType]:
-        names, space = _names(function.__code__) | self._decorators(function), function.__globals__
-        spaces = [space, *(vars(m) for n in names if self._is_own(m := space.get(n), ModuleType))]
-        called: list[Any] = [known.get(name) for known in spaces for name in names]
-        return [inner for other in called if not self._is_rule(other) and (inner := self._body(other)) is not None]
+        return [body for other in self._mentioned(function) if (body := self._body(other)) is not None]
 
     def _of_arrays(self, owner: str, name: str) -> bool:
         """Whether plain numbers have nothing of that name; `sum` is one of NumPy, and of Python without `np` before."""
         if owner == "np":
             return not hasattr(self.math, name)
-        return hasattr(np.ndarray, name) and not any(hasattr(kind, name) for kind in (float, list, tuple))
+        return (
+            owner != "math"
+            and hasattr(np.ndarray, name)
+            and not any(hasattr(kind, name) for kind in (float, list, tuple))
+        )
 
     def _is_own(self, value: Any, kind: type) -> bool:
         name = getattr(value, "__module__" if kind is FunctionType else "__name__", None)
         return isinstance(value, kind) and str(name).startswith(f"{self.package}.")
+
+
+class _Single(ast.NodeTransformer):
+    """What a body becomes: a choice is evaluated in one branch alone, and what it imports itself has its own `home`."""
+
+    def __init__(self, module: str, home: Callable[[str, str], str]) -> None:
+        self.module, self.home = module, home
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """Python's choice for NumPy's."""
+        self.generic_visit(node)
+        return ast.IfExp(*node.args) if ast.unparse(node.func) == "np.where" else node
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> list[ast.stmt]:
+        """One import for each home."""
+        homes = dict[str, list[ast.alias]]()
+        for one in node.names:
+            homes.setdefault(self.home(_resolved(self.module, node), one.name), []).append(one)
+        return [ast.ImportFrom(home, names, self.module.count(".") + 3) for home, names in homes.items()]
 
 
 def _names(code: CodeType) -> set[str]:
@@ -207,6 +287,17 @@ def _bodies(text: str) -> dict[str, str]:
             first = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
             found[node.name] = "\n".join(lines[first - 1 : node.end_lineno])
     return found
+
+
+@cache
+def _imports(text: str) -> list[ast.ImportFrom]:
+    """The imports inside the function of a text."""
+    return [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom)]
+
+
+def _resolved(path: str, node: ast.ImportFrom) -> str:
+    """The module below the package that a relative import in the module `path` stands for."""
+    return ".".join([*path.split(".")[: -node.level], node.module or ""])
 
 
 def _defined(text: str) -> list[str]:

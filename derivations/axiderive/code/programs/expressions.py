@@ -10,10 +10,14 @@ import math
 from collections.abc import Sequence
 
 from .graph import Node, needed
-from .plain import OPERATORS
+from .plain import OPERATORS, is_sum
 
-LEFT = frozenset(("integral", "unless"))
-"""Operations of a graph that are rules of the package, or hold in the branch that is mostly met alone."""
+LONGEST = 500
+"""Lines beyond which an expression is not written: choices within rules and roots are written once for each."""
+RULE = "rule_along"
+"""The function of `axicontact.expressions` that gives nodes and weights."""
+NODES = 64
+"""Nodes of a rule, for an interval of any length: those that the package takes for long ones."""
 STEPS = 6
 """Newton's steps of a root. Over 24 decades six leave 7e-16 in all functions; four would leave 6e-10."""
 ASIDE = {"less": (0.5, 2.0), "less_equal": (0.5, 2.0), "greater": (2.0, 0.5), "greater_equal": (2.0, 0.5)}
@@ -25,11 +29,13 @@ PREFIXES = {"negative": "-", "invert": "~"}
 
 
 def expression(name: str, arguments: Sequence[str], result: Node) -> str | None:
-    """The text of a function of the library `xp` and of the arguments; None for what evaluates a rule."""
-    if any(node.name in LEFT for node in needed(result)):
-        return None
+    """The text of a function of the library `xp` and of the arguments; None where it would be too long."""
     writer = _Writer()
-    value = writer.branch({own: own for own in arguments}).value(result)
+    if any(map(is_sum, needed(result))):
+        writer.lines.append(f"nodes, weights = {RULE}(xp, {NODES}, {', '.join(arguments)})")
+    value = _Branch(writer, {}).value(result)
+    if len(writer.lines) > LONGEST:
+        return None
     lines = "".join(f"    {line}\n" for line in writer.lines)
     return f"def {name}(xp, {', '.join(arguments)}):\n{lines}    return {value}\n"
 
@@ -40,6 +46,7 @@ class _Writer:
     def __init__(self) -> None:
         self.lines: list[str] = []
         self.indent = ""
+        self._behind: dict[Node, frozenset[Node]] = {}
 
     def name(self, value: str) -> str:
         """The name of a value on a line of its own."""
@@ -51,31 +58,39 @@ class _Writer:
         """Give a name a value."""
         self.lines.append(f"{self.indent}{name} = {value}")
 
-    def branch(self, arguments: dict[str, str]) -> _Branch:
-        """What is written for these arguments."""
-        return _Branch(self, arguments)
+    def behind(self, node: Node) -> frozenset[Node]:
+        """A node and all it is made of."""
+        if node not in self._behind:
+            self._behind[node] = frozenset((node,)).union(*(self.behind(x) for x in node.operands))
+        return self._behind[node]
 
 
 class _Branch:
-    """Values of nodes for some arguments; a branch of a `where` has arguments of its own."""
+    """Values of nodes where some are known by a name; a branch of a `where` has values of its own for one of them."""
 
-    def __init__(self, writer: _Writer, arguments: dict[str, str]) -> None:
-        self.writer, self.arguments = writer, arguments
-        self._known: dict[int, str] = {}
+    def __init__(self, writer: _Writer, known: dict[Node, str]) -> None:
+        self.writer, self._known = writer, known
+
+    def where(self, node: Node, name: str) -> _Branch:
+        """The same where a node has another value, and all that is made of it too."""
+        known = {own: text for own, text in self._known.items() if node not in self.writer.behind(own)}
+        return _Branch(self.writer, known | {node: name})
 
     def value(self, node: Node) -> str:
         """The name of a value."""
-        if node.order not in self._known:
-            self._known[node.order] = self._written(node)
-        return self._known[node.order]
+        if node not in self._known:
+            self._known[node] = self._written(node)
+        return self._known[node]
 
     def _written(self, node: Node) -> str:
         if node.name == "number":
             return _number(float(node.value))
-        if node.name in ("argument", "variable"):
-            return self.arguments[_key(node)]
+        if node.name == "argument":
+            return str(node.value)
         if node.name == "root":
             return self._root(node)
+        if is_sum(node):
+            return self._sum(node)
         if node.name == "where":
             condition = self.value(node.operands[0])
             branches = (self._moved(node.operands[0], condition, holds) for holds in (True, False))
@@ -89,14 +104,21 @@ class _Branch:
         return self.writer.name(f"xp.{node.name}({', '.join(values)})")
 
     def _moved(self, relation: Node, condition: str, holds: bool) -> _Branch:
-        """The branch, with an argument that is compared with another moved to where the branch applies."""
-        if relation.name not in ASIDE or any(x.name not in ("argument", "variable") for x in relation.operands):
+        """The branch, with what is compared with another value moved to where the branch applies."""
+        if relation.name not in ASIDE or relation.operands[0].name == "number" or relation.operands[1].value == 0.0:
             return self
-        x, y = (self.arguments[_key(operand)] for operand in relation.operands)
+        x, y = map(self.value, relation.operands)
         aside = f"{ASIDE[relation.name][0 if holds else 1]!r} * {y}"
         chosen = f"{x}, {aside}" if holds else f"{aside}, {x}"
-        moved = self.writer.name(f"xp.where({condition}, {chosen})")
-        return self.writer.branch({**self.arguments, _key(relation.operands[0]): moved})
+        return self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
+
+    def _sum(self, node: Node) -> str:
+        """The sum over the nodes, along a first axis."""
+        stop, _, variable, summand = node.operands
+        length = self.value(stop)
+        place = self.writer.name(f"nodes * {length}")
+        inner = self.where(variable, place)
+        return self.writer.name(f"{length} * xp.sum(weights * {inner.value(summand)}, axis=0)")
 
     def _root(self, node: Node) -> str:
         """Newton's method in logarithms, whose steps the bounds of the slope keep from running away."""
@@ -107,7 +129,7 @@ class _Branch:
         t = writer.name(f"xp.minimum({start}, {largest})")
         writer.lines.append(f"for _ in range({STEPS}):")
         writer.indent = "    "
-        inner = writer.branch({**self.arguments, _key(variable): t})
+        inner = self.where(variable, t)
         y, slope = inner.value(curve), inner.value(rate)
         missed = writer.name(f"xp.log({wanted} / {y})")
         ends = [writer.name(f"{missed} / {bound}") for bound in (least, most)]
@@ -118,11 +140,6 @@ class _Branch:
         writer.set(t, f"xp.minimum({t} * xp.exp({step}), {largest})")
         writer.indent = ""
         return writer.name(f"xp.where({value} > 0.0, {t}, 0.0 * {value})")
-
-
-def _key(node: Node) -> str:
-    """What an argument or the variable of a loop goes by."""
-    return str(node.value) if node.name == "argument" else f"variable {node.order}"
 
 
 def _number(value: float) -> str:

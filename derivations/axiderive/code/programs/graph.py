@@ -131,9 +131,7 @@ class Graph:
         if self.summing or not self.roots:
             raise UntraceableError
         variable = self._node("variable", (), len(self._known))
-        self.summing = True
         found = curve(variable)
-        self.summing = False
         return self._node("root", (*given, variable, *found))
 
     def unless(self, condition: Node, result: Node) -> Node:
@@ -165,6 +163,8 @@ class Traced(NDArrayOperatorsMixin):
             return NotImplemented
         if function is np.where and len(args) == 3:
             return Traced(self.graph, self.graph.choice(*(self.of(x) for x in args)))
+        if function in (np.any, np.count_nonzero) and len(args) == 1 and self.graph.roots:
+            return True  # choices tell where
         if function is np.any and len(args) == 1:
             return self.graph.ask(self.of(args[0]))
         if function is np.zeros_like:
@@ -216,7 +216,7 @@ def trace(
 ) -> Node | None:
     """What `function` returns for fields and keywords of these names, or None if it has no graph.
 
-    With `roots` the search for a root is an operation; otherwise what iterates has none.
+    With `roots` the search for a root is an operation, and rare branches are taken; otherwise what iterates has none.
     """
     graph = Graph(roots)
     try:

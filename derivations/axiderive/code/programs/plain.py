@@ -38,11 +38,13 @@ def function(
     orders: Sequence[str],
     lines: list[str],
     unused: Sequence[str] = (),
+    words: Sequence[str] = (),
 ) -> str:
     """The text of a function of plain numbers: None where one is no float or outside its range, or the result may err.
 
     `orders` are relations between the arguments that must hold beside; the lines return a value, and do not need those
-    arguments that are `unused`, which come last and may be left out where they have been looked at before.
+    arguments that are `unused`, which come last and may be left out where they have been looked at before; `words` are
+    arguments that are no numbers.
     """
     # a third faster than in a chain
     inside = [f"{own} > {low!r} and {own} < {high!r}" for own, (low, high) in arguments.items()]
@@ -51,6 +53,7 @@ def function(
     condition = " and ".join([*inside, *orders]) or "True"
     body = "\n".join(f"            {line}" for line in lines)
     signature = [f"{own}={min(1.0, 0.5 * arguments[own][1])!r}" if own in unused else own for own in arguments]
+    signature += words
     text = (
         f"def {name}({', '.join(signature)}):\n    if {condition}:\n        try:\n{body}\n"
         "        except (ArithmeticError, ValueError):\n            pass\n    return None\n"

@@ -54,10 +54,11 @@ def free_power(proof: Compact) -> sp.Symbol | None:
 
 
 def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
-    """With D = left - right of the equation, of which left is C, dp/dr = F D; D falls with r.
+    """With D = left - right of the equation, of which left is C, dp/dr = F [(n - 2) C - L], L = (n - 2) right.
 
-    For n > 2, F > 0 and d/dr (r^(n - 2) C) = (n - 2) r^(n - 3) D. Were D < 0 up to some r, r^(n - 2) C would fall there
-    from a value above zero, but it would be less than r^(n - 2) times the right side, which goes to zero with r.
+    F, C and L are positive for all n > 1, so that p falls for n <= 2. For n > 2, D falls with r and
+    d/dr (r^(n - 2) C) = (n - 2) r^(n - 3) D. Were D < 0 up to some r, r^(n - 2) C would fall there from a value above
+    zero, but it would be less than r^(n - 2) times the right side, which goes to zero with r.
     """
     one, two = sp.Integer(1), sp.Integer(2)
     require_regions(entry, ((one, n, two), (two, n)))
@@ -66,23 +67,21 @@ def _of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     (whole,) = proof.entry("p").cases
     # what is no equation has sides that do not differ, which the signs below refuse
     left, right = (side.subs(r_peak, r) for side in (ring.args if isinstance(ring, sp.Eq) else (ring, ring)))
-    beyond, below = Domain(whole.chain, (two, n)), Domain(whole.chain, (one, n, two))
-    factor = (n - 2) * r ** (n - 2) * _scale(proof) / (2 * a ** (n - 1))
-    positive = all(sign(part, beyond) > 0 for part in (left, right, factor))
-    falls = sign(sp.diff(left - right, r), beyond) < 0 and sign(factor * (left - right), below) < 0
-    if centre != 0 or not (positive and falls):
-        message = "one change of the sign of dp/dr for n > 2, and none for n < 2, is not shown"
+    beyond, every = Domain(whole.chain, (two, n)), Domain(whole.chain, (one, n))
+    level, factor = (n - 2) * right, r ** (n - 2) * _scale(proof) / (2 * a ** (n - 1))
+    positive = all(sign(part, every) > 0 for part in (left, level, factor))
+    if centre != 0 or not positive or sign(sp.diff(left - right, r), beyond) >= 0:
+        message = "one change of the sign of dp/dr for n > 2, and none for n <= 2, is not shown"
         raise NotProvedError(message)
-    gap = sp.diff(whole.expr, r) - factor * (left - right)
+    gap = sp.diff(whole.expr, r) - factor * ((n - 2) * left - level)
     grown = sp.diff(r ** (n - 2) * left, r) - (n - 2) * r ** (n - 3) * (left - right)
     rim, axis = (
         at(normal(canonical(side, beyond), beyond), r, end)
         for side, end in ((left, a), (right * r ** (n - 2), sp.S.Zero))
     )
     return [
-        "left - right falls with r, and F and both sides are positive, for n > 2; F (left - right) < 0 for n < 2",
-        require_zero(gap, beyond, "n > 2: dp/dr = F (left - right)"),
-        require_zero(gap, below, "n < 2: dp/dr = F (left - right)"),
+        "F, left and (n - 2) right are positive, for n > 1; left - right falls with r, for n > 2",
+        require_zero(gap, every, "dp/dr = F [(n - 2) left - (n - 2) right], which is negative for n <= 2"),
         require_zero(grown, beyond, "d/dr (r^(n-2) left) = (n - 2) r^(n-3) (left - right)"),
         require_zero(axis, beyond.at(r, sp.S.Zero), "r^(n-2) right -> 0 as r -> 0: left > right next to the axis"),
         require_zero(rim, beyond.at(r, a), "left -> 0 < right at the edge"),
@@ -166,11 +165,9 @@ def _pressure_of_power(proof: Compact, entry: Entry, n: sp.Symbol) -> list[str]:
     domain = Domain(whole.chain, (sp.Integer(1), n))
     there = greatest.expr.subs(r_peak, r)
     gap = r * sp.diff(whole.expr, r) - (n - 1) * (whole.expr - there)
-    steps = [require_zero(gap, domain, "r dp/dr = (n - 1) [p - p_max(r)], and dp/dr = 0 at r = r_max > 0")]
-    below = Domain(whole.chain, (sp.Integer(1), n, sp.Integer(2)))
     tail = (2 - n) * r ** (n - 1) * IncompleteBeta(1 - r**2 / a**2, sp.S.Half, (3 - n) / 2) / (2 * a ** (n - 1))
     split = whole.expr - there * (1 - r**2 / a**2) + _scale(proof) / (n - 1) * tail
     return [
-        *steps,
-        require_zero(split, below, "n < 2: p = p_max(r) (1 - r^2/a^2) - r^(n-1) B times a number, B bounded as r -> 0"),
+        require_zero(gap, domain, "r dp/dr = (n - 1) [p - p_max(r)], and dp/dr = 0 at r = r_max > 0"),
+        require_zero(split, domain, "p = p_max(r) (1 - r^2/a^2) - r^(n-1) B times a number, B bounded for n <= 2"),
     ]

@@ -54,6 +54,11 @@ def stationary(control: str, k: Array) -> Array:
     return constant + slope * k
 
 
+def least_steepness(control: str, H: Array, k: Array, dgamma: Array) -> Array:
+    """The a**((1 + k)/2) g'(a) beyond which the load grows with the contact radius."""
+    return stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
+
+
 def tension(r: Array, a: Array, H: Array, k: Array, dgamma: Array) -> Array:
     """Pressure of the retracted punch."""
     moved = graded_retraction(a, H, k, dgamma)
@@ -62,5 +67,4 @@ def tension(r: Array, a: Array, H: Array, k: Array, dgamma: Array) -> Array:
 
 def unloading_radius(rate: Array, p: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
     """Pull-off radius where g'(a) = rate a**(p - 1): there a**((1 + k)/2) g'(a) = xi sqrt(pi dgamma/(2 H))."""
-    level = stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
-    return (level / rate) ** (1.0 / (p - (1.0 - k) / 2.0))
+    return (least_steepness(control, H, k, dgamma) / rate) ** (1.0 / (p - (1.0 - k) / 2.0))

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .linking import Definition, Key, Linker
 
 
-MARK, SHORT_WAYS = "in_groups", ("at_many_radii", "over_radii")
+MARK, SHORT_WAYS = "in_groups", ("at_many_radii", "over_radii", "Kept")
 
 
 def rules(text: str) -> dict[str, int]:

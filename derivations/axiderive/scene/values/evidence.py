@@ -139,7 +139,7 @@ def record(
         found["entries"] = {
             s: {
                 "status": answer.status(s),
-                "result": [{"for": " < ".join(map(sp.sstr, c.chain)), "is": sp.sstr(c.expr)} for c in e.cases],
+                "result": [{"for": e.where(c), "is": sp.sstr(c.expr)} for c in e.cases],
                 **(
                     {"certificate": {"proved": cert.proved, "steps": list(cert.steps), "reason": cert.reason}}
                     if (cert := answer.certificates.get(s))
