@@ -31,9 +31,11 @@ class Function:
     """A first parameter that is neither field nor number, with its annotation and default."""
     decorator: str = ""
     """What of the run time it is handed to."""
+    """What of the run time it is handed to."""
     summed: bool = False
     """Whether A is a tuple of coefficients, and no array."""
     decorator: str = ""
+    """What of the run time it is handed to."""
 
     @property
     def public(self) -> bool:
