@@ -29,9 +29,6 @@ class Function:
     returns: str = "Array"
     leading: str = ""
     """A first parameter that is neither field nor number, with its annotation and default."""
-    decorator: str = ""
-    """What of the run time it is handed to."""
-    """What of the run time it is handed to."""
     summed: bool = False
     """Whether A is a tuple of coefficients, and no array."""
     decorator: str = ""
@@ -61,7 +58,6 @@ class Function:
 
     def text(self, imports: Sequence[str] = ()) -> str:
         """The function as Python code; `imports` are lines at its beginning."""
-        above = [f"@{self.decorator}"] if self.decorator else []
         head = fit(f"def {self.name}({', '.join(self._typed())}) -> {self.returns}:", 0)
         lines = [*imports, *([""] if imports else []), *self.lines]
         apart = [""] if self.doc and lines[0].startswith("def ") else []
