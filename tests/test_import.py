@@ -13,7 +13,7 @@ import axicontact
 ROOT = Path(axicontact.__file__).parent
 LATE = ("bare", "symbols", "programs")
 """The words of messages; tracing, compiling, arrays beyond the range of doubles, all that is in `programs`."""
-GRADED = ("graded.branches", "graded.displacement", "graded.inverse", "graded.pressure", "graded.slip", "inverse",
+GRADED = ("graded.displacement", "graded.inverse", "graded.pressure", "graded.slip", "inverse",
           "physics.stable", "physics.unknowns")  # fmt: skip
 """Fields, inverses and slip on the graded half-space, which a depth or a force does without."""
 HEAVY = ("dataclasses", "inspect", "dis", "fractions", "decimal")

@@ -16,7 +16,7 @@ from axiderive import notation as nt
 from axiderive.cli import main
 from axiderive.exits import USAGE
 from axiderive.store.writing import stale_files
-from axiderive.study import bem, error, extremes, grids, maps, naive, rivals, rule, speed
+from axiderive.study import error, extremes, grids, maps, naive, rivals, rule, speed
 from axiderive.study.methods import DIGITS, QUICK, arguments, exact, methods, skipped
 from axiderive.study.problems import PARAMETERS, QUANTITIES, RADIUS, RULED
 from axiderive.study.report import relative, rounded, to_json
@@ -133,7 +133,7 @@ def test_error_record_holds_what_it_promises():
 
 
 def test_skipped_methods_say_why(monkeypatch):
-    monkeypatch.setattr(bem, "find_spec", lambda name: None)
+    monkeypatch.setattr(grids, "find_spec", lambda name: None)
     reasons = {row["method"]: row["reason"] for row in skipped(subject("cone"), "p")}
     assert "pip install tamaas" in reasons["BEM"]
     assert "BEM" not in {method.name for method in methods(subject("cone"), "p", QUICK)}

@@ -40,7 +40,7 @@ FILES = {
 GRADED = tuple(f"graded.{file.stem}" for file in sorted((RUNTIME / "graded").glob("[a-z]*.py")))
 LATE = (
     *("physics.stable", "physics.unknowns"),
-    *("graded.branches", "graded.displacement", "graded.inverse", "graded.pressure", "graded.slip"),
+    *("graded.displacement", "graded.inverse", "graded.pressure", "graded.slip"),
 )
 """Imported by the functions of a graded half-space that call them: the import of a module brings along what its depth
 and its force need."""

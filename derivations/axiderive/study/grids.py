@@ -1,13 +1,15 @@
 """Other ways on a grid, after their descriptions and not their authors' programs.
 
 By parts with central differences and trapezoids (Benad 2018), convolution over
-r**2 by FFT (Willert 2021).
+r**2 by FFT (Willert 2021); the boundary element method where tamaas is installed.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from importlib import import_module
+from importlib.util import find_spec
 
 import numpy as np
 from scipy import integrate
@@ -17,6 +19,10 @@ from .rivals import punch_pressure
 from .subject import Array, Subject
 
 a = RADIUS
+WIDTH = 3.0
+"""Side of the square in contact radii."""
+TOLERANCE = 1e-9
+ITERATIONS = 2000
 
 
 def trapezoid_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
@@ -106,3 +112,28 @@ def _silent(function: Callable[[float], float], x: float) -> float:
         return function(x)
     except ZeroDivisionError:
         return math.inf
+
+
+def no_boundary_elements() -> str:
+    """Why there are none to run; empty if there are."""
+    return "" if find_spec("tamaas") else "tamaas is not installed (pip install tamaas)"
+
+
+def boundary_elements(subject: Subject, force: float, count: int) -> tuple[Array, Array]:
+    """By tamaas, under a prescribed force: radii and pressures of the cells in contact."""
+    tamaas = import_module("tamaas")
+    tamaas.set_log_level(tamaas.LogLevel.error)
+    side = WIDTH * RADIUS
+    centres = (np.arange(count) - count // 2 + 0.5) * side / count
+    r = np.hypot(*np.meshgrid(centres, centres, indexing="ij"))
+    model = tamaas.Model(tamaas.model_type.basic_2d, [side, side], [count, count])
+    model.E, model.nu = subject.modulus, 0.0
+    tamaas.ModelFactory.registerNonPeriodic(model, "dcfft")
+    # a sphere ends at its equator, the square beyond it is far from contact
+    solver = tamaas.PolonskyKeerRey(model, -subject.height(np.minimum(r, subject.largest)), TOLERANCE)
+    solver.setIntegralOperator("dcfft")
+    solver.max_iter = ITERATIONS
+    solver.solve(force / side**2)
+    traction = np.array(model.traction).reshape(count, count)
+    inside = r < RADIUS
+    return r[inside], traction[inside]

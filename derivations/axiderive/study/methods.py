@@ -23,7 +23,7 @@ from ..checks import plane_quadrature
 from ..oracle.definitions import contact
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import number
-from . import bem, graded, grids, rivals, rule
+from . import graded, grids, rivals, rule
 from .naive import naive, per_point, printed
 from .problems import RADIUS, RULED
 from .subject import Array, Subject, emitted
@@ -255,10 +255,10 @@ def _pressure(setup: _Setup) -> Iterator[Method]:
         yield from setup.digits(partial(rivals.mpmath_pressure, substituted=substituted), f"mpmath{suffix}")
     yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
     yield from setup.gridded("FFT MDR", grids.fft_pressure, plan.fft)
-    if not bem.missing():
+    if not grids.no_boundary_elements():
         force = float(defined(subject, RADIUS)("F"))
         for count in plan.bem:
-            yield setup.on_grid("BEM", f"{count} x {count}", partial(bem.pressure, subject, force, count))
+            yield setup.on_grid("BEM", f"{count} x {count}", partial(grids.boundary_elements, subject, force, count))
 
 
 def _displacement(setup: _Setup) -> Iterator[Method]:
@@ -369,4 +369,4 @@ def _boundary_elements(subject: Subject, suffix: str) -> dict[str, str]:
         return {"BEM": "its half-space is homogeneous"}
     if suffix != "p":
         return {"BEM": "its pressures are compared"}
-    return {"BEM": bem.missing()} if bem.missing() else {}
+    return {"BEM": grids.no_boundary_elements()} if grids.no_boundary_elements() else {}

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import base64
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
+from importlib.resources import files
 from typing import Any
 
 import jinja2
@@ -17,11 +19,13 @@ from ..book.readme import LEFT_OUT, LEGEND
 from ..code.python import package_sources
 from ..physics.systems import ROUND, SYSTEMS, pool_of
 from . import study
-from .assets import assets
 from .home import home
 from .page import Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
 from .words import formula, plain, slug, words
+
+_FACE = re.compile(r"@font-face\{[^}]*url\(fonts/([\w-]+\.woff2)\)[^}]*\}")
+_SOURCE = re.compile(r"src:[^}]*")
 
 
 def html_sources(
@@ -165,3 +169,32 @@ def _environment() -> jinja2.Environment:
         autoescape=True,
         undefined=jinja2.StrictUndefined,
     )
+
+
+def assets() -> dict[str, str]:
+    """What every page loads: KaTeX with its fonts in the style sheet, the sheet and the script of the site."""
+    folder = files("axiderive.web")
+    vendored, own = folder / "katex", folder / "static"
+    return {
+        "assets/katex.js": (vendored / "katex.min.js").read_text(encoding="utf-8"),
+        "assets/katex.css": _with_fonts((vendored / "katex.min.css").read_text(encoding="utf-8")),
+        "assets/katex-license.txt": (vendored / "LICENSE").read_text(encoding="utf-8"),
+        "assets/site.css": (own / "site.css").read_text(encoding="utf-8"),
+        "assets/site.js": (own / "site.js").read_text(encoding="utf-8"),
+    }
+
+
+def _with_fonts(css: str) -> str:
+    """The style sheet with its fonts inside, so that a page opened from a folder needs no second origin.
+
+    Faces that no formula of the book uses are not vendored and left out.
+    """
+
+    def face(match: re.Match[str]) -> str:
+        font = files("axiderive.web") / "katex" / "fonts" / match[1]
+        if not font.is_file():
+            return ""
+        data = base64.b64encode(font.read_bytes()).decode()
+        return _SOURCE.sub(f'src:url(data:font/woff2;base64,{data}) format("woff2")', match[0])
+
+    return _FACE.sub(face, css)

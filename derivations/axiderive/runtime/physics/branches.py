@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..functions import halves
 from ..interface import Array
 
 Load = Callable[[Array], Array]
@@ -96,6 +97,15 @@ def halfway(low: Array, high: Array) -> Array:
 def exponent_of(x: Array) -> Array:
     """The whole m with 2**m <= x < 2**(m + 1)."""
     return np.frexp(x)[1] - 1
+
+
+def stress_at(unit: Array, H: Array, k: Array) -> tuple[Array, Array]:
+    """The exponent of the power of two near H L**k for L = 2**unit, and H in units of that stress and of L."""
+    mantissa, exponent = np.frexp(H)
+    # half of the digits of k make an exact product with a whole number
+    high, low = halves(k)
+    whole = np.floor(unit * high + 0.5)
+    return exponent + exponent_of(np.exp2(whole)), mantissa * np.exp2((unit * high - whole) + unit * low)
 
 
 def lowest(found: Branches, load: Load) -> Array:
