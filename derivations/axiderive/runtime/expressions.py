@@ -13,7 +13,6 @@ from types import ModuleType
 from typing import Any
 
 from .interface import nothing, programs
-from .nodes import gauss_legendre
 
 __all__ = ["expression"]
 
@@ -98,12 +97,6 @@ class _Expression:
         if isinstance(self.xp, ModuleType):
             return _over, (self.function, self.xp.__name__)
         return expression, (self.function, self.xp)
-
-
-def rule_along(xp: Any, count: int, *arguments: Any) -> Any:
-    """Nodes and weights of Gauss on (0, 1) along an axis before all those of the arguments."""
-    axes = max(getattr(argument, "ndim", 0) for argument in arguments)
-    return [xp.asarray(column.reshape(-1, *(1,) * axes)) for column in gauss_legendre(count)]
 
 
 def _over(function: Callable[..., Any], name: str) -> Callable[..., Any]:

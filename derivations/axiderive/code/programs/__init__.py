@@ -194,7 +194,7 @@ class _Module:
         """The formulas in closed form over any array library `xp`, empty if there are none."""
         head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
         if any(RULE in text for text in self.over):
-            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}expressions import {RULE}"
+            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}{PLACE}.integrals import {RULE}"
         return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:

@@ -14,8 +14,8 @@ from .plain import OPERATORS, is_sum
 
 LONGEST = 500
 """Lines beyond which an expression is not written: choices within rules and roots are written once for each."""
-RULE = "rule_along"
-"""The function of `axicontact.expressions` that gives nodes and weights."""
+RULE = "nodes_along"
+"""The function of `_runtime.integrals` that gives nodes and weights."""
 NODES = 64
 """Nodes of a rule, for an interval of any length: those that the package takes for long ones."""
 STEPS = 6
