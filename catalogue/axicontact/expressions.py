@@ -27,7 +27,9 @@ def __dir__() -> list[str]:
 
 
 def expression(function: Callable[..., Any], xp: Any) -> Callable[..., Any]:
-    """A function of the catalogue over the arrays of `xp`, without checks, loops and results in place.
+    """A function of the catalogue over the arrays of `xp`, without checks, branches and results in place.
+
+    An integral is a sum over 64 nodes, along an axis before the others; a root takes six steps of Newton.
 
     Parameters
     ----------
@@ -45,8 +47,7 @@ def expression(function: Callable[..., Any], xp: Any) -> Callable[..., Any]:
     Raises
     ------
     TypeError
-        If `function` is none of the catalogue's, evaluates a rule or an iteration and is no expression, or needs
-        a function that `xp` lacks.
+        If `function` is none of the catalogue's or no expression, or needs a function that `xp` lacks.
 
     Examples
     --------
@@ -68,7 +69,7 @@ def expression(function: Callable[..., Any], xp: Any) -> Callable[..., Any]:
     written = getattr(programs(private.__module__, "expressions."), name, nothing)
     if written is nothing:
         message = (
-            f"{function.__module__}.{name} is evaluated by a rule or an iteration; it is no expression for "
+            f"{function.__module__}.{name} needs more than sums and a few steps to a root; it is no expression for "
             f"{getattr(xp, '__name__', xp)}, call the function itself or take one in closed form, as cone.pressure"
         )
         raise TypeError(message)
@@ -81,9 +82,10 @@ class _Expression:
     def __init__(self, function: Callable[..., Any], xp: Any, written: Callable[..., Any]) -> None:
         self.function, self.xp = function, xp
         self.fields = function.__code__.co_varnames[: function.__code__.co_argcount]
-        code = written.__code__
+        code, own = written.__code__, written.__globals__
         self.arguments = frozenset(code.co_varnames[1 : code.co_argcount])
-        self.formula = partial(written, _Library(xp, [name for name in code.co_names if name != "range"]))
+        names = {name for name in code.co_names if name != "range" and name not in own} | {"asarray"}
+        self.formula = partial(written, _Library(xp, sorted(names)))
         update_wrapper(self, function)
 
     def __call__(self, *fields: Any, **keywords: Any) -> Any:

@@ -35,11 +35,11 @@ def difference_of_products(w: Array, x: Array, y: Array, z: Array) -> Array:
 
 def _lost(x: Array, y: Array, product: Array) -> Array:
     """x*y - product, exactly."""
-    (x_high, x_low), (y_high, y_low) = _halves(x), _halves(y)
+    (x_high, x_low), (y_high, y_low) = halves(x), halves(y)
     return ((x_high * y_high - product) + x_high * y_low + x_low * y_high) + x_low * y_low
 
 
-def _halves(x: Array) -> tuple[Array, Array]:
+def halves(x: Array) -> tuple[Array, Array]:
     """Two numbers of 26 bits that add up to x."""
     high = 134217729.0 * x
     high = high - (high - x)

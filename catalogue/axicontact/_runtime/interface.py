@@ -9,7 +9,7 @@ function, it takes one and a half times as long.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from importlib import import_module
 from types import FunctionType, ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard
@@ -26,6 +26,8 @@ Array: TypeAlias = Any
 Result: TypeAlias = Any
 """A float where every argument is a number, an array otherwise."""
 
+KEPT = 64
+"""Results that are kept of one function."""
 BLOCK = 32768
 """Some arrays of this many numbers stay in the cache of a core."""
 PROGRAMS = f"{__name__.split('._runtime')[0]}._programs"
@@ -52,10 +54,29 @@ def elementwise(function: Callable[..., Array], *fields: ArrayLike, unused: Any 
 
 def _plain_formula(function: Callable[..., Array]) -> Callable[..., float | None]:
     """The function over plain numbers, which gives None where it has no value to trust."""
+    if isinstance(function, partial):
+        formula = _plain.get(function.func) or _plain_formula(function.func)
+        return formula if formula is nothing else partial(formula, **function.keywords)
     if not of_a_module(function):
         return nothing
     _plain[function] = getattr(programs(function.__module__), function.__name__.removeprefix("_"), nothing)
     return _plain[function]
+
+
+class Kept:
+    """A function that is asked again and again for the same numbers: of these, not of arrays, its results are kept."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.function, self.kept = function, lru_cache(KEPT)(self._of)
+
+    def __call__(self, *given: Any) -> Any:
+        numbers = all([isinstance(own, (float, int, tuple)) for own in given])
+        return self.kept(*given) if numbers else self.function(*given)
+
+    def _of(self, *given: Any) -> Any:
+        with np.errstate(all="ignore"):
+            result = self.function(*given)
+        return result if isinstance(result, tuple) else float(result)
 
 
 def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:

@@ -63,6 +63,14 @@ def integral_in_strip(
 integral_by_length = integral_in_strip
 
 
+def integral_by_panels(integrand: Callable[[float], float], stop: float, width: float, count: int) -> float:
+    """Integral from 0 to `stop` in equal panels no wider than about `width`."""
+    panels = max(math.ceil(stop / width), 1)
+    if panels > PANELS:
+        raise ArithmeticError
+    return math.fsum([weight * integrand(node * stop) for node, weight in _pairs(count, panels)]) * stop
+
+
 def in_groups(
     rule_of: Callable[..., tuple[Callable[[float], float], float, float, bool, float]],
 ) -> Callable[..., float]:
@@ -75,7 +83,7 @@ def in_groups(
     return at
 
 
-def over_radii(courses: object) -> Callable[[Callable[..., float]], Callable[..., float]]:
+def over_radii(*courses: object, everywhere: bool = False) -> Callable[[Callable[..., float]], Callable[..., float]]:
     """The rule itself: there is one radius."""
     return lambda rule_of: rule_of
 
@@ -96,16 +104,28 @@ def _sqrt(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else math.nan
 
 
+def _log(x: float) -> float:
+    return math.log(x) if x > 0.0 else -math.inf if x == 0.0 else math.nan
+
+
+def _log1p(x: float) -> float:
+    return math.log1p(x) if x > -1.0 else -math.inf if x == -1.0 else math.nan
+
+
 MATH = SimpleNamespace(
     pi=math.pi, e=math.e, inf=math.inf, nan=math.nan, float64=float,
-    sqrt=_sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=math.log, log1p=math.log1p,
+    sqrt=_sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=_log, log1p=_log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
-    sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh,
-    abs=abs, minimum=_minimum, maximum=_maximum, isfinite=math.isfinite, any=bool, all=bool, count_nonzero=bool,
+    sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh, hypot=math.hypot,
+    ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor,
+    abs=abs, minimum=_minimum, maximum=_maximum, isfinite=math.isfinite, isnan=math.isnan,
+    any=bool, all=bool, count_nonzero=bool,
     # bodies write it out: ~True is -2, and an error from Python 3.16 on
     logical_not=not_,
     where=lambda condition, x, y: x if condition else y,
-    asarray=lambda x, dtype=None: x, full_like=lambda x, value: value,
-    ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0, vectorize=lambda function, otypes=None: function,
+    asarray=lambda x, dtype=None: x, full_like=lambda x, value, dtype=None: value,
+    ones_like=lambda x: 1.0, zeros_like=lambda x: 0.0, zeros=lambda shape: 0.0,
+    ndim=lambda x: 0, full=lambda shape, value: value, max=lambda x, initial=-math.inf: max(x, initial), ceil=math.ceil,
+    clip=lambda x, low, high: min(max(x, low), high), vectorize=lambda function, otypes=None: function,
 )  # fmt: skip
 """What a body that iterates finds as `np` where its arguments are plain numbers."""

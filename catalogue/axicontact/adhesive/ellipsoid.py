@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_below,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_below
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import up_to
 from ..normal import ellipsoid as normal
@@ -475,8 +464,15 @@ def _rate(a: Array, h: Array, b: Array) -> Array:
     return normal._slope(a, root, h, b)
 
 
+@Kept
+def _samples(h: Array, b: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_below(b)
+    return Samples(a, np.sqrt(a) * _rate(a, h, b), a[-1])
+
+
 def _branches(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, h, b), radii_below(b), np.atleast_1d(b), control, E_star, dgamma)
+    return branches(lambda a: np.sqrt(a) * _rate(a, h, b), _samples(h, b), least_steepness(control, E_star, dgamma))
 
 
 def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:

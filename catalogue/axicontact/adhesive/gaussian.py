@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_to,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_to
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import on_the_bump
 from ..normal import gaussian as normal
@@ -477,15 +466,15 @@ def _rate(a: Array, h: Array, s: Array) -> Array:
     return normal._slope(a, h, s)
 
 
+@Kept
+def _samples(h: Array, s: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_to(1.5019752682686114 * s)
+    return Samples(a, np.sqrt(a) * _rate(a, h, s), a[-1])
+
+
 def _branches(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(
-        lambda a: _rate(a, h, s),
-        radii_to(1.5019752682686114 * s),
-        np.atleast_1d(1.5019752682686114 * s),
-        control,
-        E_star,
-        dgamma,
-    )
+    return branches(lambda a: np.sqrt(a) * _rate(a, h, s), _samples(h, s), least_steepness(control, E_star, dgamma))
 
 
 def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Array:

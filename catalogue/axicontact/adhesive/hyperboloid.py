@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    decades,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, decades, exponent_of, lowest
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import radius_itself
 from ..normal import hyperboloid as normal
@@ -476,8 +465,17 @@ def _rate(a: Array, theta: Array, b: Array) -> Array:
     return normal._slope(a, theta, b)
 
 
+@Kept
+def _samples(theta: Array, b: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = decades()
+    return Samples(a, np.sqrt(a) * _rate(a, theta, b), np.inf)
+
+
 def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, theta, b), decades(), np.inf, control, E_star, dgamma)
+    return branches(
+        lambda a: np.sqrt(a) * _rate(a, theta, b), _samples(theta, b), least_steepness(control, E_star, dgamma)
+    )
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:

@@ -10,19 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, require_coefficients
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    decades,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require, require_coefficients
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, decades, lowest
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import radius_itself
 from ..normal import polynomial as normal
@@ -466,8 +456,15 @@ def _rate(a: Array, A: Array) -> Array:
     return normal._slope(a, A)
 
 
+@Kept
+def _samples(A: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = decades()
+    return Samples(a, np.sqrt(a) * _rate(a, A), np.inf)
+
+
 def _branches(A: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, A), decades(), np.inf, control, E_star, dgamma)
+    return branches(lambda a: np.sqrt(a) * _rate(a, A), _samples(A), least_steepness(control, E_star, dgamma))
 
 
 def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, control: str) -> Array:

@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_below,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_below
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import up_to
 from ..normal import sphere as normal
@@ -464,8 +453,15 @@ def _rate(a: Array, R: Array) -> Array:
     return normal._slope(a, root, R)
 
 
+@Kept
+def _samples(R: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_below(R)
+    return Samples(a, np.sqrt(a) * _rate(a, R), a[-1])
+
+
 def _branches(R: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, R), radii_below(R), np.atleast_1d(R), control, E_star, dgamma)
+    return branches(lambda a: np.sqrt(a) * _rate(a, R), _samples(R), least_steepness(control, E_star, dgamma))
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:

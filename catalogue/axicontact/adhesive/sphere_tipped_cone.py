@@ -11,20 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .._runtime.functions import sine_root
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_around,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_around
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import beyond_edge, up_to
 from ..normal import sphere_tipped_cone as normal
@@ -488,8 +477,17 @@ def _rate(a: Array, R: Array, theta: Array) -> Array:
     return normal._slope_at(a, root, R, theta)
 
 
+@Kept
+def _samples(R: Array, theta: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_around(R * np.sin(theta))
+    return Samples(a, np.sqrt(a) * _rate(a, R, theta), np.inf)
+
+
 def _branches(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, R, theta), radii_around(R * np.sin(theta)), np.inf, control, E_star, dgamma)
+    return branches(
+        lambda a: np.sqrt(a) * _rate(a, R, theta), _samples(R, theta), least_steepness(control, E_star, dgamma)
+    )
 
 
 def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Array:

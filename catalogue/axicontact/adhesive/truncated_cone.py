@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require, require_reach
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_beyond,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require, require_reach
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_beyond
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import beyond_edge, radius_itself
 from ..normal import truncated_cone as normal
@@ -484,8 +473,17 @@ def _rate(a: Array, theta: Array, b: Array) -> Array:
     return normal._slope_beyond(a, root, theta, b)
 
 
+@Kept
+def _samples(theta: Array, b: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_beyond(b)
+    return Samples(a, np.sqrt(a) * _rate(a, theta, b), np.inf)
+
+
 def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
-    return branches(lambda a: _rate(a, theta, b), radii_beyond(b), np.inf, control, E_star, dgamma)
+    return branches(
+        lambda a: np.sqrt(a) * _rate(a, theta, b), _samples(theta, b), least_steepness(control, E_star, dgamma)
+    )
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:

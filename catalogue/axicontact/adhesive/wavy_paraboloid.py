@@ -10,20 +10,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .._runtime.interface import Array, Result, elementwise, require
-from .._runtime.physics.adhesion import (
-    Branches,
-    PullOff,
-    branches,
-    exponent_of,
-    hess_retraction,
-    lift,
-    lowest,
-    pull,
-    radii_of_waves,
-    require_control,
-    tension,
-)
+from .._runtime.interface import Array, Kept, Result, elementwise, require
+from .._runtime.physics.adhesion import PullOff, hess_retraction, least_steepness, lift, pull, require_control, tension
+from .._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_of_waves
 from .._runtime.physics.stable import growth, stable_radius
 from .._runtime.physics.unknowns import radius_itself
 from ..normal import wavy_paraboloid as normal
@@ -528,14 +517,18 @@ def _rate(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
     return normal._slope(a, R, h, wavelength)
 
 
+@Kept
+def _samples(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_of_waves(wavelength, (np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0))
+    return Samples(a, np.sqrt(a) * _rate(a, R, h, wavelength), np.inf)
+
+
 def _branches(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
     return branches(
-        lambda a: _rate(a, R, h, wavelength),
-        radii_of_waves(wavelength, (np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)),
-        np.inf,
-        control,
-        E_star,
-        dgamma,
+        lambda a: np.sqrt(a) * _rate(a, R, h, wavelength),
+        _samples(R, h, wavelength, E_star, dgamma),
+        least_steepness(control, E_star, dgamma),
     )
 
 

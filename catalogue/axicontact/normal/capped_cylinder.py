@@ -326,11 +326,6 @@ def _profile(r: Array, a: Array, R: Array) -> Array:
     return np.where(r <= a, r**2 / (2 * R), np.nan)
 
 
-def _slope(t: Array, R: Array) -> Array:
-    """Rate g'(t) of the indentation depth of the uncut profile."""
-    return 2 * t / R
-
-
 def _force(d: Array, a: Array, R: Array, E_star: Array) -> Array:
     excess = difference_of_products(R, d, a, a) / R
     rho = np.minimum(np.sqrt(R * d), a)

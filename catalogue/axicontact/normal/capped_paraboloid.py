@@ -603,7 +603,7 @@ def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Arra
     return 2 * t / R1 + 2 * (R1 - R2) / (R1 * R2) * root + b**2 * (R1 - R2) / (R1 * R2 * root)
 
 
-def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array) -> Array:
     return a * (a + (R1 - R2) / R2 * root) / R1
 
 
@@ -656,7 +656,7 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> A
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
     def curve(a: Array, root: Array) -> tuple[Array, Array]:
         rate = a * _slope_beyond(a, root, R1, R2, b)
-        return _depth_beyond(a, root, R1, R2, b), rate
+        return _depth_beyond(a, root, R1, R2), rate
 
     return inverse_beyond(curve, d, b, 2.0, leaving=(1.0, 2.0))
 

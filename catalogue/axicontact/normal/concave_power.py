@@ -110,9 +110,8 @@ def force(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: Arr
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. The depth is measured at the centre of the
-    face; the rim is at d + h. Handbook: concave_power.F.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. The depth is
+    measured at the centre of the face; the rim is at d + h. Handbook: concave_power.F.
 
     References
     ----------
@@ -311,8 +310,8 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dF.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_power.dF.
 
     References
     ----------
@@ -332,7 +331,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
 def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     """Radius of the ring where the pressure first vanishes on unloading.
 
-    r_zero = 0   for 1 < n < 2
+    r_zero = 0   for 1 < n <= 2
     r_zero from IncompleteBeta(1 - r_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(r_zero/a)**(1 - n)*sqrt(1 -
     r_zero**2/a**2)/(n*(1 - r_zero**2/a**2) - 1)   for 2 < n
     with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
@@ -359,8 +358,8 @@ def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.rz.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_power.rz.
 
     References
     ----------
@@ -403,8 +402,8 @@ def minimum_depth(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.dmin.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_power.dmin.
 
     References
     ----------
@@ -450,8 +449,8 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
-    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.Fmin.
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_power.Fmin.
 
     References
     ----------

@@ -583,7 +583,7 @@ def peak_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
     """Greatest pressure, and the radius of the ring on which it is.
 
     p_peak = A*E_star*a**(n - 1)*n*gamma(n/2 + 1)/(sqrt(pi)*sqrt(1 - r_peak**2/a**2)*(n - 1)*gamma((n + 1)/2))
-    r_peak = 0   for 1 < n < 2
+    r_peak = 0   for 1 < n <= 2
     r_peak from IncompleteBeta(1 - r_peak**2/a**2, 1/2, 3/2 - n/2) = 2*(a/r_peak)**(n - 3)/(sqrt(1 -
     r_peak**2/a**2)*(n - 2))   for 2 < n
     with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
@@ -612,8 +612,8 @@ def peak_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
 
     Notes
     -----
-    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Evaluated as an integral
-    over the growing contact by a Gauss-Legendre rule. Handbook: power_law.rp, power_law.pp.
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.rp,
+    power_law.pp.
 
     References
     ----------

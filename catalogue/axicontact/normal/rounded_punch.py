@@ -115,7 +115,7 @@ def depth(a: ArrayLike, *, R: ArrayLike, b: ArrayLike) -> Result:
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. The pressure is bounded, with its peak just outside b. Handbook: rounded_punch.d.
+    ones, give NaN. The pressure is bounded. Handbook: rounded_punch.d.
 
     References
     ----------
@@ -165,7 +165,7 @@ def force(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Res
     Notes
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
-    ones, give NaN. The pressure is bounded, with its peak just outside b. Handbook: rounded_punch.F.
+    ones, give NaN. The pressure is bounded. Handbook: rounded_punch.F.
 
     References
     ----------
@@ -224,7 +224,7 @@ def pressure(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: 
     -----
     Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
     ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. The pressure
-    is bounded, with its peak just outside b. Handbook: rounded_punch.p.
+    is bounded. Handbook: rounded_punch.p.
 
     References
     ----------

@@ -569,7 +569,7 @@ def _slope(t: Array, root: Array, R: Array) -> Array:
     return angle + R * t / root**2
 
 
-def _depth_at(a: Array, root: Array, R: Array) -> Array:
+def _depth_at(a: Array, root: Array) -> Array:
     angle = np.arcsinh(a / root)
     return a * angle
 
@@ -618,7 +618,7 @@ def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:
 
     def curve(t: Array) -> tuple[Array, Array]:
         a, root = R * np.tanh(t), R / np.cosh(t)
-        value = _depth_at(a, root, R)
+        value = _depth_at(a, root)
         return value, t * root * root / R * _slope(a, root, R) / value
 
     rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
@@ -651,11 +651,11 @@ def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
 
 def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R)), 0.0)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root)), 0.0)
     return _force_at(a, root, R, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, R, E_star)
     change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, E_star)) / (2 * E_star * a), 0.0)
-    return _depth_at(a, root, R) + change
+    return _depth_at(a, root) + change

@@ -373,7 +373,8 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Array
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.pm.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.pm.
 
     Examples
     --------
@@ -521,8 +522,9 @@ def force_from_depth(d: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
-    iteration. Handbook: sphere_tipped_cone.Fd.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    sphere_tipped_cone.Fd.
 
     References
     ----------
@@ -570,8 +572,9 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
 
     Notes
     -----
-    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated by a safeguarded Newton
-    iteration. Handbook: sphere_tipped_cone.dF.
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Evaluated by a safeguarded Newton iteration. Handbook:
+    sphere_tipped_cone.dF.
 
     References
     ----------

@@ -597,13 +597,13 @@ def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
     return 2 * root / R + b**2 / (R * root)
 
 
-def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
+def _depth_at(a: Array, root: Array, R: Array) -> Array:
     return a * root / R
 
 
 def _depth(a: Array, R: Array, b: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return _depth_at(a, root, R, b)
+    return _depth_at(a, root, R)
 
 
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -667,7 +667,7 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
 
     def curve(t: Array) -> tuple[Array, Array]:
         a, root = b * np.sqrt(1.0 + t * t), b * t
-        value = _depth_at(a, root, R, b)
+        value = _depth_at(a, root, R)
         return value, root * root / a * _slope_beyond(a, root, R, b) / value
 
     rest = (0.9996917, 0.05914493, 0.009062067, 1.353675, -12.15272, 28.05264, -25.52146, 8.200478)
@@ -678,11 +678,11 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
 
 def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R, b)), 0.0)
+    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R)), 0.0)
     return _force_at(a, root, R, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, R, b, E_star)
     change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a), 0.0)
-    return _depth_at(a, root, R, b) + change
+    return _depth_at(a, root, R) + change

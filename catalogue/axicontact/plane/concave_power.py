@@ -244,7 +244,7 @@ def depth(L: ArrayLike, P: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLik
 def zero_distance(*, a: ArrayLike, h: ArrayLike, n: ArrayLike) -> Result:
     """Distance from the middle where the pressure first vanishes on unloading.
 
-    x_zero = 0   for 1 < n < 2
+    x_zero = 0   for 1 < n <= 2
     x_zero from IncompleteBeta(1 - x_zero**2/a**2, 1/2, 1/2 - n/2) = 2*(x_zero/a)**(1 - n)*sqrt(1 -
     x_zero**2/a**2)/(n*(1 - x_zero**2/a**2) - 1)   for 2 < n
     with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any

@@ -307,28 +307,30 @@ def full_slip_displacement(
     return elementwise(partial(_full_slip_displacement, A=A), a, E_star=E_star, G_star=G_star, mu=mu)
 
 
-def _tangential_force(a: Array, c: Array, A: Array, E_star: Array, mu: Array) -> Array:
+def _tangential_force(a: Array, c: Array, A: tuple[float, ...], E_star: Array, mu: Array) -> Array:
     gains = (
         normal._force(a, (0.0,) * (j - 1) + (A_j,), E_star) * gained_share(c, a, j + 1) for j, A_j in enumerate(A, 1)
     )
     return mu * sum(gains)
 
 
-def _traction(r: Array, a: Array, c: Array, A: Array, E_star: Array, mu: Array) -> Array:
+def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, A, E_star)
     gains = (normal._slope(a, (0.0,) * (j - 1) + (A_j,)) * power_gain(r, c, a, j) for j, A_j in enumerate(A, 1))
     return mu * np.where(r < c, E_star / np.pi * sum(gains), sliding)
 
 
-def _tangential_displacement(a: Array, c: Array, A: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+def _tangential_displacement(
+    a: Array, c: Array, A: tuple[float, ...], E_star: Array, G_star: Array, mu: Array
+) -> Array:
     gains = (normal._depth(a, (0.0,) * (j - 1) + (A_j,)) * gained_share(c, a, j) for j, A_j in enumerate(A, 1))
     return mu * (E_star / G_star) * sum(gains)
 
 
-def _stick_radius(F_x: Array, a: Array, A: Array, E_star: Array, mu: Array) -> Array:
+def _stick_radius(F_x: Array, a: Array, A: tuple[float, ...], E_star: Array, mu: Array) -> Array:
     F = stick_force(normal._force(a, A, E_star), F_x, mu)
     return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, A, E_star))
 
 
-def _full_slip_displacement(a: Array, A: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+def _full_slip_displacement(a: Array, A: tuple[float, ...], E_star: Array, G_star: Array, mu: Array) -> Array:
     return mu * (E_star / G_star) * normal._depth(a, A)

@@ -74,6 +74,7 @@ def tangential_force(
     0.140603
     """
     require(R=R, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -81,7 +82,6 @@ def tangential_force(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_force, a, c, R=R, b=b, E_star=E_star, mu=mu)
 
 
@@ -137,6 +137,7 @@ def traction(
     0.010078
     """
     require(R=R, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -144,7 +145,6 @@ def traction(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_traction, r, a, c, R=R, b=b, E_star=E_star, mu=mu)
 
 
@@ -200,6 +200,7 @@ def tangential_displacement(
     0.057382
     """
     require(R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -207,7 +208,6 @@ def tangential_displacement(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_displacement, a, c, R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
 
 

@@ -73,6 +73,7 @@ def tangential_force(
     0.079678
     """
     require(theta=theta, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -80,7 +81,6 @@ def tangential_force(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_force, a, c, theta=theta, b=b, E_star=E_star, mu=mu)
 
 
@@ -144,6 +144,7 @@ def traction(
     0.016726
     """
     require(theta=theta, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -151,7 +152,6 @@ def traction(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_traction, r, a, c, theta=theta, b=b, E_star=E_star, mu=mu)
 
 
@@ -206,6 +206,7 @@ def tangential_displacement(
     0.055375
     """
     require(theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -213,7 +214,6 @@ def tangential_displacement(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_displacement, a, c, theta=theta, b=b, E_star=E_star, G_star=G_star, mu=mu)
 
 

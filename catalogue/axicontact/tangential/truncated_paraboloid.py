@@ -73,6 +73,7 @@ def tangential_force(
     0.165512
     """
     require(R=R, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -80,7 +81,6 @@ def tangential_force(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_force, a, c, R=R, b=b, E_star=E_star, mu=mu)
 
 
@@ -135,6 +135,7 @@ def traction(
     0.034409
     """
     require(R=R, b=b, E_star=E_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -142,7 +143,6 @@ def traction(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_traction, r, a, c, R=R, b=b, E_star=E_star, mu=mu)
 
 
@@ -197,6 +197,7 @@ def tangential_displacement(
     0.114508
     """
     require(R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
+    require_reach(a, b)
     require_order(
         np.all(~(numbers("c", c) > numbers("a", a))),
         "c <= a",
@@ -204,7 +205,6 @@ def tangential_displacement(
         c=c,
         a=a,
     )
-    require_reach(a, b)
     return elementwise(_tangential_displacement, a, c, R=R, b=b, E_star=E_star, G_star=G_star, mu=mu)
 
 

@@ -461,33 +461,37 @@ def step_load_radius_power_creep(
     return elementwise(partial(_step_load_radius_power_creep, A=A), t, F=F, E=E, alpha=alpha, t_0=t_0)
 
 
-def _step_force_maxwell(t: Array, d: Array, A: Array, E: Array, tau: Array) -> Array:
+def _step_force_maxwell(t: Array, d: Array, A: tuple[float, ...], E: Array, tau: Array) -> Array:
     return relaxation_maxwell(t, E, tau) * normal._force_from_depth(d, A, 1.0)
 
 
-def _step_load_radius_maxwell(t: Array, F: Array, A: Array, E: Array, tau: Array) -> Array:
+def _step_load_radius_maxwell(t: Array, F: Array, A: tuple[float, ...], E: Array, tau: Array) -> Array:
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), A, 1.0)
 
 
-def _step_force_kelvin_voigt(t: Array, d: Array, A: Array, E: Array, eta: Array) -> Array:
+def _step_force_kelvin_voigt(t: Array, d: Array, A: tuple[float, ...], E: Array, eta: Array) -> Array:
     return relaxation_kelvin_voigt(t, E, eta) * normal._force_from_depth(d, A, 1.0)
 
 
-def _step_load_radius_kelvin_voigt(t: Array, F: Array, A: Array, E: Array, eta: Array) -> Array:
+def _step_load_radius_kelvin_voigt(t: Array, F: Array, A: tuple[float, ...], E: Array, eta: Array) -> Array:
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), A, 1.0)
 
 
-def _step_force_standard_solid(t: Array, d: Array, A: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def _step_force_standard_solid(t: Array, d: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array) -> Array:
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, A, 1.0)
 
 
-def _step_load_radius_standard_solid(t: Array, F: Array, A: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def _step_load_radius_standard_solid(
+    t: Array, F: Array, A: tuple[float, ...], E_inf: Array, E_1: Array, tau: Array
+) -> Array:
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), A, 1.0)
 
 
-def _step_force_power_creep(t: Array, d: Array, A: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def _step_force_power_creep(t: Array, d: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array) -> Array:
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force_from_depth(d, A, 1.0)
 
 
-def _step_load_radius_power_creep(t: Array, F: Array, A: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def _step_load_radius_power_creep(
+    t: Array, F: Array, A: tuple[float, ...], E: Array, alpha: Array, t_0: Array
+) -> Array:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), A, 1.0)

@@ -471,8 +471,41 @@ def block_pressure_all(out, r, a, theta, E_star, dgamma, t0, t1, t2, t3, t4, m0,
     np.subtract(t1, t2, out)
 
 
+def pull_off_depth(a, theta, E_star, dgamma, control):
+    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_depth(a, theta, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_force(a, theta, E_star, dgamma, control):
+    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_force(a, theta, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(theta, E_star, dgamma, control):
+    if theta.__class__ is E_star.__class__ is dgamma.__class__ is float and theta > 1e-30 and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(theta, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def radius_from_depth(d, theta, E_star, dgamma):
-    if d.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and d > 1e-30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+    if d.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
         try:
             value = bodies._radius_from_depth(d, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -483,7 +516,7 @@ def radius_from_depth(d, theta, E_star, dgamma):
 
 
 def radius_from_force(F, theta, E_star, dgamma):
-    if F.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and F > 1e-30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+    if F.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
         try:
             value = bodies._radius_from_force(F, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.adhesive import ellipsoid as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(0.5)
@@ -843,6 +844,39 @@ def block_pressure_all(out, r, a, h, b, E_star, dgamma, t0, t1, t2, t3, t4, t5, 
     if some161 != size:
         np.copyto(t5, C16, where=~m1)
     np.subtract(t6, t5, out)
+
+
+def pull_off_radius(h, b, E_star, dgamma, control):
+    if h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and h > 1e-30 and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(h, b, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, h, b, E_star, dgamma):
+    if d.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, h, b, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, h, b, E_star, dgamma):
+    if F.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, h, b, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.adhesive import gaussian as bodies
 
 C0 = np.array(1.567077144036674e-13)
 C1 = np.array(-3.840375691006307e-12)
@@ -290,6 +291,39 @@ def pressure(r, a, h, s, E_star, dgamma):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(h, s, E_star, dgamma, control):
+    if h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is float and h > 1e-30 and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(h, s, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, h, s, E_star, dgamma):
+    if d.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, h, s, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, h, s, E_star, dgamma):
+    if F.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, h, s, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None

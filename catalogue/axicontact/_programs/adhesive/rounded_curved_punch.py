@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.adhesive import rounded_curved_punch as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(0.42)
@@ -500,6 +501,39 @@ def pressure(r, a, R1, R2, b, E_star, dgamma):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R1, R2, b, E_star, dgamma, control):
+    if R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and R1 > 1e-30 and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R1, R2, b, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R1, R2, b, E_star, dgamma):
+    if d.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R1, R2, b, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R1, R2, b, E_star, dgamma):
+    if F.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R1, R2, b, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
 from ..._runtime.plain import rule
+from ..._programs.bodies.adhesive import sphere_tipped_cone as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(0.5)
@@ -384,6 +385,39 @@ def pressure(r, a, R, theta, E_star, dgamma):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R, theta, E_star, dgamma, control):
+    if R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and R > 1e-30 and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, theta, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, theta, E_star, dgamma):
+    if d.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, theta, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, theta, E_star, dgamma):
+    if F.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, theta, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -1333,6 +1333,39 @@ def pressure(r, a, R, h, wavelength, E_star, dgamma):
     return None
 
 
+def pull_off_radius(R, h, wavelength, E_star, dgamma, control):
+    if R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is dgamma.__class__ is float and R > -1e+30 and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (E_star > -1e+30) and (E_star < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, h, wavelength, E_star, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, h, wavelength, E_star, dgamma):
+    if d.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > -1e+30) and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (E_star > -1e+30) and (E_star < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, h, wavelength, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, h, wavelength, E_star, dgamma):
+    if F.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is E_star.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > -1e+30) and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (E_star > -1e+30) and (E_star < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, h, wavelength, E_star, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): {
         ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=5, masks=1, filled=(4.0,)),

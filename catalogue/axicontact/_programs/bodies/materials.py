@@ -1,4 +1,4 @@
-"""Bodies of axicontact.materials over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.materials over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -9,13 +9,12 @@ from ..._runtime.plain import MATH as np
 
 
 def _graded_modulus(E_0: Array, c_0: Array, k: Array, nu: Array) -> Array:
-    return _h_N(k, nu) * E_0 / ((1.0 - nu) * (1.0 + nu) * c_0**k)
+    return _h_N(k, nu) * E_0 / ((1.0 - nu) * (1.0 + nu) * c_0 ** k)
 
 
 def _h_N(k: Array, nu: Array) -> Array:
-    beta = np.sqrt((1.0 + k) * ((1.0 - nu) - k * nu) / (1.0 - nu))
+    beta = np.sqrt((1.0 + k) * (1.0 - nu - k * nu) / (1.0 - nu))
     gammas = gamma((3.0 + k + beta) / 2.0) * gamma((3.0 + k - beta) / 2.0)
-    # the cosine of pi k/2, without the rounding of pi/2 near k = 1 and k = -1
     cosine = np.sin(np.pi * (1.0 - np.abs(k)) / 2.0)
     punch = ((1.0 + k) * gamma(1.0 + k / 2.0)) ** 2 * cosine
     return punch / (beta * np.sin(np.pi * beta / 2.0) * gammas)

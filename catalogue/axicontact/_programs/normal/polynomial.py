@@ -5,8 +5,119 @@ from __future__ import annotations
 import numpy as np
 
 from ..._runtime.arrays.blocks import Program, largest
+from ..._programs.bodies.normal import polynomial as bodies
 
 C0 = np.array(2.0)
+
+
+def depth(a, A):
+    if a.__class__ is float and a > 1e-30 and (a < 1e+30):
+        try:
+            value = bodies._depth(a, A)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth_from_force(F, E_star, A):
+    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._depth_from_force(F, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, A):
+    if r.__class__ is a.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30):
+        try:
+            value = bodies._displacement(r, a, A)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, E_star, A):
+    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force(a, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force_from_depth(d, E_star, A):
+    if d.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._force_from_depth(d, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, E_star, A):
+    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._mean_pressure(a, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, E_star, A):
+    if r.__class__ is a.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._pressure(r, a, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def profile(r, A):
+    if r.__class__ is float and r > 1e-30 and (r < 1e+30):
+        try:
+            value = bodies._profile(r, A)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, A):
+    if d.__class__ is float and d > 1e-30 and (d < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, A)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, E_star, A):
+    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def stiffness(a, E_star):

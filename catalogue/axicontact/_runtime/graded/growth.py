@@ -14,19 +14,21 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from ..integrals import integral_in_strip
-from ..interface import Array
+from ..interface import Array, Kept
 from .rules import raised, sine_integral, sine_over, sinh_over, weighted
 
 FAR = 40.0
 _LONGEST = 8.0
 
 
+@Kept
 def power_factor(n: Array, k: Array) -> Array:
     """Gamma(n/2 + 1) Gamma((1 + k)/2)/Gamma((n + 1 + k)/2): the depth of f = r**n over a**n."""
     half = (1.0 + k) / 2.0
     return (1.0 + k + n) / (1.0 + k) * _gamma(1.0 + half) / _rising(1.0 + n / 2.0, half)
 
 
+@Kept
 def power_excess(n: Array, k: Array) -> Array:
     """What is left of it less 1: the product over m of 1 + (n/2) (1 - k)/2/((m + 1 + n/2) (m + (1 + k)/2)), less 1."""
     x, e, half = n / 2.0, (1.0 - k) / 2.0, (1.0 + k) / 2.0
@@ -110,8 +112,9 @@ def _series(e: Array) -> tuple[Array, Array, Array]:
 
 def sphere_depth(a: Array, root: Array, k: Array) -> Array:
     """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
-    v = np.arcsinh(a / root)
-    value = a * _steepness(a, root, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    open_ = np.where(root > 0.0, root, a)
+    v = np.arcsinh(a / open_)
+    value = a * _steepness(a, open_, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
     return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * _last(k)))
 
 
@@ -125,21 +128,22 @@ def sphere_rate(t: Array, root: Array, k: Array) -> Array:
     # 2e4 units at the end of the sphere from one panel over all of v
     first = np.minimum(v, _LONGEST)
     total = (root / t * first) ** k * first * weighted(integrand, first, k)
-    if (v > first).any():
+    if np.any(v > first):
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
         total = total + (root / t) ** k * rest
     return np.where(root > 0.0, total, np.inf)
 
 
 def sphere_force(a: Array, root: Array, k: Array) -> Array:
-    v = np.arcsinh(a / root)
+    open_ = np.where(root > 0.0, root, a)
+    v = np.arcsinh(a / open_)
     whole = np.sinh(v)
 
     def integrand(x: Array) -> Array:
         over = sinh_over(x)
         return over**k * (1.0 - (over * (x / whole)) ** 2)
 
-    value = a * raised(a, k) * _steepness(a, root, v, k) ** k * v * weighted(integrand, v, k)
+    value = a * raised(a, k) * _steepness(a, open_, v, k) ** k * v * weighted(integrand, v, k)
     return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * raised(a, k) * 2.0 / (2.0 + k) * _last(k)))
 
 
@@ -179,7 +183,8 @@ def gaussian_depth(a: Array, s: Array, k: Array) -> Array:
 
 
 def gaussian_rate(t: Array, s: Array, k: Array) -> Array:
-    return 4.0 * t / s / s * _bell(t, s, k, lambda fall: (1.0 - fall) * np.exp(-fall))
+    # beyond the bump the sign is asked for, of what would underflow
+    return 4.0 * t / s / s * _bell(t, s, k, lambda fall: (1.0 - fall) * np.exp(-np.minimum(fall, 700.0)))
 
 
 def gaussian_force(a: Array, s: Array, k: Array) -> Array:

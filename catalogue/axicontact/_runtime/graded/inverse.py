@@ -48,6 +48,9 @@ def radius_up_to(
         top = load(end, *needs)
         if not np.any(np.isnan(top)):
             break
+    held = value <= top * (1.0 + 2.0**-48)
+    if not np.count_nonzero(held):
+        return np.where(held, value, np.nan)
     reach = unknown.of(end)
     least_short = 6.0 * ROUNDING * top
 
@@ -64,7 +67,7 @@ def radius_up_to(
     wanted = value / np.maximum(top - value, least_short)
     noise = 2.0 * ROUNDING * wanted * (1.0 + wanted)
     t = inverse(curve, wanted, reach * np.sqrt(wanted), (SLACK, np.inf), smooth=True, noise=noise)
-    return np.where(value <= top * (1.0 + 2.0**-48), place(t)[0], np.nan)
+    return np.where(held, place(t)[0], np.nan)
 
 
 def _curve(load: Load, rate: Load, needs: tuple[Array, ...]) -> Curve:

@@ -81,7 +81,7 @@ def tanh_growth(slope: Slope, r: Array, R: Array, reach: Array, end: Array, k: A
     stop = np.arcsinh(reach / end)
     first = np.minimum(stop, _LONGEST)
     total = raised(first, k) * weighted(smooth, first, k)
-    if (stop > first).any():
+    if np.any(stop > first):
         total = total + integral_in_strip(lambda v: smooth(first + v) * (first + v) ** k, stop - first)
     return np.where(end > 0.0, raised(scale, k) * total, np.inf)
 
@@ -106,7 +106,7 @@ def growth_beyond(slope: Slope, r: Array, a: Array, b: Array, k: Array, order: f
 
     value = np.where(reach > 0.0, _from_branch(smooth, scale, reach, k), 0.0)
     at = (r == b) & (reach > 0.0)
-    return np.where(at, growth_from_break(slope, np.where(at, reach, b), b, k, order), value) if at.any() else value
+    return np.where(at, growth_from_break(slope, np.where(at, reach, b), b, k, order), value) if np.any(at) else value
 
 
 def growth_from_break(slope: Slope, reach: Array, b: Array, k: Array, order: float) -> Array:
@@ -240,7 +240,7 @@ def rounded_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:
     tip = np.where(r < b, power_pressure(np.minimum(r, b), np.minimum(a, b), 2.0, k) / (2.0 * b), 0.0)
     value = tip + growth_beyond_cap(lambda t, root: rounded_rate(t, root, b, k), r, a, b, k)
     at = (r == b) & (a > b)
-    return np.where(at, _rounded_at(np.where(at, a, 2.0 * b), b, k), value) if at.any() else value
+    return np.where(at, _rounded_at(np.where(at, a, 2.0 * b), b, k), value) if np.any(at) else value
 
 
 def _rounded_at(a: Array, b: Array, k: Array) -> Array:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from ..integrals import difference_root
 from ..interface import Array
 from .rules import raised
 
+Rate = Callable[..., Array]
 STATIONARY = {"force": (3.0, 1.0), "depth": (1.0, -1.0)}
 """xi = 3 + k under control of the force, 1 - k of the depth: at pull-off the retraction is 2 a g'(a)/xi."""
 
@@ -54,6 +57,11 @@ def stationary(control: str, k: Array) -> Array:
     return constant + slope * k
 
 
+def least_steepness(control: str, H: Array, k: Array, dgamma: Array) -> Array:
+    """The a**((1 + k)/2) g'(a) beyond which the load grows with the contact radius."""
+    return stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
+
+
 def tension(r: Array, a: Array, H: Array, k: Array, dgamma: Array) -> Array:
     """Pressure of the retracted punch."""
     moved = graded_retraction(a, H, k, dgamma)
@@ -62,5 +70,26 @@ def tension(r: Array, a: Array, H: Array, k: Array, dgamma: Array) -> Array:
 
 def unloading_radius(rate: Array, p: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
     """Pull-off radius where g'(a) = rate a**(p - 1): there a**((1 + k)/2) g'(a) = xi sqrt(pi dgamma/(2 H))."""
-    level = stationary(control, k) * np.sqrt(np.pi * dgamma / (2.0 * H))
-    return (level / rate) ** (1.0 / (p - (1.0 - k) / 2.0))
+    return (least_steepness(control, H, k, dgamma) / rate) ** (1.0 / (p - (1.0 - k) / 2.0))
+
+
+def growth_of(
+    rate: Rate, geometry: tuple[Array, ...], H: Array, k: Array, dgamma: Array, control: str
+) -> Callable[[Array], Array]:
+    """Derivative of the depth or the force of the adhesive contact."""
+
+    def growth(a: Array) -> Array:
+        slope = rate(a, *geometry) - stationary(control, k) * graded_retraction(a, H, k, dgamma) / (2.0 * a)
+        return slope * punch_stiffness(a, H, k) if control == "force" else slope
+
+    return growth
+
+
+def pull_of(H: Array, k: Array, dgamma: Array, control: str) -> Callable[[Array], Array]:
+    """The part of the depth or the force by adhesion."""
+
+    def pulled(a: Array) -> Array:
+        moved = graded_retraction(a, H, k, dgamma)
+        return moved * punch_stiffness(a, H, k) if control == "force" else moved
+
+    return pulled

@@ -160,15 +160,15 @@ def waves_gain(
     gap = np.where(close, gap, 0.0)
     first = np.minimum(gap, length)
 
-    def grown(y: Array) -> Array:
+    def _grown(y: Array) -> Array:
         t = np.sqrt(r * r + y * y)
         return rate(t, q, k) * _weight(quantity, t, y, k) * (y / t)
 
     def near(w: Array) -> Array:
         y = inner * np.exp(w)
-        return y * grown(y)
+        return y * _grown(y)
 
-    rest = integral_by_panels(lambda y: grown(inner + first + y), gap - first, length * np.ones_like(gap), NODES)
+    rest = integral_by_panels(lambda y: _grown(inner + first + y), gap - first, length * np.ones_like(gap), NODES)
     fields = (r,) if quantity == "pressure" else ()
     difference = whole(*fields, a, q, k) - whole(*fields, c, q, k)
     part = integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
@@ -178,6 +178,8 @@ def waves_gain(
 def _chosen(outer: Array, inner: Array, gain: Callable[[Array], Array]) -> Array:
     """outer - inner, as the gain where they are close."""
     close = inner >= CLOSE * outer
+    if not np.any(close):
+        return outer - inner
     return np.where(close, gain(close), outer - inner)
 
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from ..interface import Array
 from ..inverse import inverse
-from .adhesion import XI, Branches, Load, hess_retraction
+from .adhesion import XI, hess_retraction
+from .branches import Branches, Load, at_the_end
 from .unknowns import Unknown
 
 EPS = np.finfo(float).eps
@@ -39,13 +40,12 @@ def stable_radius(
     the largest where the branch ends, grows from nothing to infinity, as a power at both ends.
     No exponent is assumed: the bracket of the root spans all doubles, and each evaluation cuts it.
     """
-    value = np.atleast_1d(value)
-    low, high, least, top = _branch_of(value, found, load)
-    beyond = np.zeros(low.shape, dtype=bool)
+    low, high, least, top = _branch_of(value, found, load, pulled)
+    if not np.count_nonzero(np.isfinite(least)):
+        return least
+    beyond = np.full_like(low, corner is None and outer is not None, dtype=bool)
     if corner is not None:
         low, high, least, top, beyond = _divided(value, low, high, least, top, load, corner)
-    elif outer is not None:
-        beyond = np.ones(low.shape, dtype=bool)
     ends = np.isfinite(top)
     if outer is None and np.any(ends):
         # where the load ends steeply the unknown does so too
@@ -66,7 +66,7 @@ def stable_radius(
         slope = t * step * slope_of(a) * (1.0 / more + np.where(ends, 1.0 / short, 0.0))
         more = more / short
         # from a flat stretch, the step to a load far above would leave the range of doubles
-        slope = np.where(~ends & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
+        slope = np.where(np.logical_not(ends) & (more < 0.5 * wanted), np.maximum(slope, 0.7), slope)
         return more, np.where(lost, LOST, slope)
 
     def share(t: Array) -> Array:
@@ -84,7 +84,7 @@ def stable_radius(
     scale, slope = excess(unit)
     # next to the least the excess is a square, next to a corner at most a cube, far away at most a fourth power
     ratio = wanted / scale
-    start = unit * ratio ** (1.0 / np.where((ratio > 1.0) & ~far, 4.0, order))
+    start = unit * ratio ** (1.0 / np.where((ratio > 1.0) & np.logical_not(far), 4.0, order))
     # without adhesion the least radius says nothing of the others
     start = np.where(ends & (slope == LOST), reach, start)
     noise = NOISE * parts * np.where(ends, (1.0 + wanted) / short, 1.0)
@@ -93,17 +93,14 @@ def stable_radius(
     return np.where((value == np.inf) & (high == np.inf), np.inf, np.where(np.isfinite(least), a, np.nan))
 
 
-def _branch_of(value: Array, found: Branches, load: Load) -> tuple[Array, Array, Array, Array]:
-    """The last branch with this load: its ends, and the load there."""
-    low, high, least, largest = (
-        np.full(np.broadcast_shapes(value.shape, found.first.shape[1:]), np.nan) for _ in range(4)
-    )
-    slack = 4.0 * EPS
+def _branch_of(value: Array, found: Branches, load: Load, pulled: Load) -> tuple[Array, Array, Array, Array]:
+    """The last branch with this load: its ends, and the load there, known to the rounding of its parts."""
+    low = high = least = largest = np.full_like(value, np.nan)
     for first, last in zip(found.first, found.last, strict=True):
         start = load(first)
-        top = np.where(np.isfinite(last), load(last), np.inf)
+        top = np.where(np.isfinite(last), at_the_end(load, last), np.inf)
         top = np.where(np.isnan(top), np.inf, top)
-        fits = (value >= start - slack * np.abs(start)) & (value <= top)
+        fits = (value >= start - 2.0 * NOISE * (np.abs(start) + pulled(first))) & (value <= top)
         low, high = np.where(fits, first, low), np.where(fits, last, high)
         least, largest = np.where(fits, start, least), np.where(fits, top, largest)
     return low, high, least, largest
@@ -114,9 +111,9 @@ def _divided(
 ) -> tuple[Array, ...]:
     """The part of the branch on the side of the corner where the load is, and whether that is beyond."""
     bend = load(corner + np.zeros_like(low))
-    inside = (low < corner) & ~(high <= corner)
+    inside = (low < corner) & np.logical_not(high <= corner)
     above = inside & (value > bend)
-    below = inside & ~above
+    below = inside & np.logical_not(above)
     high, top = np.where(below, corner, high), np.where(below, bend, top)
     low, least = np.where(above, corner, low), np.where(above, bend, least)
     return low, high, least, top, low >= corner
@@ -138,7 +135,7 @@ def _counted(
     reach = last - first
 
     def place(t: Array) -> tuple[Array, Array]:
-        open_ = ~np.isfinite(reach)
+        open_ = np.logical_not(np.isfinite(reach))
         share = np.where(open_, 0.0, t / reach)
         x = first + np.where(share < np.inf, t / (1.0 + share), reach)
         step = 1.0 / (1.0 + share) ** 2

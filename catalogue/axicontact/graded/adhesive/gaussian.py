@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require
-from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_to, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_to, stress_at
 from ..normal import gaussian as normal
 
 if TYPE_CHECKING:
@@ -489,25 +498,24 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dg
     return normal._displacement(r, a, h, s, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(h: Array, s: Array, k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
     from ..._runtime.graded.inverse import gaussian_reach
 
-    return graded_branches(
-        normal._rate,
-        (h, s, k),
-        radii_to(gaussian_reach(s, k)),
-        np.atleast_1d(gaussian_reach(s, k)),
-        H,
-        k,
-        dgamma,
-        control,
+    a = radii_to(gaussian_reach(s, k))
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k), a[-1])
+
+
+def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k),
+        _samples(h, s, k),
+        least_steepness(control, H, k, dgamma),
     )
 
 
 def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._runtime.graded.branches import stress_at
-
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -520,7 +528,6 @@ def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, cont
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import on_the_bump
 
@@ -538,7 +545,6 @@ def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import on_the_bump
 

@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require
-from ..._runtime.physics.adhesion import Branches, PullOff, decades, exponent_of, lowest, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, decades, exponent_of, lowest, stress_at
 from ..normal import hyperboloid as normal
 
 if TYPE_CHECKING:
@@ -486,15 +495,22 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array
     return normal._displacement(r, a, theta, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(theta: Array, b: Array, k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = decades()
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k), np.inf)
 
-    return graded_branches(normal._rate, (theta, b, k), decades(), np.inf, H, k, dgamma, control)
+
+def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k),
+        _samples(theta, b, k),
+        least_steepness(control, H, k, dgamma),
+    )
 
 
 def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._runtime.graded.branches import stress_at
-
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     b = np.ldexp(b, -unit)
@@ -506,7 +522,6 @@ def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, 
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 
@@ -523,7 +538,6 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dga
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 

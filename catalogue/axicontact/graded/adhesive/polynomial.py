@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require, require_coefficients
-from ..._runtime.physics.adhesion import Branches, PullOff, decades, lowest, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require, require_coefficients
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, decades, lowest
 from ..normal import polynomial as normal
 
 if TYPE_CHECKING:
@@ -467,20 +476,26 @@ def _displacement(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, 
     return normal._displacement(r, a, A, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(A: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(A: tuple[float, ...], k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = decades()
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, A, k), np.inf)
 
-    return graded_branches(normal._rate, (A, k), decades(), np.inf, H, k, dgamma, control)
+
+def _branches(A: tuple[float, ...], H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, A, k), _samples(A, k), least_steepness(control, H, k, dgamma)
+    )
 
 
-def _pull_off_radius(A: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(A: tuple[float, ...], H: Array, k: Array, dgamma: Array, control: str) -> Array:
     found = _branches(A, H, k, dgamma, control)
     load = _force if control == "force" else _depth
     return lowest(found, lambda a: load(a, A, H, k, dgamma))
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 
@@ -491,7 +506,6 @@ def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamm
 
 
 def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 

@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require
-from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_around, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_around, stress_at
 from ..normal import rounded_curved_punch as normal
 
 if TYPE_CHECKING:
@@ -530,15 +539,22 @@ def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, 
     return normal._displacement(r, a, R1, R2, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(R1: Array, R2: Array, b: Array, k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_around(b)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R1, R2, b, k), np.inf)
 
-    return graded_branches(normal._rate, (R1, R2, b, k), radii_around(b), np.inf, H, k, dgamma, control)
+
+def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R1, R2, b, k),
+        _samples(R1, R2, b, k),
+        least_steepness(control, H, k, dgamma),
+    )
 
 
 def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._runtime.graded.branches import stress_at
-
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     R1 = np.ldexp(R1, -unit)
@@ -552,7 +568,6 @@ def _pull_off_radius(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma:
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import beyond_edge, radius_itself
 
@@ -573,7 +588,6 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, H: Array, k: Ar
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import beyond_edge, radius_itself
 

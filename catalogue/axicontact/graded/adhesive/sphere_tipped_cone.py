@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require
-from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_around, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_around, stress_at
 from ..normal import sphere_tipped_cone as normal
 
 if TYPE_CHECKING:
@@ -515,15 +524,22 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array
     return normal._displacement(r, a, R, theta, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(R: Array, theta: Array, k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_around(R * np.sin(theta))
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, theta, k), np.inf)
 
-    return graded_branches(normal._rate, (R, theta, k), radii_around(R * np.sin(theta)), np.inf, H, k, dgamma, control)
+
+def _branches(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, theta, k),
+        _samples(R, theta, k),
+        least_steepness(control, H, k, dgamma),
+    )
 
 
 def _pull_off_radius(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._runtime.graded.branches import stress_at
-
     unit = exponent_of(R * np.sin(theta))
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -535,7 +551,6 @@ def _pull_off_radius(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, 
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import beyond_edge, up_to
 
@@ -561,7 +576,6 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dga
 
 
 def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import beyond_edge, up_to
 

@@ -10,9 +10,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, tension
-from ..._runtime.interface import Array, Result, elementwise, require
-from ..._runtime.physics.adhesion import Branches, PullOff, exponent_of, lowest, radii_of_waves, require_control
+from ..._runtime.graded.punch import (
+    graded_retraction,
+    growth_of,
+    least_steepness,
+    pull_of,
+    punch_displacement,
+    punch_stiffness,
+    tension,
+)
+from ..._runtime.interface import Array, Kept, Result, elementwise, require
+from ..._runtime.physics.adhesion import PullOff, require_control
+from ..._runtime.physics.branches import Branches, Samples, branches, exponent_of, lowest, radii_of_waves, stress_at
 from ..normal import wavy_paraboloid as normal
 
 if TYPE_CHECKING:
@@ -541,17 +550,22 @@ def _displacement(
     )
 
 
-def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
-    from ..._runtime.graded.branches import graded_branches
+@Kept
+def _samples(R: Array, h: Array, wavelength: Array, k: Array) -> Samples:
+    """The steepness at radii that separate the minima of the load."""
+    a = radii_of_waves(wavelength, 4.0 * wavelength)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), np.inf)
 
-    return graded_branches(
-        normal._rate, (R, h, wavelength, k), radii_of_waves(wavelength, 4.0 * wavelength), np.inf, H, k, dgamma, control
+
+def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(
+        lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k),
+        _samples(R, h, wavelength, k),
+        least_steepness(control, H, k, dgamma),
     )
 
 
 def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
-    from ..._runtime.graded.branches import stress_at
-
     unit = exponent_of(wavelength)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -565,7 +579,6 @@ def _pull_off_radius(R: Array, h: Array, wavelength: Array, H: Array, k: Array, 
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 
@@ -586,7 +599,6 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, H: Array
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
-    from ..._runtime.graded.branches import growth_of, pull_of, stress_at
     from ..._runtime.physics.stable import stable_radius
     from ..._runtime.physics.unknowns import radius_itself
 

@@ -381,7 +381,7 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, 
 def zero_radius(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, k: ArrayLike) -> Result:
     """Radius of the ring where the pressure first vanishes on unloading.
 
-    r_zero = 0   for 1 - k < n < 2
+    r_zero = 0   for 1 - k < n <= 2
     r_zero from IncompleteBeta(1 - r_zero**2/a**2, k/2 + 1/2, -k/2 - n/2 + 1/2) = 2*(r_zero/a)**(-k - n +
     1)*(1 - r_zero**2/a**2)**(k/2 + 1/2)/(k*(1 - r_zero**2/a**2) + n*(1 - r_zero**2/a**2) - 1 +
     k*r_zero**2/a**2)   for 2 < n

@@ -387,10 +387,6 @@ def mean_pressure(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, H
     Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Handbook:
     rounded_curved_punch.fgm.pm.
 
-    References
-    ----------
-    .
-
     Examples
     --------
     >>> from axicontact.graded.normal import rounded_curved_punch

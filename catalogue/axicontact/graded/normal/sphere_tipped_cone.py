@@ -380,10 +380,6 @@ def mean_pressure(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, H: ArrayLike,
     -----
     Valid for tan(theta) << 1. Negative or NaN field values give NaN. Handbook: sphere_tipped_cone.fgm.pm.
 
-    References
-    ----------
-    .
-
     Examples
     --------
     >>> from axicontact.graded.normal import sphere_tipped_cone

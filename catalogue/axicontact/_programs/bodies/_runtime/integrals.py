@@ -1,10 +1,15 @@
-"""Bodies of axicontact._runtime.integrals over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.integrals over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
 
-from ...._runtime.integrals import Array
+from ...._runtime.integrals import Array, Course
 from ...._runtime.plain import MATH as np
+
+
+def of_displacement(a: float, *other: float) -> tuple[Course, float, float]:
+    """Outside the contact."""
+    return (Course(a, a * a, False), a, np.inf)
 
 
 def difference_root(x: Array, y: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.rules over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.rules over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -15,23 +15,20 @@ def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array)
     def integrand(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
         return slope(t) / t
-
     return integral_in_strip(integrand, difference_root(a, r), wavelength, WAVES)
 
 
-def falling(stop: Array, even: Array | float = 0.0) -> Callable[[Array], Array]:
+def falling(stop: Array, even: Array | float=0.0) -> Callable[[Array], Array]:
     """sinh(stop - v)/sinh(stop) as a function of v, or the same of cosh where `even` is 1.
 
     Counted from the upper end, where the integrands are largest: an error of v in exp(v) would grow with v.
     """
     side = 1.0 - 2.0 * even
     below = 2.0 * even - side * np.expm1(-2.0 * stop)
-    # a contact of no extent
-    below = np.where(below > 0.0, below, np.inf)
+    below = below if below > 0.0 else np.inf
 
     def fallen(v: Array) -> Array:
         return np.exp(-v) * (2.0 * even - side * np.expm1(-2.0 * (stop - v))) / below
-
     return fallen
 
 
@@ -46,11 +43,10 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     def integrand(v: Array) -> Array:
         side = ratio * fallen(v)
         secant = np.sqrt(1.0 + side * side)
-        u, root = scale * (side / secant), scale / secant
+        u, root = (scale * (side / secant), scale / secant)
         t = np.sqrt(r * r + u * u)
         return slope(t, root) / t * (root / secant)
-
-    return integrand, stop, 1.0, a < R, np.inf
+    return (integrand, stop, 1.0, a < R, np.inf)
 
 
 def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
@@ -58,8 +54,6 @@ def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Ar
 
     def integrand(angle: Array) -> Array:
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
-
-    # the angle itself counts half a wave per radian
     width = wavelength / (r + wavelength / 2.0)
     return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
 
@@ -79,5 +73,4 @@ def force_integral_beyond(slope: Slope, reach: Array, b: Array) -> Strip:
         root = reach * fallen(v)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root * t
-
-    return integrand, stop, 1.0, True, 0.0
+    return (integrand, stop, 1.0, True, 0.0)

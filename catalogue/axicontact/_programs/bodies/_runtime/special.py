@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.special over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.special over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from ...._runtime.plain import MATH as np
 def arctan_gap(x: Array) -> Array:
     """x - arctan(x) for x >= 0."""
     t = np.minimum(x, 1.0)
-    return np.where(x < 1.0, t * (t * t) * rational(t * t, *ARCTAN_GAP), x - np.arctan(x))
+    return t * (t * t) * rational(t * t, *ARCTAN_GAP) if x < 1.0 else x - np.arctan(x)
 
 
 def root_gap(x: Array, y: Array) -> Array:
     """arctan_gap(sqrt(x**2 - y**2)/y) for x >= y, through their difference: next to x = y it is a cube of the root."""
     q = (x - y) / y
-    near, root = np.minimum(q, _NEAR), np.sqrt((x - y) * (x + y)) / y
-    return np.where(q < _NEAR, near * np.sqrt(near) * rational(near, *ROOT_GAP), root - np.arctan(root))
+    near, root = (np.minimum(q, _NEAR), np.sqrt((x - y) * (x + y)) / y)
+    return near * np.sqrt(near) * rational(near, *ROOT_GAP) if q < _NEAR else root - np.arctan(root)
 
 
 def tanh_gap(y: Array, x: Array) -> Array:
     """y - x for x = tanh(y) >= 0; as the cube of x, which may be rounded less often than the angle."""
     t = np.minimum(y, 1.0)
-    return np.where(y < 1.0, x * (x * x) * rational(t * t, *TANH_GAP), y - x)
+    return x * (x * x) * rational(t * t, *TANH_GAP) if y < 1.0 else y - x
 
 
 def gamma_ratio(x: Array) -> Array:
     """Gamma(x + 1/2)/Gamma(x) for x > 0, from that at x + 2."""
-    w, below = x + 1.75, (x + 0.5) * (x + 1.5)
-    down = np.where(x < 1.0, x * (x + 1.0) / below, 1.0 - (x + 0.75) / below)
+    w, below = (x + 1.75, (x + 0.5) * (x + 1.5))
+    down = x * (x + 1.0) / below if x < 1.0 else 1.0 - (x + 0.75) / below
     return down * np.sqrt(w) * from_start(1.0 / (w * w), *GAMMA_RATIO)
 
 
@@ -43,10 +43,9 @@ def struve_h0(x: Array) -> Array:
     """Struve function H_0(x) for x >= 0."""
 
     def far(x: Array) -> Array:
-        v = (_SWITCH / x) * (_SWITCH / x)
-        p, q = rational(v, *HANKEL_P_0), -rational(v, *HANKEL_Q_0) / x
+        v = _SWITCH / x * (_SWITCH / x)
+        p, q = (rational(v, *HANKEL_P_0), -rational(v, *HANKEL_Q_0) / x)
         return _wave(x, p + q, q - p) + 2.0 / np.pi / x * rational(v, *STRUVE_TAIL_0)
-
     return _joined(x, lambda x: x * _series(x, STRUVE_0), far)
 
 
@@ -54,15 +53,14 @@ def struve_h1(x: Array) -> Array:
     """Struve function H_1(x) for x >= 0."""
 
     def far(x: Array) -> Array:
-        v = (_SWITCH / x) * (_SWITCH / x)
-        p, q = rational(v, *HANKEL_P_1), rational(v, *HANKEL_Q_1) / x
+        v = _SWITCH / x * (_SWITCH / x)
+        p, q = (rational(v, *HANKEL_P_1), rational(v, *HANKEL_Q_1) / x)
         return _wave(x, q - p, -p - q) + 2.0 / np.pi * rational(v, *STRUVE_TAIL_1)
-
     return _joined(x, lambda x: x * x * _series(x, STRUVE_1), far)
 
 
 def _joined(x: Array, near: Callable[[Array], Array], far: Callable[[Array], Array]) -> Array:
-    return np.where(x >= _SWITCH, far(np.maximum(x, _SWITCH)), near(np.minimum(x, _SWITCH)))
+    return far(np.maximum(x, _SWITCH)) if x >= _SWITCH else near(np.minimum(x, _SWITCH))
 
 
 def _series(x: Array, kernel: tuple[Sequence[float], Sequence[float]]) -> Array:

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.adhesive.cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.adhesive.cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from ...._runtime.plain import MATH as np
 
 
 def _pull_off_radius(theta: Array, E_star: Array, dgamma: Array, control: str) -> Array:
-    if control == "force":
+    if control == 'force':
         radius = 18 * dgamma / (np.pi * E_star * np.tan(theta) ** 2)
     else:
         radius = 2 * dgamma / (np.pi * E_star * np.tan(theta) ** 2)
-    return np.where(dgamma > 0.0, radius, 0.0)
+    return radius if dgamma > 0.0 else 0.0
 
 
 def _pull_off_depth(a: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Array:
@@ -23,8 +23,8 @@ def _pull_off_depth(a: Array, theta: Array, E_star: Array, dgamma: Array, contro
 
 
 def _radius_from_depth(d: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(theta, E_star, dgamma, control="depth")
-    least = _pull_off_depth(a_c, theta, E_star, dgamma, control="depth")
+    a_c = _pull_off_radius(theta, E_star, dgamma, control='depth')
+    least = _pull_off_depth(a_c, theta, E_star, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), theta)
     return power_law_radius(d, a_c, least, 1.0, 0.5, plain)
 
@@ -35,7 +35,7 @@ def _pull_off_force(a: Array, theta: Array, E_star: Array, dgamma: Array, contro
 
 
 def _radius_from_force(F: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(theta, E_star, dgamma, control="force")
-    least = _pull_off_force(a_c, theta, E_star, dgamma, control="force")
+    a_c = _pull_off_radius(theta, E_star, dgamma, control='force')
+    least = _pull_off_force(a_c, theta, E_star, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), theta, E_star)
     return power_law_radius(F, a_c, least, 2.0, 1.5, plain)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.adhesive.paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.adhesive.paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from ...._runtime.plain import MATH as np
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
-    if control == "force":
-        radius = np.cbrt(9 * np.pi * R**2 * dgamma / (8 * E_star))
+    if control == 'force':
+        radius = np.cbrt(9 * np.pi * R ** 2 * dgamma / (8 * E_star))
     else:
-        radius = np.cbrt(np.pi * R**2 * dgamma / (8 * E_star))
-    return np.where(dgamma > 0.0, radius, 0.0)
+        radius = np.cbrt(np.pi * R ** 2 * dgamma / (8 * E_star))
+    return radius if dgamma > 0.0 else 0.0
 
 
 def _pull_off_depth(a: Array, R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
@@ -23,8 +23,8 @@ def _pull_off_depth(a: Array, R: Array, E_star: Array, dgamma: Array, control: s
 
 
 def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(R, E_star, dgamma, control="depth")
-    least = _pull_off_depth(a_c, R, E_star, dgamma, control="depth")
+    a_c = _pull_off_radius(R, E_star, dgamma, control='depth')
+    least = _pull_off_depth(a_c, R, E_star, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), R)
     return power_law_radius(d, a_c, least, 2.0, 0.5, plain)
 
@@ -35,7 +35,7 @@ def _pull_off_force(a: Array, R: Array, E_star: Array, dgamma: Array, control: s
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(R, E_star, dgamma, control="force")
-    least = _pull_off_force(a_c, R, E_star, dgamma, control="force")
+    a_c = _pull_off_radius(R, E_star, dgamma, control='force')
+    least = _pull_off_force(a_c, R, E_star, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, E_star)
     return power_law_radius(F, a_c, least, 3.0, 1.5, plain)

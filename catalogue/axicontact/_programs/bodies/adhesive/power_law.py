@@ -1,4 +1,4 @@
-"""Bodies of axicontact.adhesive.power_law over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.adhesive.power_law over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ...._runtime.plain import MATH as np
 
 def _pull_off_radius(A: Array, n: Array, E_star: Array, dgamma: Array, control: str) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    if control == "force":
+    if control == 'force':
         ratio = 3 * np.sqrt(2 * dgamma / E_star) / (2 * n * A * kappa)
         radius = nth_root(ratio, 2 * n - 1) ** 2
     else:
         ratio = np.sqrt(2 * dgamma / E_star) / (2 * n * A * kappa)
         radius = nth_root(ratio, 2 * n - 1) ** 2
-    return np.where(n > 0.5, np.where(dgamma > 0.0, radius, 0.0), np.nan)
+    return (radius if dgamma > 0.0 else 0.0) if n > 0.5 else np.nan
 
 
 def _pull_off_depth(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, control: str) -> Array:
@@ -28,8 +28,8 @@ def _pull_off_depth(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, 
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(A, n, E_star, dgamma, control="depth")
-    least = _pull_off_depth(a_c, A, n, E_star, dgamma, control="depth")
+    a_c = _pull_off_radius(A, n, E_star, dgamma, control='depth')
+    least = _pull_off_depth(a_c, A, n, E_star, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), A, n)
     return power_law_radius(d, a_c, least, n, 0.5, plain)
 
@@ -40,7 +40,7 @@ def _pull_off_force(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, 
 
 
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(A, n, E_star, dgamma, control="force")
-    least = _pull_off_force(a_c, A, n, E_star, dgamma, control="force")
+    a_c = _pull_off_radius(A, n, E_star, dgamma, control='force')
+    least = _pull_off_force(a_c, A, n, E_star, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, n, E_star)
     return power_law_radius(F, a_c, least, n + 1, 1.5, plain)

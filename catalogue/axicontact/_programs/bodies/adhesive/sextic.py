@@ -1,4 +1,4 @@
-"""Bodies of axicontact.adhesive.sextic over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.adhesive.sextic over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ...._runtime.plain import MATH as np
 
 
 def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, control: str) -> Array:
-    if control == "force":
+    if control == 'force':
         radius = nth_root(1 / A, 11) ** 2 * nth_root(25 * np.pi * dgamma / (2048 * E_star), 11)
     else:
         radius = nth_root(1 / A, 11) ** 2 * nth_root(25 * np.pi * dgamma / (18432 * E_star), 11)
-    return np.where(dgamma > 0.0, radius, 0.0)
+    return radius if dgamma > 0.0 else 0.0
 
 
 def _pull_off_depth(a: Array, A: Array, E_star: Array, dgamma: Array, control: str) -> Array:
@@ -24,8 +24,8 @@ def _pull_off_depth(a: Array, A: Array, E_star: Array, dgamma: Array, control: s
 
 
 def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(A, E_star, dgamma, control="depth")
-    least = _pull_off_depth(a_c, A, E_star, dgamma, control="depth")
+    a_c = _pull_off_radius(A, E_star, dgamma, control='depth')
+    least = _pull_off_depth(a_c, A, E_star, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), A)
     return power_law_radius(d, a_c, least, 6.0, 0.5, plain)
 
@@ -36,7 +36,7 @@ def _pull_off_force(a: Array, A: Array, E_star: Array, dgamma: Array, control: s
 
 
 def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
-    a_c = _pull_off_radius(A, E_star, dgamma, control="force")
-    least = _pull_off_force(a_c, A, E_star, dgamma, control="force")
+    a_c = _pull_off_radius(A, E_star, dgamma, control='force')
+    least = _pull_off_force(a_c, A, E_star, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), A, E_star)
     return power_law_radius(F, a_c, least, 7.0, 1.5, plain)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.capped_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.capped_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -8,56 +8,61 @@ from ....normal.capped_paraboloid import Array
 from ...._runtime.plain import MATH as np
 
 
+def _slope(t: Array, R1: Array) -> Array:
+    """Rate g'(t) of the indentation depth g(t)."""
+    return 2 * t / R1
+
+
 def _slope_beyond(t: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * t / R1 + 2 * (R1 - R2) / (R1 * R2) * root + b**2 * (R1 - R2) / (R1 * R2 * root)
+    return 2 * t / R1 + 2 * (R1 - R2) / (R1 * R2) * root + b ** 2 * (R1 - R2) / (R1 * R2 * root)
 
 
-def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array) -> Array:
+def _depth_beyond(a: Array, root: Array, R1: Array, R2: Array) -> Array:
     return a * (a + (R1 - R2) / R2 * root) / R1
 
 
 def _depth(a: Array, R1: Array, R2: Array, b: Array) -> Array:
-    tip = a**2 / R1
+    tip = a ** 2 / R1
     root = np.sqrt((a - b) * (a + b))
     beyond = a * (a + (R1 - R2) / R2 * root) / R1
-    return np.where(a < b, tip, beyond)
+    return tip if a < b else beyond
 
 
 def _force_beyond(a: Array, root: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    return 2 * E_star / (3 * R1) * (2 * a**3 + (R1 - R2) / R2 * (2 * a**2 + b**2) * root)
+    return 2 * E_star / (3 * R1) * (2 * a ** 3 + (R1 - R2) / R2 * (2 * a ** 2 + b ** 2) * root)
 
 
 def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    tip = 4 * E_star / (3 * R1) * a**3
+    tip = 4 * E_star / (3 * R1) * a ** 3
     root = np.sqrt((a - b) * (a + b))
-    beyond = 2 * E_star / (3 * R1) * (2 * a**3 + (R1 - R2) / R2 * (2 * a**2 + b**2) * root)
-    return np.where(a < b, tip, beyond)
+    beyond = 2 * E_star / (3 * R1) * (2 * a ** 3 + (R1 - R2) / R2 * (2 * a ** 2 + b ** 2) * root)
+    return tip if a < b else beyond
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:
+
     def curve(a: Array, root: Array) -> tuple[Array, Array]:
         rate = a * _slope_beyond(a, root, R1, R2, b)
-        return _depth_beyond(a, root, R1, R2, b), rate
-
+        return (_depth_beyond(a, root, R1, R2), rate)
     return inverse_beyond(curve, d, b, 2.0, leaving=(1.0, 2.0))
 
 
 def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
-    def curve(a: Array, root: Array) -> tuple[Array, Array]:
-        rate = 2 * E_star * a**2 * _slope_beyond(a, root, R1, R2, b)
-        return _force_beyond(a, root, R1, R2, b, E_star), rate
 
+    def curve(a: Array, root: Array) -> tuple[Array, Array]:
+        rate = 2 * E_star * a ** 2 * _slope_beyond(a, root, R1, R2, b)
+        return (_force_beyond(a, root, R1, R2, b, E_star), rate)
     return inverse_beyond(curve, F, b, 3.0, leaving=(1.0, 3.0))
 
 
 def _force_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     a = _radius_from_depth(d, R1, R2, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R1, R2, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth(a, R1, R2, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force(a, R1, R2, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
     a = _radius_from_force(F, R1, R2, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R1, R2, b, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force(a, R1, R2, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth(a, R1, R2, b) + change

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ def _depth(a: Array, theta: Array) -> Array:
 
 
 def _force(a: Array, theta: Array, E_star: Array) -> Array:
-    return np.pi * E_star * np.tan(theta) * a**2 / 2
+    return np.pi * E_star * np.tan(theta) * a ** 2 / 2
 
 
 def _radius_from_depth(d: Array, theta: Array) -> Array:
@@ -24,4 +24,4 @@ def _radius_from_force(F: Array, theta: Array, E_star: Array) -> Array:
 
 
 def _force_from_depth(d: Array, theta: Array, E_star: Array) -> Array:
-    return 2 * E_star / (np.pi * np.tan(theta)) * d**2
+    return 2 * E_star / (np.pi * np.tan(theta)) * d ** 2

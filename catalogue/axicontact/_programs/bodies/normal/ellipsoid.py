@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.ellipsoid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.ellipsoid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...._runtime.plain import MATH as np
 def _slope(t: Array, root: Array, h: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return h / b * angle + h * t / root**2
+    return h / b * angle + h * t / root ** 2
 
 
 def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
@@ -21,14 +21,19 @@ def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
     return h / b * a * angle
 
 
+def _depth(a: Array, h: Array, b: Array) -> Array:
+    angle = np.log1p(2 * a / (b - a)) / 2
+    return h / b * a * angle
+
+
 def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array:
     angle = np.arcsinh(a / root)
-    return E_star * h * (b * tanh_gap(angle, np.tanh(angle)) + a**2 * angle / b)
+    return E_star * h * (b * tanh_gap(angle, np.tanh(angle)) + a ** 2 * angle / b)
 
 
 def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (b - a)) / 2
-    return E_star * h * (a**2 * angle / b + b * tanh_gap(angle, a / b))
+    return E_star * h * (a ** 2 * angle / b + b * tanh_gap(angle, a / b))
 
 
 def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
@@ -36,22 +41,21 @@ def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
     root_ba = np.sqrt((b - a) * (a + b))
     pressed = E_star * h / np.pi * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b)
-    inside = np.where(r < a, pressed, 0.0)
-    return np.where(a <= b, inside, np.nan)
+    inside = pressed if r < a else 0.0
+    return inside if a <= b else np.nan
 
 
 def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(b**2 - a**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.tanh(t), b / np.cosh(t)
+        a, root = (b * np.tanh(t), b / np.cosh(t))
         value = _depth_at(a, root, h, b)
-        return value, t * root * root / b * _slope(a, root, h, b) / value
-
+        return (value, t * root * root / b * _slope(a, root, h, b) / value)
     rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
     start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
-    return b * np.tanh(t), b / np.cosh(t)
+    return (b * np.tanh(t), b / np.cosh(t))
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array) -> Array:
@@ -62,14 +66,13 @@ def _contact_from_force(F: Array, h: Array, b: Array, E_star: Array) -> tuple[Ar
     """Contact radius a and its root sqrt(b**2 - a**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.tanh(t), b / np.cosh(t)
+        a, root = (b * np.tanh(t), b / np.cosh(t))
         value = _force_at(a, root, h, b, E_star)
-        return value, 2 * E_star * a * t * root * root / b * _slope(a, root, h, b) / value
-
+        return (value, 2 * E_star * a * t * root * root / b * _slope(a, root, h, b) / value)
     rest = (0.998775, 0.1558039, -2.915358, 22.20415, -66.84601, 91.96521, -58.34092, 13.75711)
     start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
-    return b * np.tanh(t), b / np.cosh(t)
+    return (b * np.tanh(t), b / np.cosh(t))
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
@@ -78,11 +81,11 @@ def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
 
 def _force_from_depth(d: Array, h: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, h, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, h, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth_at(a, root, h, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, h, b, E_star) + change
 
 
 def _depth_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, h, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, h, b, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force_at(a, root, h, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, h, b) + change

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.hyperboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.hyperboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...._runtime.plain import MATH as np
 def _slope(t: Array, theta: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arctan(t / b)
-    return np.tan(theta) * angle + b * np.tan(theta) * t / (t**2 + b**2)
+    return np.tan(theta) * angle + b * np.tan(theta) * t / (t ** 2 + b ** 2)
 
 
 def _depth(a: Array, theta: Array, b: Array) -> Array:
@@ -22,32 +22,32 @@ def _depth(a: Array, theta: Array, b: Array) -> Array:
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     angle = np.arctan2(a, b)
-    return E_star * np.tan(theta) * (a**2 * angle + b**2 * arctan_gap(a / b))
+    return E_star * np.tan(theta) * (a ** 2 * angle + b ** 2 * arctan_gap(a / b))
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
+
     def curve(a: Array) -> tuple[Array, Array]:
         value = _depth(a, theta, b)
-        return value, a * _slope(a, theta, b) / value
-
+        return (value, a * _slope(a, theta, b) / value)
     return inverse(curve, d, b / 1000 * np.ones_like(d), (1.0, 2.0), smooth=True)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+
     def curve(a: Array) -> tuple[Array, Array]:
         value = _force(a, theta, b, E_star)
-        return value, 2 * E_star * a**2 * _slope(a, theta, b) / value
-
+        return (value, 2 * E_star * a ** 2 * _slope(a, theta, b) / value)
     return inverse(curve, F, b / 1000 * np.ones_like(F), (2.0, 3.0), smooth=True)
 
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
     a = _radius_from_depth(d, theta, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, theta, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth(a, theta, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force(a, theta, b, E_star) + change
 
 
 def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
     a = _radius_from_force(F, theta, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, theta, b, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force(a, theta, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth(a, theta, b) + change

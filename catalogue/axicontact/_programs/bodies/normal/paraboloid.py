@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from ...._runtime.plain import MATH as np
 
 
 def _depth(a: Array, R: Array) -> Array:
-    return a**2 / R
+    return a ** 2 / R
 
 
 def _force(a: Array, R: Array, E_star: Array) -> Array:
-    return 4 * E_star / (3 * R) * a**3
+    return 4 * E_star / (3 * R) * a ** 3
 
 
 def _radius_from_depth(d: Array, R: Array) -> Array:

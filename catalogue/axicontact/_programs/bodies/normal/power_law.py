@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.power_law over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.power_law over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from ...._runtime.plain import MATH as np
 
 def _slope(t: Array, A: Array, n: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
-    return np.sqrt(np.pi) * n * A * gamma_ratio(n / 2 + 1 / 2) * t**n / t
+    return np.sqrt(np.pi) * n * A * gamma_ratio(n / 2 + 1 / 2) * t ** n / t
 
 
 def _depth(a: Array, A: Array, n: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return np.sqrt(np.pi) * A * a**n * kappa
+    return np.sqrt(np.pi) * A * a ** n * kappa
 
 
 def _force(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
-    return 2 * np.sqrt(np.pi) * E_star * n * A / (n + 1) * a * a**n * kappa
+    return 2 * np.sqrt(np.pi) * E_star * n * A / (n + 1) * a * a ** n * kappa
 
 
 def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
     kappa = gamma_ratio(n / 2 + 1 / 2)
     pressed = E_star * n * A / np.sqrt(np.pi) * lower_power(a, n) * power_pressure(r, a, n) * kappa
-    return np.where(r < a, pressed, 0.0)
+    return pressed if r < a else 0.0
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.quartic over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.quartic over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from ...._runtime.plain import MATH as np
 
 
 def _depth(a: Array, A: Array) -> Array:
-    return 8 * A / 3 * a**4
+    return 8 * A / 3 * a ** 4
 
 
 def _force(a: Array, A: Array, E_star: Array) -> Array:
-    return 64 * E_star * A / 15 * a**5
+    return 64 * E_star * A / 15 * a ** 5
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.rounded_punch over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.rounded_punch over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -19,27 +19,30 @@ def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
     return b / R * a * arctan_gap(root / b)
 
 
+def _depth(a: Array, R: Array, b: Array) -> Array:
+    return b / R * a * root_gap(a, b)
+
+
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
-    return E_star / R * (root**3 / 3 + b * a**2 * arctan_gap(root / b))
+    return E_star / R * (root ** 3 / 3 + b * a ** 2 * arctan_gap(root / b))
 
 
 def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
-    return E_star / R * (b * a**2 * root_gap(a, b) + (a - b) * (a + b) * root / 3)
+    return E_star / R * (b * a ** 2 * root_gap(a, b) + (a - b) * (a + b) * root / 3)
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _depth_at(a, root, R, b)
-        return value, root * root / a * _slope_beyond(a, root, R, b) / value
-
+        return (value, root * root / a * _slope_beyond(a, root, R, b) / value)
     rest = (0.9999152, -0.002147146, -0.02265958, -0.0720644, 0.3108858, -0.6900221, 1.077435, -0.6001833)
     start = between(np.log(d / curve(1.0)[0]), (1.098, 3.0), (3.295, 2.0), 3.5, rest)
     t = inverse(curve, d, start, (2.0, 4.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:
@@ -50,14 +53,13 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _force_at(a, root, R, b, E_star)
-        return value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value
-
+        return (value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value)
     rest = (0.9634905, 0.003191853, -0.1218583, 0.3231377, -1.571447, 2.059576, -1.105184, 0.2138332)
     start = between(np.log(F / curve(1.0)[0]), (0.8743, 3.0), (1.749, 3.0), 6.0, rest)
     t = inverse(curve, F, start, (3.0, 4.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -66,11 +68,11 @@ def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth_at(a, root, R, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, R, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, R, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, R, b) + change

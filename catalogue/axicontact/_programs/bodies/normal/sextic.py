@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.sextic over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.sextic over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from ....normal.sextic import Array
 
 
 def _depth(a: Array, A: Array) -> Array:
-    return 16 * A / 5 * a**6
+    return 16 * A / 5 * a ** 6
 
 
 def _force(a: Array, A: Array, E_star: Array) -> Array:
-    return 192 * E_star * A / 35 * a**7
+    return 192 * E_star * A / 35 * a ** 7
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:

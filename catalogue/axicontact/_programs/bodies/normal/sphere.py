@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.sphere over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.sphere over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -13,22 +13,27 @@ from ...._runtime.plain import MATH as np
 def _slope(t: Array, root: Array, R: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return angle + R * t / root**2
+    return angle + R * t / root ** 2
 
 
-def _depth_at(a: Array, root: Array, R: Array) -> Array:
+def _depth_at(a: Array, root: Array) -> Array:
     angle = np.arcsinh(a / root)
+    return a * angle
+
+
+def _depth(a: Array, R: Array) -> Array:
+    angle = np.log1p(2 * a / (R - a)) / 2
     return a * angle
 
 
 def _force_at(a: Array, root: Array, R: Array, E_star: Array) -> Array:
     angle = np.arcsinh(a / root)
-    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
+    return E_star * (a ** 2 * angle + R ** 2 * tanh_gap(angle, np.tanh(angle)))
 
 
 def _force(a: Array, R: Array, E_star: Array) -> Array:
     angle = np.log1p(2 * a / (R - a)) / 2
-    return E_star * (a**2 * angle + R**2 * tanh_gap(angle, a / R))
+    return E_star * (a ** 2 * angle + R ** 2 * tanh_gap(angle, a / R))
 
 
 def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
@@ -36,22 +41,21 @@ def _pressure(r: Array, a: Array, R: Array, E_star: Array) -> Array:
     root = np.sqrt((R - a) * (a + R))
     root_ar = np.sqrt((a - r) * (a + r))
     pressed = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R))
-    inside = np.where(r < a, pressed, 0.0)
-    return np.where(a <= R, inside, np.nan)
+    inside = pressed if r < a else 0.0
+    return inside if a <= R else np.nan
 
 
 def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(R**2 - a**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = R * np.tanh(t), R / np.cosh(t)
-        value = _depth_at(a, root, R)
-        return value, t * root * root / R * _slope(a, root, R) / value
-
+        a, root = (R * np.tanh(t), R / np.cosh(t))
+        value = _depth_at(a, root)
+        return (value, t * root * root / R * _slope(a, root, R) / value)
     rest = (0.9983865, 0.208363, -4.0282, 30.18372, -93.92268, 137.5431, -95.06062, 25.07439)
     start = between(np.log(d / curve(1.0)[0]), (1.313, 2.0), (1.313, 1.0), 3.75, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
-    return R * np.tanh(t), R / np.cosh(t)
+    return (R * np.tanh(t), R / np.cosh(t))
 
 
 def _radius_from_depth(d: Array, R: Array) -> Array:
@@ -62,14 +66,13 @@ def _contact_from_force(F: Array, R: Array, E_star: Array) -> tuple[Array, Array
     """Contact radius a and its root sqrt(R**2 - a**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = R * np.tanh(t), R / np.cosh(t)
+        a, root = (R * np.tanh(t), R / np.cosh(t))
         value = _force_at(a, root, R, E_star)
-        return value, 2 * E_star * a * t * root * root / R * _slope(a, root, R) / value
-
+        return (value, 2 * E_star * a * t * root * root / R * _slope(a, root, R) / value)
     rest = (0.998775, 0.1558039, -2.915358, 22.20415, -66.84601, 91.96521, -58.34092, 13.75711)
     start = between(np.log(F / curve(1.0)[0]), (1.629, 3.0), (2.405, 1.0), 1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
-    return R * np.tanh(t), R / np.cosh(t)
+    return (R * np.tanh(t), R / np.cosh(t))
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
@@ -78,11 +81,11 @@ def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
 
 def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R)), 0.0)
+    change = 2 * E_star * a * (d - _depth_at(a, root)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, R, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, R, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, E_star)) / (2 * E_star * a), 0.0)
-    return _depth_at(a, root, R) + change
+    change = (F - _force_at(a, root, R, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
+    return _depth_at(a, root) + change

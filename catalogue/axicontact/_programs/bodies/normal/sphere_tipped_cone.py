@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.sphere_tipped_cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.sphere_tipped_cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ...._runtime.plain import MATH as np
 def _slope(t: Array, root: Array, R: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
-    return angle + R * t / root**2
+    return angle + R * t / root ** 2
 
 
 def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
@@ -22,19 +22,19 @@ def _slope_beyond(t: Array, root: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     root_Rb = R * np.cos(theta)
     angle = np.arctan2(root, b)
-    logarithm = np.log1p((b**2 / (root + t) + b**2 / (root_Rb + R)) / (root + root_Rb))
-    return logarithm + b * angle / root_Rb + b**2 * R / (t * root_Rb**2 + R * root * root_Rb)
+    logarithm = np.log1p((b ** 2 / (root + t) + b ** 2 / (root_Rb + R)) / (root + root_Rb))
+    return logarithm + b * angle / root_Rb + b ** 2 * R / (t * root_Rb ** 2 + R * root * root_Rb)
 
 
 def _depth_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     root_Rb = R * np.cos(theta)
     angle = np.arctan2(root, b)
-    logarithm = np.log1p((b**2 / (root + a) + b**2 / (root_Rb + R)) / (root + root_Rb))
+    logarithm = np.log1p((b ** 2 / (root + a) + b ** 2 / (root_Rb + R)) / (root + root_Rb))
     beyond = a * (logarithm + b * angle / root_Rb)
     angle = np.log1p(2 * a / (R - a)) / 2
     tip = a * angle
-    return np.where(a < b, tip, beyond)
+    return tip if a < b else beyond
 
 
 def _depth(a: Array, R: Array, theta: Array) -> Array:
@@ -44,9 +44,9 @@ def _depth(a: Array, R: Array, theta: Array) -> Array:
 def _force_at(a: Array, reach: Array, R: Array, theta: Array, E_star: Array) -> Array:
     b = R * np.sin(theta)
     inner = np.minimum(a, b)
-    root = np.where(a < b, np.sqrt((R - inner) * (inner + R)), R * np.cos(theta))
+    root = np.sqrt((R - inner) * (inner + R)) if a < b else R * np.cos(theta)
     angle = np.arcsinh(inner / root)
-    tip = E_star * (inner**2 * angle + R**2 * tanh_gap(angle, np.tanh(angle)))
+    tip = E_star * (inner ** 2 * angle + R ** 2 * tanh_gap(angle, np.tanh(angle)))
     beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
     return tip + beyond
 
@@ -59,7 +59,7 @@ def _slope_at(a: Array, root: Array, R: Array, theta: Array) -> Array:
     """Rate g'(a) of the indentation depth on both sides of the break."""
     b = R * np.sin(theta)
     root_tip = np.sqrt((R - a) * (R + a))
-    return np.where(a < b, _slope(a, root_tip, R), _slope_beyond(a, root, R, theta))
+    return _slope(a, root_tip, R) if a < b else _slope_beyond(a, root, R, theta)
 
 
 def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
@@ -67,8 +67,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array) -> Array:
 
     def curve(a: Array, root: Array) -> tuple[Array, Array]:
         rate = a * _slope_at(a, root, R, theta)
-        return _depth_at(a, root, R, theta), rate
-
+        return (_depth_at(a, root, R, theta), rate)
     return inverse_across(curve, d, b, 2.0, R, powers=(2.0, 1.0))
 
 
@@ -76,19 +75,18 @@ def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array
     b = R * np.sin(theta)
 
     def curve(a: Array, root: Array) -> tuple[Array, Array]:
-        rate = 2 * E_star * a**2 * _slope_at(a, root, R, theta)
-        return _force_at(a, root, R, theta, E_star), rate
-
+        rate = 2 * E_star * a ** 2 * _slope_at(a, root, R, theta)
+        return (_force_at(a, root, R, theta, E_star), rate)
     return inverse_across(curve, F, b, 3.0, R, powers=(2.0, 2.0))
 
 
 def _force_from_depth(d: Array, R: Array, theta: Array, E_star: Array) -> Array:
     a = _radius_from_depth(d, R, theta)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, theta)), 0.0)
+    change = 2 * E_star * a * (d - _depth(a, R, theta)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force(a, R, theta, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, theta: Array, E_star: Array) -> Array:
     a = _radius_from_force(F, R, theta, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, theta, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force(a, R, theta, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth(a, R, theta) + change

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.truncated_cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.truncated_cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -19,9 +19,14 @@ def _depth_at(a: Array, root: Array, theta: Array, b: Array) -> Array:
     return np.tan(theta) * a * angle
 
 
+def _depth(a: Array, theta: Array, b: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _depth_at(a, root, theta, b)
+
+
 def _force_at(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
     angle = np.arctan(root / b)
-    return E_star * np.tan(theta) * (a**2 * angle + b * root)
+    return E_star * np.tan(theta) * (a ** 2 * angle + b * root)
 
 
 def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -33,14 +38,13 @@ def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _depth_at(a, root, theta, b)
-        return value, root * root / a * _slope_beyond(a, root, theta, b) / value
-
+        return (value, root * root / a * _slope_beyond(a, root, theta, b) / value)
     rest = (1.587574, -0.008072401, -0.4352508, -3.570796, 8.66489, -8.150206, 3.403791, -0.4812051)
     start = between(np.log(d / curve(1.0)[0]), (0.9003, 1.0), (1.414, 1.0), -6.0, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
@@ -51,14 +55,13 @@ def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tupl
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _force_at(a, root, theta, b, E_star)
-        return value, 2 * E_star * root * root * _slope_beyond(a, root, theta, b) / value
-
+        return (value, 2 * E_star * root * root * _slope_beyond(a, root, theta, b) / value)
     rest = (0.9995205, 0.100541, -0.3986471, 4.536442, -19.76727, 34.2219, -25.89697, 7.204481)
     start = between(np.log(F / curve(1.0)[0]), (0.778, 1.0), (0.611, 2.0), -2.75, rest)
     t = inverse(curve, F, start, (1.0, 2.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
@@ -67,11 +70,11 @@ def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array
 
 def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, theta, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, theta, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth_at(a, root, theta, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, theta, b, E_star) + change
 
 
 def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, theta, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, theta, b, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force_at(a, root, theta, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, theta, b) + change

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.truncated_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.truncated_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -10,15 +10,20 @@ from ...._runtime.plain import MATH as np
 
 def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * root / R + b**2 / (R * root)
+    return 2 * root / R + b ** 2 / (R * root)
 
 
-def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
+def _depth_at(a: Array, root: Array, R: Array) -> Array:
     return a * root / R
 
 
+def _depth(a: Array, R: Array, b: Array) -> Array:
+    root = np.sqrt((a - b) * (a + b))
+    return _depth_at(a, root, R)
+
+
 def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
-    return 2 * E_star / (3 * R) * (2 * a**2 + b**2) * root
+    return 2 * E_star / (3 * R) * (2 * a ** 2 + b ** 2) * root
 
 
 def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -30,14 +35,13 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _force_at(a, root, R, b, E_star)
-        return value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value
-
+        return (value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value)
     rest = (0.9990587, 0.3089073, -0.7678073, 7.512052, -39.30687, 76.63965, -63.48232, 19.09787)
     start = between(np.log(F / curve(1.0)[0]), (0.6, 1.0), (0.4, 3.0), -1.75, rest)
     t = inverse(curve, F, start, (1.0, 3.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
@@ -48,23 +52,22 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
     def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
-        value = _depth_at(a, root, R, b)
-        return value, root * root / a * _slope_beyond(a, root, R, b) / value
-
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
+        value = _depth_at(a, root, R)
+        return (value, root * root / a * _slope_beyond(a, root, R, b) / value)
     rest = (0.9996917, 0.05914493, 0.009062067, 1.353675, -12.15272, 28.05264, -25.52146, 8.200478)
     start = between(np.log(d / curve(1.0)[0]), (0.7071, 1.0), (0.7071, 2.0), -3.0, rest)
     t = inverse(curve, d, start, (1.0, 2.0), smooth=True)
-    return b * np.sqrt(1.0 + t * t), b * t
+    return (b * np.sqrt(1.0 + t * t), b * t)
 
 
 def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_depth(d, R, b)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth_at(a, root, R, b)), 0.0)
+    change = 2 * E_star * a * (d - _depth_at(a, root, R)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, R, b, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
     a, root = _contact_from_force(F, R, b, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a), 0.0)
-    return _depth_at(a, root, R, b) + change
+    change = (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
+    return _depth_at(a, root, R) + change

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.normal.wavy_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.normal.wavy_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -11,60 +11,60 @@ from ...._runtime.plain import MATH as np
 
 
 def _profile(r: Array, R: Array, h: Array, wavelength: Array) -> Array:
-    return 2 * h * np.sin(np.pi / wavelength * r) ** 2 + r**2 / (2 * R)
+    return 2 * h * np.sin(np.pi / wavelength * r) ** 2 + r ** 2 / (2 * R)
 
 
 def _slope(t: Array, R: Array, h: Array, wavelength: Array) -> Array:
     """Rate g'(t) of the indentation depth g(t)."""
     z = 2 * np.pi / wavelength * t
-    plus = 4 * np.pi**2 * h / wavelength**2 * t + np.pi**2 * h / wavelength * struve_h0(z) + 2 * t / R
-    minus = 2 * np.pi**3 * h / wavelength**2 * t * struve_h1(z)
+    plus = 4 * np.pi ** 2 * h / wavelength ** 2 * t + np.pi ** 2 * h / wavelength * struve_h0(z) + 2 * t / R
+    minus = 2 * np.pi ** 3 * h / wavelength ** 2 * t * struve_h1(z)
     return plus - minus
 
 
 def _depth(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
     z = 2 * np.pi / wavelength * a
-    return a * (np.pi**2 * h / wavelength * struve_h0(z) + a / R)
+    return a * (np.pi ** 2 * h / wavelength * struve_h0(z) + a / R)
 
 
 def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     z = 2 * np.pi / wavelength * a
-    plus = 2 * np.pi**2 * h / wavelength * a * struve_h0(z) + 4 * a**2 / (3 * R)
+    plus = 2 * np.pi ** 2 * h / wavelength * a * struve_h0(z) + 4 * a ** 2 / (3 * R)
     minus = np.pi * h * struve_h1(z)
     return E_star * a * (plus - minus)
 
 
 def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     within = pressure_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
-    return np.where(r < a, E_star / np.pi * within, 0.0)
+    return E_star / np.pi * within if r < a else 0.0
 
 
 def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array) -> Array:
     tip = displacement_integral_waves(lambda t: _slope(t, R, h, wavelength), r, a, wavelength)
     outside = 2 / np.pi * tip
     inside = _depth(a, R, h, wavelength) - _profile(r, R, h, wavelength)
-    return np.where(r > a, outside, inside)
+    return outside if r > a else inside
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:
     unit = wavelength / (2 * np.pi)
-    waves = 2 * np.pi**3 * h * R / wavelength**2
+    waves = 2 * np.pi ** 3 * h * R / wavelength ** 2
     return unit * inverse_over_waves(d / unit * (R / unit), waves, 1)
 
 
 def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     unit = wavelength / (2 * np.pi)
-    waves = 2 * np.pi**3 * h * R / wavelength**2
+    waves = 2 * np.pi ** 3 * h * R / wavelength ** 2
     return unit * inverse_over_waves(F / unit * (R / unit) / (2 * E_star * unit), waves, 2)
 
 
 def _force_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     a = _radius_from_depth(d, R, h, wavelength)
-    change = np.where((a > 0.0) & (a < np.inf), 2 * E_star * a * (d - _depth(a, R, h, wavelength)), 0.0)
+    change = 2 * E_star * a * (d - _depth(a, R, h, wavelength)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force(a, R, h, wavelength, E_star) + change
 
 
 def _depth_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     a = _radius_from_force(F, R, h, wavelength, E_star)
-    change = np.where((a > 0.0) & (a < np.inf), (F - _force(a, R, h, wavelength, E_star)) / (2 * E_star * a), 0.0)
+    change = (F - _force(a, R, h, wavelength, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth(a, R, h, wavelength) + change

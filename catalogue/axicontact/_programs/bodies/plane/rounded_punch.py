@@ -1,4 +1,4 @@
-"""Bodies of axicontact.plane.rounded_punch over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.plane.rounded_punch over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ def _load_at(root: Array, R: Array, b: Array, E_star: Array) -> Array:
 
 
 def _half_width_from_load(P: Array, R: Array, b: Array, E_star: Array) -> Array:
-    def curve(t: Array) -> tuple[Array, Array]:
-        a, root = b * np.sqrt(1.0 + t * t), b * t
-        value = _load_at(root, R, b, E_star)
-        return value, E_star * root * root / a * _growth_beyond(a, root, R, b) / value
 
+    def curve(t: Array) -> tuple[Array, Array]:
+        a, root = (b * np.sqrt(1.0 + t * t), b * t)
+        value = _load_at(root, R, b, E_star)
+        return (value, E_star * root * root / a * _growth_beyond(a, root, R, b) / value)
     t = inverse(curve, P, np.ones_like(P), (2.0, 3.0))
     return b * np.sqrt(1.0 + t * t)

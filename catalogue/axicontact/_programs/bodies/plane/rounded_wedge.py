@@ -1,4 +1,4 @@
-"""Bodies of axicontact.plane.rounded_wedge over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.plane.rounded_wedge over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ def _growth_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
 
 
 def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
-    below = np.pi * E_star * np.tan(theta) / (4 * b) * a**2
+    below = np.pi * E_star * np.tan(theta) / (4 * b) * a ** 2
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan(b / root)
-    above = E_star * np.tan(theta) * (root + a**2 * angle / b) / 2
-    return np.where(a < b, below, above)
+    above = E_star * np.tan(theta) * (root + a ** 2 * angle / b) / 2
+    return below if a < b else above
 
 
 def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Array:
+
     def curve(a: Array) -> tuple[Array, Array]:
         root = np.sqrt((a - b) * (a + b))
-        growth = np.where(a < b, _growth(a, theta, b), _growth_beyond(a, root, theta, b))
+        growth = _growth(a, theta, b) if a < b else _growth_beyond(a, root, theta, b)
         value = _load(a, theta, b, E_star)
-        return value, E_star * a * growth / value
-
+        return (value, E_star * a * growth / value)
     return inverse(curve, P, np.full_like(P, b), (1.0, 2.0))

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.tangential.power_law over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.tangential.power_law over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,4 +12,4 @@ from ...._runtime.plain import MATH as np
 def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, A, n, E_star)
     gain = E_star / np.pi * normal._slope(a, A, n) * power_gain(r, c, a, n)
-    return mu * np.where(r < c, gain, sliding)
+    return mu * (gain if r < c else sliding)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.tangential.rounded_cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.tangential.rounded_cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from __future__ import annotations
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.physics.slip import stick_force
 from ....tangential.rounded_cone import Array
-from ...._runtime.plain import MATH as np
 
 
 def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
     F = stick_force(normal._force(a, theta, b, E_star), F_x, mu)
-    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, theta, b, E_star))
+    return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, theta, b, E_star)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.tangential.sphere over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.tangential.sphere over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,12 +12,11 @@ from ...._runtime.plain import MATH as np
 def _traction(r: Array, a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, R, E_star)
     stuck = normal._pressure(r, c, R, E_star)
-    # both are infinite at a tip, and where the slope of the profile jumps
     close = (r < c) & (stuck >= CLOSE * sliding)
     gain = E_star / np.pi * growth_below(normal._slope, (R,), 0, r, c, a, R, close)
-    return mu * np.where(close, gain, sliding - stuck)
+    return mu * (gain if close else sliding - stuck)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, E_star: Array, mu: Array) -> Array:
     F = stick_force(normal._force(a, R, E_star), F_x, mu)
-    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R, E_star))
+    return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, E_star)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.tangential.sphere_tipped_cone over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.tangential.sphere_tipped_cone over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from __future__ import annotations
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.physics.slip import stick_force
 from ....tangential.sphere_tipped_cone import Array
-from ...._runtime.plain import MATH as np
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, theta: Array, E_star: Array, mu: Array) -> Array:
     F = stick_force(normal._force(a, R, theta, E_star), F_x, mu)
-    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R, theta, E_star))
+    return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, theta, E_star)

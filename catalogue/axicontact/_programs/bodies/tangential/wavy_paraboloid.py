@@ -1,4 +1,4 @@
-"""Bodies of axicontact.tangential.wavy_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.tangential.wavy_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -10,30 +10,27 @@ from ...._runtime.plain import MATH as np
 
 
 def _tangential_force(a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:
-    whole, sticking = normal._force(a, R, h, wavelength, E_star), normal._force(c, R, h, wavelength, E_star)
+    whole, sticking = (normal._force(a, R, h, wavelength, E_star), normal._force(c, R, h, wavelength, E_star))
     close = sticking >= CLOSE * whole
     gain = 2.0 * E_star * growth_waves(normal._slope, (R, h, wavelength), 2, 0.0, c, a, wavelength, close)
-    return mu * np.where(close, gain, whole - sticking)
+    return mu * (gain if close else whole - sticking)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:
     sliding = normal._pressure(r, a, R, h, wavelength, E_star)
     stuck = normal._pressure(r, c, R, h, wavelength, E_star)
-    # both are infinite at a tip, and where the slope of the profile jumps
     close = (r < c) & (stuck >= CLOSE * sliding)
     gain = E_star / np.pi * growth_waves(normal._slope, (R, h, wavelength), 0, r, c, a, wavelength, close)
-    return mu * np.where(close, gain, sliding - stuck)
+    return mu * (gain if close else sliding - stuck)
 
 
-def _tangential_displacement(
-    a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, G_star: Array, mu: Array
-) -> Array:
-    whole, sticking = normal._depth(a, R, h, wavelength), normal._depth(c, R, h, wavelength)
+def _tangential_displacement(a: Array, c: Array, R: Array, h: Array, wavelength: Array, E_star: Array, G_star: Array, mu: Array) -> Array:
+    whole, sticking = (normal._depth(a, R, h, wavelength), normal._depth(c, R, h, wavelength))
     close = sticking >= CLOSE * whole
     gain = growth_waves(normal._slope, (R, h, wavelength), 1, 0.0, c, a, wavelength, close)
-    return mu * (E_star / G_star) * np.where(close, gain, whole - sticking)
+    return mu * (E_star / G_star) * (gain if close else whole - sticking)
 
 
 def _stick_radius(F_x: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, mu: Array) -> Array:
     F = stick_force(normal._force(a, R, h, wavelength, E_star), F_x, mu)
-    return np.where((F_x == 0.0) & (a >= 0.0), a, normal._radius_from_force(F, R, h, wavelength, E_star))
+    return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, h, wavelength, E_star)

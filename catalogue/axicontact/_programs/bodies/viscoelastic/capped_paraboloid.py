@@ -1,4 +1,4 @@
-"""Bodies of axicontact.viscoelastic.capped_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.viscoelastic.capped_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -24,25 +24,17 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, R1: Array, R2: Array, b: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R1, R2, b, 1.0)
 
 
-def _step_force_standard_solid(
-    t: Array, d: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
-) -> Array:
+def _step_force_standard_solid(t: Array, d: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, R1, R2, b, 1.0)
 
 
-def _step_load_radius_standard_solid(
-    t: Array, F: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
-) -> Array:
+def _step_load_radius_standard_solid(t: Array, F: Array, R1: Array, R2: Array, b: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), R1, R2, b, 1.0)
 
 
-def _step_force_power_creep(
-    t: Array, d: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array
-) -> Array:
+def _step_force_power_creep(t: Array, d: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force_from_depth(d, R1, R2, b, 1.0)
 
 
-def _step_load_radius_power_creep(
-    t: Array, F: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array
-) -> Array:
+def _step_load_radius_power_creep(t: Array, F: Array, R1: Array, R2: Array, b: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R1, R2, b, 1.0)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.viscoelastic.hyperboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.viscoelastic.hyperboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -24,15 +24,11 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, theta: Array, b: Array, E
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), theta, b, 1.0)
 
 
-def _step_force_standard_solid(
-    t: Array, d: Array, theta: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
-) -> Array:
+def _step_force_standard_solid(t: Array, d: Array, theta: Array, b: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, theta, b, 1.0)
 
 
-def _step_load_radius_standard_solid(
-    t: Array, F: Array, theta: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
-) -> Array:
+def _step_load_radius_standard_solid(t: Array, F: Array, theta: Array, b: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), theta, b, 1.0)
 
 
@@ -40,7 +36,5 @@ def _step_force_power_creep(t: Array, d: Array, theta: Array, b: Array, E: Array
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force_from_depth(d, theta, b, 1.0)
 
 
-def _step_load_radius_power_creep(
-    t: Array, F: Array, theta: Array, b: Array, E: Array, alpha: Array, t_0: Array
-) -> Array:
+def _step_load_radius_power_creep(t: Array, F: Array, theta: Array, b: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), theta, b, 1.0)

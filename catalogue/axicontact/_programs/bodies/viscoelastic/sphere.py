@@ -1,4 +1,4 @@
-"""Bodies of axicontact.viscoelastic.sphere over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.viscoelastic.sphere over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bodies of axicontact.viscoelastic.truncated_paraboloid over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact.viscoelastic.truncated_paraboloid over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -28,9 +28,7 @@ def _step_force_standard_solid(t: Array, d: Array, R: Array, b: Array, E_inf: Ar
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, R, b, 1.0)
 
 
-def _step_load_radius_standard_solid(
-    t: Array, F: Array, R: Array, b: Array, E_inf: Array, E_1: Array, tau: Array
-) -> Array:
+def _step_load_radius_standard_solid(t: Array, F: Array, R: Array, b: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), R, b, 1.0)
 
 

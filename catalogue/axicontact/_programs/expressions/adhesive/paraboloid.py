@@ -1,5 +1,7 @@
 """Formulas of axicontact.adhesive.paraboloid over an array library `xp`."""
 
+from ...._runtime.integrals import nodes_along
+
 
 def depth(xp, a, R, E_star, dgamma):
     v0 = a ** 2.0
@@ -146,3 +148,249 @@ def pressure(xp, r, a, R, E_star, dgamma):
     v30 = xp.where(v12, v28, 0.0)
     v31 = v11 - v30
     return v31
+
+
+def radius_from_depth(xp, d, R, E_star, dgamma):
+    nodes, weights = nodes_along(xp, 64, d, R, E_star, dgamma)
+    v1 = dgamma > 0.0
+    v2 = R ** 2.0
+    v3 = 3.141592653589793 * v2
+    v4 = v3 * dgamma
+    v5 = 8.0 * E_star
+    v6 = v4 / v5
+    v7 = xp.cbrt(v6)
+    v8 = xp.where(v1, v7, 0.0)
+    v9 = v8 ** 2.0
+    v10 = v9 / R
+    v11 = v10 * (-3.0)
+    v12 = v11 < 0.0
+    v13 = xp.where(v12, v11, (-1.0))
+    v14 = d / v13
+    v15 = 1.0 - v14
+    v16 = xp.where(v12, v15, xp.inf)
+    v17 = xp.absolute(v16)
+    v18 = v17 < 1e-15
+    v19 = xp.where(v18, v17, 0.5 * 1e-15)
+    v20 = xp.where(v18, 2.0 * 1e-15, v17)
+    v21 = xp.where(v18, 0.0, v16)
+    v22 = v21 < 0.0
+    v23 = xp.isfinite(v21)
+    v24 = v21 == 0.0
+    v25 = v21 > 0.0
+    v26 = xp.where(v25, v21, 1.0)
+    v27 = v26 * 4.0
+    v28 = v27 < 1.0
+    v29 = xp.where(v28, v27, 0.5 * 1.0)
+    v30 = 2.0 * v26
+    v31 = v30 / 4.0
+    v32 = xp.sqrt(v31)
+    v33 = xp.where(v28, 2.0 * 1.0, v27)
+    v34 = 3.0 * v26
+    v35 = v34 + 0.0
+    v36 = xp.log1p(v35)
+    v37 = v36 / 4.0
+    v38 = xp.expm1(v37)
+    v39 = 4.0 * v38
+    v40 = v34 + v39
+    v41 = xp.log1p(v40)
+    v42 = v41 / 4.0
+    v43 = xp.expm1(v42)
+    v44 = 4.0 * v43
+    v45 = v34 + v44
+    v46 = xp.log1p(v45)
+    v47 = v46 / 4.0
+    v48 = xp.expm1(v47)
+    v49 = xp.where(v28, v32, v48)
+    v50 = xp.where(v26 > 0.0, v26, 1.0)
+    v51 = xp.minimum(v49, xp.inf)
+    for _ in range(6):
+        v53 = xp.minimum(v51, 4.0)
+        v54 = v53 * 4.0
+        v55 = v54 < 4.0
+        v56 = xp.where(v55, v54, 0.5 * 4.0)
+        v57 = xp.minimum(v51, 2.0)
+        v58 = 4.0 * v57
+        v59 = v58 * v57
+        v60 = nodes * 1.0
+        v61 = 1.0 - v60
+        v62 = v57 * v60
+        v63 = xp.log1p(v62)
+        v64 = 2.0 * v63
+        v65 = xp.exp(v64)
+        v66 = v61 * v65
+        v67 = 1.0 * xp.sum(weights * v66, axis=0)
+        v68 = v59 * v67
+        v69 = xp.where(v55, 2.0 * 4.0, v54)
+        v70 = 1.0 + v51
+        v71 = v51 > 1.0
+        v72 = xp.log1p(v51)
+        v73 = 3.0 * v72
+        v74 = v73 > 1.0
+        v75 = v71 & v74
+        v76 = v70 ** 2.0
+        v77 = v70 * v76
+        v78 = v77 - 1.0
+        v79 = xp.expm1(v73)
+        v80 = xp.where(v75, v78, v79)
+        v81 = 4.0 * v80
+        v82 = v81 / 3.0
+        v83 = v70 * v82
+        v84 = v83 / 4.0
+        v85 = v84 - v51
+        v86 = xp.where(v55, v68, v85)
+        v87 = v51 > 1.0
+        v88 = xp.log1p(v51)
+        v89 = 3.0 * v88
+        v90 = v89 > 1.0
+        v91 = v87 & v90
+        v92 = 1.0 + v51
+        v93 = v92 ** 2.0
+        v94 = v92 * v93
+        v95 = v94 - 1.0
+        v96 = xp.expm1(v89)
+        v97 = xp.where(v91, v95, v96)
+        v98 = 4.0 * v97
+        v99 = v98 / 3.0
+        v100 = v51 * v99
+        v101 = v100 / v86
+        v102 = xp.log(v50 / v86)
+        v103 = v102 / 2.0
+        v104 = v102 / 4.0
+        v105 = xp.minimum(xp.maximum(v102 / v101, xp.minimum(v103, v104)), xp.maximum(v103, v104))
+        v106 = xp.where(v86 < xp.inf, v105, 0.0)
+        v51 = xp.minimum(v51 * xp.exp(v106), xp.inf)
+    v108 = xp.where(v26 > 0.0, v51, 0.0 * v26)
+    v109 = xp.where(v24, 0.0, v108)
+    v110 = 1.0 + v109
+    v111 = v110 ** 2.0
+    v112 = v8 * v111
+    v113 = d >= 0.0
+    v114 = xp.maximum(d, 0.0)
+    v115 = R * v114
+    v116 = xp.sqrt(v115)
+    v117 = xp.where(v113, v116, xp.nan)
+    v118 = xp.where(v23, v112, v117)
+    v119 = xp.where(v22, xp.nan, v118)
+    return v119
+
+
+def radius_from_force(xp, F, R, E_star, dgamma):
+    nodes, weights = nodes_along(xp, 64, F, R, E_star, dgamma)
+    v1 = 4.0 * E_star
+    v2 = 3.0 * R
+    v3 = v1 / v2
+    v4 = dgamma > 0.0
+    v5 = R ** 2.0
+    v6 = 28.274333882308138 * v5
+    v7 = v6 * dgamma
+    v8 = 8.0 * E_star
+    v9 = v7 / v8
+    v10 = xp.cbrt(v9)
+    v11 = xp.where(v4, v10, 0.0)
+    v12 = v11 ** 2.0
+    v13 = v11 * v12
+    v14 = v3 * v13
+    v15 = v14 * (-1.0)
+    v16 = v15 < 0.0
+    v17 = xp.where(v16, v15, (-1.0))
+    v18 = F / v17
+    v19 = 1.0 - v18
+    v20 = xp.where(v16, v19, xp.inf)
+    v21 = xp.absolute(v20)
+    v22 = v21 < 1e-15
+    v23 = xp.where(v22, v21, 0.5 * 1e-15)
+    v24 = xp.where(v22, 2.0 * 1e-15, v21)
+    v25 = xp.where(v22, 0.0, v20)
+    v26 = v25 < 0.0
+    v27 = xp.isfinite(v25)
+    v28 = v25 == 0.0
+    v29 = v25 > 0.0
+    v30 = xp.where(v29, v25, 1.0)
+    v31 = v30 * 2.0
+    v32 = v31 < 1.0
+    v33 = xp.where(v32, v31, 0.5 * 1.0)
+    v34 = 2.0 * v30
+    v35 = v34 / 2.0
+    v36 = xp.sqrt(v35)
+    v37 = xp.where(v32, 2.0 * 1.0, v31)
+    v38 = v30 + 0.0
+    v39 = xp.log1p(v38)
+    v40 = v39 / 2.0
+    v41 = xp.expm1(v40)
+    v42 = 2.0 * v41
+    v43 = v30 + v42
+    v44 = xp.log1p(v43)
+    v45 = v44 / 2.0
+    v46 = xp.expm1(v45)
+    v47 = 2.0 * v46
+    v48 = v30 + v47
+    v49 = xp.log1p(v48)
+    v50 = v49 / 2.0
+    v51 = xp.expm1(v50)
+    v52 = xp.where(v32, v36, v51)
+    v53 = xp.where(v30 > 0.0, v30, 1.0)
+    v54 = xp.minimum(v52, xp.inf)
+    for _ in range(6):
+        v56 = xp.minimum(v54, 4.0)
+        v57 = v56 * 2.0
+        v58 = v57 < 4.0
+        v59 = xp.where(v58, v57, 0.5 * 4.0)
+        v60 = xp.minimum(v54, 2.0)
+        v61 = 2.0 * v60
+        v62 = v61 * v60
+        v63 = nodes * 1.0
+        v64 = 1.0 - v63
+        v65 = v60 * v63
+        v66 = xp.log1p(v65)
+        v67 = 0.0 * v66
+        v68 = xp.exp(v67)
+        v69 = v64 * v68
+        v70 = 1.0 * xp.sum(weights * v69, axis=0)
+        v71 = v62 * v70
+        v72 = xp.where(v58, 2.0 * 4.0, v57)
+        v73 = 1.0 + v54
+        v74 = v54 > 1.0
+        v75 = xp.log1p(v54)
+        v76 = v75 > 1.0
+        v77 = v74 & v76
+        v78 = v73 ** 1.0
+        v79 = v78 - 1.0
+        v80 = xp.expm1(v75)
+        v81 = xp.where(v77, v79, v80)
+        v82 = 2.0 * v81
+        v83 = v73 * v82
+        v84 = v83 / 2.0
+        v85 = v84 - v54
+        v86 = xp.where(v58, v71, v85)
+        v87 = v54 > 1.0
+        v88 = xp.log1p(v54)
+        v89 = v88 > 1.0
+        v90 = v87 & v89
+        v91 = 1.0 + v54
+        v92 = v91 ** 1.0
+        v93 = v92 - 1.0
+        v94 = xp.expm1(v88)
+        v95 = xp.where(v90, v93, v94)
+        v96 = 2.0 * v95
+        v97 = v54 * v96
+        v98 = v97 / v86
+        v99 = xp.log(v53 / v86)
+        v100 = v99 / 2.0
+        v101 = v99 / 2.0
+        v102 = xp.minimum(xp.maximum(v99 / v98, xp.minimum(v100, v101)), xp.maximum(v100, v101))
+        v103 = xp.where(v86 < xp.inf, v102, 0.0)
+        v54 = xp.minimum(v54 * xp.exp(v103), xp.inf)
+    v105 = xp.where(v30 > 0.0, v54, 0.0 * v30)
+    v106 = xp.where(v28, 0.0, v105)
+    v107 = 1.0 + v106
+    v108 = v107 ** 0.6666666666666666
+    v109 = v11 * v108
+    v110 = F >= 0.0
+    v111 = v2 / v1
+    v112 = xp.maximum(F, 0.0)
+    v113 = v111 * v112
+    v114 = xp.cbrt(v113)
+    v115 = xp.where(v110, v114, xp.nan)
+    v116 = xp.where(v27, v109, v115)
+    v117 = xp.where(v26, xp.nan, v116)
+    return v117

@@ -1,5 +1,7 @@
 """Formulas of axicontact.normal.truncated_paraboloid over an array library `xp`."""
 
+from ...._runtime.integrals import nodes_along
+
 
 def depth(xp, a, R, b):
     v0 = a - b
@@ -58,57 +60,150 @@ def depth_from_force(xp, F, R, b, E_star):
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
     for _ in range(6):
-        v46 = 2.0 * E_star
-        v47 = 3.0 * R
-        v48 = v46 / v47
-        v49 = v44 * v44
-        v50 = 1.0 + v49
-        v51 = xp.sqrt(v50)
-        v52 = b * v51
-        v53 = v52 ** 2.0
-        v54 = 2.0 * v53
-        v55 = b ** 2.0
-        v56 = v54 + v55
-        v57 = v48 * v56
-        v58 = b * v44
-        v59 = v57 * v58
-        v60 = v46 * v58
-        v61 = v60 * v58
-        v62 = 2.0 * v58
-        v63 = v62 / R
-        v64 = R * v58
-        v65 = v55 / v64
-        v66 = v63 + v65
-        v67 = v61 * v66
-        v68 = v67 / v59
-        v69 = xp.log(v43 / v59)
-        v70 = v69 / 1.0
-        v71 = v69 / 3.0
-        v72 = xp.minimum(xp.maximum(v69 / v68, xp.minimum(v70, v71)), xp.maximum(v70, v71))
-        v73 = xp.where(v59 < xp.inf, v72, 0.0)
-        v44 = xp.minimum(v44 * xp.exp(v73), xp.inf)
-    v75 = xp.where(F > 0.0, v44, 0.0 * F)
-    v76 = v75 * v75
-    v77 = 1.0 + v76
-    v78 = xp.sqrt(v77)
-    v79 = b * v78
-    v80 = b * v75
-    v81 = v79 * v80
-    v82 = v81 / R
-    v83 = v79 > 0.0
-    v84 = v79 < xp.inf
-    v85 = v83 & v84
-    v86 = v79 ** 2.0
-    v87 = 2.0 * v86
-    v88 = v87 + v6
-    v89 = v2 * v88
-    v90 = v89 * v80
-    v91 = F - v90
-    v92 = v0 * v79
-    v93 = v91 / v92
-    v94 = xp.where(v85, v93, 0.0)
-    v95 = v82 + v94
-    return v95
+        v46 = v44 * v44
+        v47 = 1.0 + v46
+        v48 = xp.sqrt(v47)
+        v49 = b * v48
+        v50 = v49 ** 2.0
+        v51 = 2.0 * v50
+        v52 = v51 + v6
+        v53 = v2 * v52
+        v54 = b * v44
+        v55 = v53 * v54
+        v56 = v0 * v54
+        v57 = v56 * v54
+        v58 = 2.0 * v54
+        v59 = v58 / R
+        v60 = R * v54
+        v61 = v6 / v60
+        v62 = v59 + v61
+        v63 = v57 * v62
+        v64 = v63 / v55
+        v65 = xp.log(v43 / v55)
+        v66 = v65 / 1.0
+        v67 = v65 / 3.0
+        v68 = xp.minimum(xp.maximum(v65 / v64, xp.minimum(v66, v67)), xp.maximum(v66, v67))
+        v69 = xp.where(v55 < xp.inf, v68, 0.0)
+        v44 = xp.minimum(v44 * xp.exp(v69), xp.inf)
+    v71 = xp.where(F > 0.0, v44, 0.0 * F)
+    v72 = v71 * v71
+    v73 = 1.0 + v72
+    v74 = xp.sqrt(v73)
+    v75 = b * v74
+    v76 = b * v71
+    v77 = v75 * v76
+    v78 = v77 / R
+    v79 = v75 > 0.0
+    v80 = v75 < xp.inf
+    v81 = v79 & v80
+    v82 = v75 ** 2.0
+    v83 = 2.0 * v82
+    v84 = v83 + v6
+    v85 = v2 * v84
+    v86 = v85 * v76
+    v87 = F - v86
+    v88 = v0 * v75
+    v89 = v87 / v88
+    v90 = xp.where(v81, v89, 0.0)
+    v91 = v78 + v90
+    return v91
+
+
+def displacement(xp, r, a, R, b):
+    nodes, weights = nodes_along(xp, 64, r, a, R, b)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = r > v2
+    v4 = xp.where(v3, r, 2.0 * v2)
+    v5 = v2 > b
+    v6 = xp.where(v5, v2, 2.0 * b)
+    v7 = v4 - b
+    v8 = xp.maximum(v7, 0.0)
+    v9 = v4 + b
+    v10 = v8 * v9
+    v11 = xp.sqrt(v10)
+    v12 = v6 - b
+    v13 = xp.maximum(v12, 0.0)
+    v14 = v6 + b
+    v15 = v13 * v14
+    v16 = xp.sqrt(v15)
+    v17 = v4 - v6
+    v18 = xp.maximum(v17, 0.0)
+    v19 = v4 + v6
+    v20 = v18 * v19
+    v21 = xp.sqrt(v20)
+    v22 = v16 / v21
+    v23 = b / v4
+    v24 = v22 / v23
+    v25 = xp.arcsinh(v24)
+    v26 = nodes * v25
+    v27 = -v26
+    v28 = xp.exp(v27)
+    v29 = v25 - v26
+    v30 = (-2.0) * v29
+    v31 = xp.expm1(v30)
+    v32 = 0.0 - v31
+    v33 = v28 * v32
+    v34 = (-2.0) * v25
+    v35 = xp.expm1(v34)
+    v36 = 0.0 - v35
+    v37 = v36 > 0.0
+    v38 = xp.where(v37, v36, xp.inf)
+    v39 = v33 / v38
+    v40 = v22 * v39
+    v41 = v11 * v40
+    v42 = v40 * v40
+    v43 = 1.0 + v42
+    v44 = xp.sqrt(v43)
+    v45 = v41 / v44
+    v46 = 2.0 * v45
+    v47 = v46 / R
+    v48 = b ** 2.0
+    v49 = R * v45
+    v50 = v48 / v49
+    v51 = v47 + v50
+    v52 = v51 * v45
+    v53 = b * b
+    v54 = v45 * v45
+    v55 = v53 + v54
+    v56 = xp.sqrt(v55)
+    v57 = v52 / v56
+    v58 = v11 / v44
+    v59 = xp.arctan2(v56, v58)
+    v60 = v57 * v59
+    v61 = v23 * v23
+    v62 = v61 + v42
+    v63 = xp.sqrt(v62)
+    v64 = v44 * v44
+    v65 = v64 * v44
+    v66 = v63 / v65
+    v67 = v60 * v66
+    v68 = v25 * xp.sum(weights * v67, axis=0)
+    v69 = v11 * v68
+    v70 = xp.where(v5, 0.5 * b, v2)
+    v71 = xp.where(v5, v69, 0.0)
+    v72 = 0.6366197723675814 * v71
+    v73 = xp.where(v3, 0.5 * v2, r)
+    v74 = v2 - b
+    v75 = v2 + b
+    v76 = v74 * v75
+    v77 = xp.sqrt(v76)
+    v78 = v2 * v77
+    v79 = v78 / R
+    v80 = v73 < b
+    v81 = xp.where(v80, v73, 0.5 * b)
+    v82 = xp.where(v80, 2.0 * b, v73)
+    v83 = v82 - b
+    v84 = v82 + b
+    v85 = v83 * v84
+    v86 = 2.0 * R
+    v87 = v85 / v86
+    v88 = xp.where(v80, 0.0, v87)
+    v89 = v79 - v88
+    v90 = xp.where(v3, v72, v89)
+    v91 = xp.where(v1, 0.5 * b, a)
+    v92 = xp.where(v1, v90, xp.nan)
+    return v92
 
 
 def force(xp, a, R, b, E_star):
@@ -239,6 +334,93 @@ def mean_pressure(xp, a, R, b, E_star):
     return v16
 
 
+def pressure(xp, r, a, R, b, E_star):
+    nodes, weights = nodes_along(xp, 64, r, a, R, b, E_star)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = r < v2
+    v4 = xp.where(v3, r, 0.5 * v2)
+    v5 = v4 == b
+    v6 = v2 > b
+    v7 = v5 & v6
+    v8 = E_star / 3.141592653589793
+    v9 = xp.nextafter(b, xp.inf)
+    v10 = xp.where(v5, v9, v4)
+    v11 = xp.maximum(v10, b)
+    v12 = v2 > v11
+    v13 = xp.where(v12, v2, 2.0 * v11)
+    v14 = v10 < b
+    v15 = xp.where(v14, v10, 0.5 * b)
+    v16 = v13 - b
+    v17 = xp.maximum(v16, 0.0)
+    v18 = v13 + b
+    v19 = v17 * v18
+    v20 = xp.sqrt(v19)
+    v21 = xp.where(v14, 2.0 * b, v10)
+    v22 = v13 - v21
+    v23 = xp.maximum(v22, 0.0)
+    v24 = v13 + v21
+    v25 = v23 * v24
+    v26 = xp.sqrt(v25)
+    v27 = xp.where(v14, v20, v26)
+    v28 = v10 - b
+    v29 = xp.absolute(v28)
+    v30 = v10 + b
+    v31 = v29 * v30
+    v32 = xp.sqrt(v31)
+    v33 = v27 / v32
+    v34 = xp.arcsinh(v33)
+    v35 = nodes * v34
+    v36 = v13 - b
+    v37 = xp.maximum(v36, 0.0)
+    v38 = v13 + b
+    v39 = v37 * v38
+    v40 = xp.sqrt(v39)
+    v41 = -v35
+    v42 = xp.exp(v41)
+    v43 = xp.where(v14, v10, 0.5 * b)
+    v44 = xp.where(v14, 2.0 * b, v10)
+    v45 = xp.where(v14, 0.0, 1.0)
+    v46 = 2.0 * v45
+    v47 = 1.0 - v46
+    v48 = v34 - v35
+    v49 = (-2.0) * v48
+    v50 = xp.expm1(v49)
+    v51 = v47 * v50
+    v52 = v46 - v51
+    v53 = v42 * v52
+    v54 = (-2.0) * v34
+    v55 = xp.expm1(v54)
+    v56 = v47 * v55
+    v57 = v46 - v56
+    v58 = v57 > 0.0
+    v59 = xp.where(v58, v57, xp.inf)
+    v60 = v53 / v59
+    v61 = v40 * v60
+    v62 = 2.0 * v61
+    v63 = v62 / R
+    v64 = b ** 2.0
+    v65 = R * v61
+    v66 = v64 / v65
+    v67 = v63 + v66
+    v68 = v67 * v61
+    v69 = b * b
+    v70 = v61 * v61
+    v71 = v69 + v70
+    v72 = xp.sqrt(v71)
+    v73 = v68 / v72
+    v74 = v34 * xp.sum(weights * v73, axis=0)
+    v75 = xp.where(v12, 0.5 * v11, v2)
+    v76 = xp.where(v12, v74, 0.0)
+    v77 = v8 * v76
+    v78 = xp.where(v7, xp.inf, v77)
+    v79 = xp.where(v3, 2.0 * v2, r)
+    v80 = xp.where(v3, v78, 0.0)
+    v81 = xp.where(v1, 0.5 * b, a)
+    v82 = xp.where(v1, v80, xp.nan)
+    return v82
+
+
 def profile(xp, r, R, b):
     v0 = r < b
     v1 = xp.where(v0, r, 0.5 * b)
@@ -319,41 +501,37 @@ def radius_from_force(xp, F, R, b, E_star):
     v43 = xp.where(F > 0.0, F, 1.0)
     v44 = xp.minimum(v42, xp.inf)
     for _ in range(6):
-        v46 = 2.0 * E_star
-        v47 = 3.0 * R
-        v48 = v46 / v47
-        v49 = v44 * v44
-        v50 = 1.0 + v49
-        v51 = xp.sqrt(v50)
-        v52 = b * v51
-        v53 = v52 ** 2.0
-        v54 = 2.0 * v53
-        v55 = b ** 2.0
-        v56 = v54 + v55
-        v57 = v48 * v56
-        v58 = b * v44
-        v59 = v57 * v58
-        v60 = v46 * v58
-        v61 = v60 * v58
-        v62 = 2.0 * v58
-        v63 = v62 / R
-        v64 = R * v58
-        v65 = v55 / v64
-        v66 = v63 + v65
-        v67 = v61 * v66
-        v68 = v67 / v59
-        v69 = xp.log(v43 / v59)
-        v70 = v69 / 1.0
-        v71 = v69 / 3.0
-        v72 = xp.minimum(xp.maximum(v69 / v68, xp.minimum(v70, v71)), xp.maximum(v70, v71))
-        v73 = xp.where(v59 < xp.inf, v72, 0.0)
-        v44 = xp.minimum(v44 * xp.exp(v73), xp.inf)
-    v75 = xp.where(F > 0.0, v44, 0.0 * F)
-    v76 = v75 * v75
-    v77 = 1.0 + v76
-    v78 = xp.sqrt(v77)
-    v79 = b * v78
-    return v79
+        v46 = v44 * v44
+        v47 = 1.0 + v46
+        v48 = xp.sqrt(v47)
+        v49 = b * v48
+        v50 = v49 ** 2.0
+        v51 = 2.0 * v50
+        v52 = v51 + v6
+        v53 = v2 * v52
+        v54 = b * v44
+        v55 = v53 * v54
+        v56 = v0 * v54
+        v57 = v56 * v54
+        v58 = 2.0 * v54
+        v59 = v58 / R
+        v60 = R * v54
+        v61 = v6 / v60
+        v62 = v59 + v61
+        v63 = v57 * v62
+        v64 = v63 / v55
+        v65 = xp.log(v43 / v55)
+        v66 = v65 / 1.0
+        v67 = v65 / 3.0
+        v68 = xp.minimum(xp.maximum(v65 / v64, xp.minimum(v66, v67)), xp.maximum(v66, v67))
+        v69 = xp.where(v55 < xp.inf, v68, 0.0)
+        v44 = xp.minimum(v44 * xp.exp(v69), xp.inf)
+    v71 = xp.where(F > 0.0, v44, 0.0 * F)
+    v72 = v71 * v71
+    v73 = 1.0 + v72
+    v74 = xp.sqrt(v73)
+    v75 = b * v74
+    return v75
 
 
 def stiffness(xp, a, E_star):

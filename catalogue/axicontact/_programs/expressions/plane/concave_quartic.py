@@ -7,39 +7,41 @@ def depth(xp, L, P, a, h, E_star):
     v2 = v1 / 8.0
     v3 = v2 * 0.999999999999999
     v4 = v3 <= P
-    v5 = a <= L
-    v6 = xp.where(v5, a, 0.5 * L)
-    v7 = 2.0 * P
-    v8 = L - v6
-    v9 = v6 + L
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v8 + v11
-    v13 = v12 / v6
-    v14 = xp.log1p(v13)
-    v15 = v7 * v14
-    v16 = 3.141592653589793 * E_star
-    v17 = v15 / v16
-    v18 = h * L
-    v19 = v6 ** 2.0
-    v20 = L ** 2.0
-    v21 = 3.0 * v20
-    v22 = v19 + v21
-    v23 = v18 * v22
-    v24 = v19 * v11
-    v25 = L * v20
-    v26 = 2.0 * v25
-    v27 = v24 + v26
-    v28 = 2.0 * v20
-    v29 = v28 * v11
-    v30 = v27 + v29
-    v31 = 2.0 * v30
-    v32 = v23 / v31
-    v33 = v17 - v32
-    v34 = xp.where(v5, 2.0 * L, a)
-    v35 = xp.where(v5, v33, xp.nan)
-    v36 = xp.where(v4, v35, xp.nan)
-    return v36
+    v5 = xp.where(v4, v3, 0.5 * P)
+    v6 = a <= L
+    v7 = xp.where(v6, a, 0.5 * L)
+    v8 = 2.0 * P
+    v9 = L - v7
+    v10 = v7 + L
+    v11 = v9 * v10
+    v12 = xp.sqrt(v11)
+    v13 = v9 + v12
+    v14 = v13 / v7
+    v15 = xp.log1p(v14)
+    v16 = v8 * v15
+    v17 = 3.141592653589793 * E_star
+    v18 = v16 / v17
+    v19 = h * L
+    v20 = v7 ** 2.0
+    v21 = L ** 2.0
+    v22 = 3.0 * v21
+    v23 = v20 + v22
+    v24 = v19 * v23
+    v25 = v20 * v12
+    v26 = L * v21
+    v27 = 2.0 * v26
+    v28 = v25 + v27
+    v29 = 2.0 * v21
+    v30 = v29 * v12
+    v31 = v28 + v30
+    v32 = 2.0 * v31
+    v33 = v24 / v32
+    v34 = v18 - v33
+    v35 = xp.where(v6, 2.0 * L, a)
+    v36 = xp.where(v6, v34, xp.nan)
+    v37 = xp.where(v4, 2.0 * P, v3)
+    v38 = xp.where(v4, v36, xp.nan)
+    return v38
 
 
 def minimum_load(xp, h, E_star):
@@ -55,33 +57,35 @@ def pressure(xp, x, P, a, h, E_star):
     v2 = v1 / 8.0
     v3 = v2 * 0.999999999999999
     v4 = v3 <= P
-    v5 = x <= a
-    v6 = P > 0.0
-    v7 = v5 & v6
-    v8 = P - v2
-    v9 = 3.141592653589793 * E_star
-    v10 = v9 * h
-    v11 = 2.0 * x
-    v12 = v11 - a
-    v13 = v12 ** 2.0
-    v14 = v10 * v13
-    v15 = a + v11
-    v16 = v15 ** 2.0
-    v17 = v14 * v16
-    v18 = a ** 2.0
-    v19 = v18 ** 2.0
-    v20 = 8.0 * v19
-    v21 = v17 / v20
-    v22 = v8 + v21
-    v23 = a - x
-    v24 = a + x
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = 3.141592653589793 * v26
-    v28 = v22 / v27
-    v29 = xp.where(v7, v28, 0.0)
-    v30 = xp.where(v4, v29, xp.nan)
-    return v30
+    v5 = xp.where(v4, v3, 0.5 * P)
+    v6 = x <= a
+    v7 = P > 0.0
+    v8 = v6 & v7
+    v9 = P - v2
+    v10 = 3.141592653589793 * E_star
+    v11 = v10 * h
+    v12 = 2.0 * x
+    v13 = v12 - a
+    v14 = v13 ** 2.0
+    v15 = v11 * v14
+    v16 = a + v12
+    v17 = v16 ** 2.0
+    v18 = v15 * v17
+    v19 = a ** 2.0
+    v20 = v19 ** 2.0
+    v21 = 8.0 * v20
+    v22 = v18 / v21
+    v23 = v9 + v22
+    v24 = a - x
+    v25 = a + x
+    v26 = v24 * v25
+    v27 = xp.sqrt(v26)
+    v28 = 3.141592653589793 * v27
+    v29 = v23 / v28
+    v30 = xp.where(v8, v29, 0.0)
+    v31 = xp.where(v4, 2.0 * P, v3)
+    v32 = xp.where(v4, v30, xp.nan)
+    return v32
 
 
 def profile(xp, x, a, h):
@@ -105,53 +109,55 @@ def slope(xp, x, P, a, h, E_star):
     v2 = v1 / 8.0
     v3 = v2 * 0.999999999999999
     v4 = v3 <= P
-    v5 = x >= a
-    v6 = xp.where(v5, x, 2.0 * a)
-    v7 = P > 0.0
-    v8 = (-2.0) * P
-    v9 = 3.141592653589793 * E_star
-    v10 = v6 - a
-    v11 = a + v6
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v9 * v13
-    v15 = v8 / v14
-    v16 = a ** 2.0
-    v17 = h * v16
-    v18 = v6 ** 2.0
-    v19 = 8.0 * v18
-    v20 = v16 + v19
-    v21 = v17 * v20
-    v22 = v13 ** 2.0
-    v23 = v22 ** 2.0
-    v24 = 8.0 * v23
-    v25 = v6 * v18
-    v26 = 8.0 * v25
-    v27 = v26 * v13
-    v28 = v24 + v27
-    v29 = v16 ** 2.0
-    v30 = 3.0 * v29
-    v31 = v28 + v30
-    v32 = 12.0 * v16
-    v33 = v32 * v22
-    v34 = v31 + v33
-    v35 = 2.0 * v34
-    v36 = v35 * v13
-    v37 = v21 / v36
-    v38 = v15 - v37
-    v39 = xp.where(v7, v38, 0.0)
-    v40 = xp.where(v5, 0.5 * a, x)
-    v41 = (-4.0) * h
-    v42 = v40 ** 2.0
-    v43 = v40 * v42
+    v5 = xp.where(v4, v3, 0.5 * P)
+    v6 = x >= a
+    v7 = xp.where(v6, x, 2.0 * a)
+    v8 = P > 0.0
+    v9 = (-2.0) * P
+    v10 = 3.141592653589793 * E_star
+    v11 = v7 - a
+    v12 = a + v7
+    v13 = v11 * v12
+    v14 = xp.sqrt(v13)
+    v15 = v10 * v14
+    v16 = v9 / v15
+    v17 = a ** 2.0
+    v18 = h * v17
+    v19 = v7 ** 2.0
+    v20 = 8.0 * v19
+    v21 = v17 + v20
+    v22 = v18 * v21
+    v23 = v14 ** 2.0
+    v24 = v23 ** 2.0
+    v25 = 8.0 * v24
+    v26 = v7 * v19
+    v27 = 8.0 * v26
+    v28 = v27 * v14
+    v29 = v25 + v28
+    v30 = v17 ** 2.0
+    v31 = 3.0 * v30
+    v32 = v29 + v31
+    v33 = 12.0 * v17
+    v34 = v33 * v23
+    v35 = v32 + v34
+    v36 = 2.0 * v35
+    v37 = v36 * v14
+    v38 = v22 / v37
+    v39 = v16 - v38
+    v40 = xp.where(v8, v39, 0.0)
+    v41 = xp.where(v6, 0.5 * a, x)
+    v42 = (-4.0) * h
+    v43 = v41 ** 2.0
     v44 = v41 * v43
-    v45 = a ** 2.0
-    v46 = v45 ** 2.0
-    v47 = v44 / v46
-    v48 = -v47
-    v49 = xp.where(v5, v39, v48)
-    v50 = xp.where(v4, v49, xp.nan)
-    return v50
+    v45 = v42 * v44
+    v46 = a ** 2.0
+    v47 = v46 ** 2.0
+    v48 = v45 / v47
+    v49 = -v48
+    v50 = xp.where(v6, v40, v49)
+    v51 = xp.where(v4, 2.0 * P, v3)
+    v52 = xp.where(v4, v50, xp.nan)
+    return v52
 
 
 def zero_distance(xp, a):

@@ -27,14 +27,16 @@ def stick_radius(xp, F_x, a, theta, E_star, mu):
     v11 = xp.absolute(v10)
     v12 = 2e-16 * v8
     v13 = v11 <= v12
-    v14 = xp.where(v13, 0.0, v10)
-    v15 = v14 >= 0.0
-    v16 = xp.where(v15, v14, xp.nan)
-    v17 = 2.0 * v16
-    v18 = v17 / v5
-    v19 = xp.sqrt(v18)
-    v20 = xp.where(v2, a, v19)
-    return v20
+    v14 = xp.where(v13, v11, 0.5 * v12)
+    v15 = xp.where(v13, 2.0 * v12, v11)
+    v16 = xp.where(v13, 0.0, v10)
+    v17 = v16 >= 0.0
+    v18 = xp.where(v17, v16, xp.nan)
+    v19 = 2.0 * v18
+    v20 = v19 / v5
+    v21 = xp.sqrt(v20)
+    v22 = xp.where(v2, a, v21)
+    return v22
 
 
 def tangential_displacement(xp, a, c, theta, E_star, G_star, mu):

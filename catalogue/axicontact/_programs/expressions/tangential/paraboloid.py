@@ -26,13 +26,15 @@ def stick_radius(xp, F_x, a, R, E_star, mu):
     v12 = xp.absolute(v11)
     v13 = 2e-16 * v9
     v14 = v12 <= v13
-    v15 = xp.where(v14, 0.0, v11)
-    v16 = v15 >= 0.0
-    v17 = xp.where(v16, v15, xp.nan)
-    v18 = v5 * v17
-    v19 = xp.cbrt(v18)
-    v20 = xp.where(v2, a, v19)
-    return v20
+    v15 = xp.where(v14, v12, 0.5 * v13)
+    v16 = xp.where(v14, 2.0 * v13, v12)
+    v17 = xp.where(v14, 0.0, v11)
+    v18 = v17 >= 0.0
+    v19 = xp.where(v18, v17, xp.nan)
+    v20 = v5 * v19
+    v21 = xp.cbrt(v20)
+    v22 = xp.where(v2, a, v21)
+    return v22
 
 
 def tangential_displacement(xp, a, c, R, E_star, G_star, mu):

@@ -27,26 +27,28 @@ def stick_radius(xp, F_x, a, A, E_star, mu):
     v10 = xp.absolute(v9)
     v11 = 2e-16 * v7
     v12 = v10 <= v11
-    v13 = xp.where(v12, 0.0, v9)
-    v14 = v13 >= 0.0
-    v15 = xp.where(v14, v13, xp.nan)
-    v16 = 15.0 * v15
-    v17 = v16 / v4
-    v18 = v17 > 0.0
-    v19 = v17 < xp.inf
-    v20 = v18 & v19
-    v21 = v17 ** 0.2
-    v22 = v21 ** 5.0
-    v23 = v21 ** 0.0
-    v24 = v22 * v23
-    v25 = v17 / v24
-    v26 = v25 - 1.0
-    v27 = v26 / 5.0
-    v28 = v21 * v27
-    v29 = v21 + v28
-    v30 = xp.where(v20, v29, v21)
-    v31 = xp.where(v2, a, v30)
-    return v31
+    v13 = xp.where(v12, v10, 0.5 * v11)
+    v14 = xp.where(v12, 2.0 * v11, v10)
+    v15 = xp.where(v12, 0.0, v9)
+    v16 = v15 >= 0.0
+    v17 = xp.where(v16, v15, xp.nan)
+    v18 = 15.0 * v17
+    v19 = v18 / v4
+    v20 = v19 > 0.0
+    v21 = v19 < xp.inf
+    v22 = v20 & v21
+    v23 = v19 ** 0.2
+    v24 = v23 ** 5.0
+    v25 = v23 ** 0.0
+    v26 = v24 * v25
+    v27 = v19 / v26
+    v28 = v27 - 1.0
+    v29 = v28 / 5.0
+    v30 = v23 * v29
+    v31 = v23 + v30
+    v32 = xp.where(v22, v31, v23)
+    v33 = xp.where(v2, a, v32)
+    return v33
 
 
 def tangential_displacement(xp, a, c, A, E_star, G_star, mu):

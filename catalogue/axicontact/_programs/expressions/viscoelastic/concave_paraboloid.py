@@ -7,13 +7,15 @@ def step_force_kelvin_voigt(xp, t, d, a, h, E, eta):
     v2 = 2.0 * h
     v3 = v2 * 0.999999999999999
     v4 = v3 <= d
-    v5 = 2.0 * a
-    v6 = v2 / 3.0
-    v7 = d + v6
-    v8 = v5 * v7
-    v9 = xp.where(v4, v8, xp.nan)
-    v10 = v1 * v9
-    return v10
+    v5 = xp.where(v4, v3, 0.5 * d)
+    v6 = 2.0 * a
+    v7 = v2 / 3.0
+    v8 = d + v7
+    v9 = v6 * v8
+    v10 = xp.where(v4, 2.0 * d, v3)
+    v11 = xp.where(v4, v9, xp.nan)
+    v12 = v1 * v11
+    return v12
 
 
 def step_force_maxwell(xp, t, d, a, h, E, tau):
@@ -24,13 +26,15 @@ def step_force_maxwell(xp, t, d, a, h, E, tau):
     v4 = 2.0 * h
     v5 = v4 * 0.999999999999999
     v6 = v5 <= d
-    v7 = 2.0 * a
-    v8 = v4 / 3.0
-    v9 = d + v8
-    v10 = v7 * v9
-    v11 = xp.where(v6, v10, xp.nan)
-    v12 = v3 * v11
-    return v12
+    v7 = xp.where(v6, v5, 0.5 * d)
+    v8 = 2.0 * a
+    v9 = v4 / 3.0
+    v10 = d + v9
+    v11 = v8 * v10
+    v12 = xp.where(v6, 2.0 * d, v5)
+    v13 = xp.where(v6, v11, xp.nan)
+    v14 = v3 * v13
+    return v14
 
 
 def step_force_power_creep(xp, t, d, a, h, E, alpha, t_0):
@@ -44,13 +48,15 @@ def step_force_power_creep(xp, t, d, a, h, E, alpha, t_0):
     v7 = 2.0 * h
     v8 = v7 * 0.999999999999999
     v9 = v8 <= d
-    v10 = 2.0 * a
-    v11 = v7 / 3.0
-    v12 = d + v11
-    v13 = v10 * v12
-    v14 = xp.where(v9, v13, xp.nan)
-    v15 = v6 * v14
-    return v15
+    v10 = xp.where(v9, v8, 0.5 * d)
+    v11 = 2.0 * a
+    v12 = v7 / 3.0
+    v13 = d + v12
+    v14 = v11 * v13
+    v15 = xp.where(v9, 2.0 * d, v8)
+    v16 = xp.where(v9, v14, xp.nan)
+    v17 = v6 * v16
+    return v17
 
 
 def step_force_standard_solid(xp, t, d, a, h, E_inf, E_1, tau):
@@ -62,10 +68,12 @@ def step_force_standard_solid(xp, t, d, a, h, E_inf, E_1, tau):
     v5 = 2.0 * h
     v6 = v5 * 0.999999999999999
     v7 = v6 <= d
-    v8 = 2.0 * a
-    v9 = v5 / 3.0
-    v10 = d + v9
-    v11 = v8 * v10
-    v12 = xp.where(v7, v11, xp.nan)
-    v13 = v4 * v12
-    return v13
+    v8 = xp.where(v7, v6, 0.5 * d)
+    v9 = 2.0 * a
+    v10 = v5 / 3.0
+    v11 = d + v10
+    v12 = v9 * v11
+    v13 = xp.where(v7, 2.0 * d, v6)
+    v14 = xp.where(v7, v12, xp.nan)
+    v15 = v4 * v14
+    return v15

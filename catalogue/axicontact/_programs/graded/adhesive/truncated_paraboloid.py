@@ -7,6 +7,7 @@ from math import nan, pow, sqrt
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.adhesive import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(np.nan)
@@ -134,6 +135,17 @@ def block_depth_all(out, a, R, b, H, k, dgamma, t0, t1, m0, m1, f0):
     if some39 != size:
         np.copyto(t1, C0, where=~m0)
     np.subtract(out, t1, out)
+
+
+def displacement(r, a, R, b, H, k, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            value = bodies._displacement(r, a, R, b, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def force(a, R, b, H, k, dgamma):
@@ -297,6 +309,50 @@ def block_force_all(out, a, R, b, H, k, dgamma, t0, t1, t2, t3, t4, m0, m1, m2, 
         np.copyto(t1, C0, where=~m1)
     np.multiply(out, t1, t1)
     np.subtract(t2, t1, out)
+
+
+def pressure(r, a, R, b, H, k, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30) and (b <= a):
+        try:
+            value = bodies._pressure(r, a, R, b, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R, b, H, k, dgamma, control):
+    if R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and R > 1e-30 and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, b, H, k, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, b, H, k, dgamma):
+    if d.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, b, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, b, H, k, dgamma):
+    if F.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, b, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 BLOCKS = {

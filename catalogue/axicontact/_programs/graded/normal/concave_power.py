@@ -8,11 +8,78 @@ import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
 from ...._runtime.plain import rule
+from ...._programs.bodies.graded.normal import concave_power as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(1.0)
 C2 = np.array(0.0)
 RULE_0 = rule(((3.0, 32), (20.0, 64), (inf, 128)))
+
+
+def depth_from_force(F, a, h, n, H, k):
+    if F.__class__ is a.__class__ is h.__class__ is n.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth_from_force(F, a, h, n, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, d, a, h, n, k):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is n.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._displacement(r, d, a, h, n, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(d, a, h, n, H, k):
+    if d.__class__ is a.__class__ is h.__class__ is n.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force(d, a, h, n, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def minimum_depth(a, h, n, k):
+    if a.__class__ is h.__class__ is n.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._minimum_depth(a, h, n, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def minimum_force(a, h, n, H, k):
+    if a.__class__ is h.__class__ is n.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._minimum_force(a, h, n, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, d, a, h, n, H, k):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is n.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._pressure(r, d, a, h, n, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def stiffness(a, H, k, h=1.0, n=1.0):

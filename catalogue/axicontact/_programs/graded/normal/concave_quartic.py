@@ -7,6 +7,7 @@ from math import inf, nan, pow, sqrt
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.normal import concave_quartic as bodies
 
 C0 = np.array(-4.0)
 C1 = np.array(1.0)
@@ -19,6 +20,39 @@ C7 = np.array(np.nan)
 C8 = np.array(0.999999999999999)
 C9 = np.array(3.141592653589793)
 C10 = np.array(0.5)
+
+
+def depth_from_force(F, a, h, H, k):
+    if F.__class__ is a.__class__ is h.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth_from_force(F, a, h, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, d, a, h, k):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._displacement(r, d, a, h, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(d, a, h, H, k):
+    if d.__class__ is a.__class__ is h.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force(d, a, h, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def minimum_depth(a, h, k):
@@ -46,6 +80,17 @@ def block_minimum_depth_all_signed(out, a, h, k, t0, t1):
     np.divide(t0, t1, t1)
     np.multiply(C4, a, t0)
     np.add(t1, t0, out)
+
+
+def minimum_force(a, h, H, k):
+    if a.__class__ is h.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._minimum_force(a, h, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def pressure(r, d, a, h, H, k):

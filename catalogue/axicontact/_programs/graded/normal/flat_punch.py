@@ -7,6 +7,7 @@ from math import inf, pow, sqrt
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.normal import flat_punch as bodies
 
 C0 = np.array(2.0)
 C1 = np.array(1.0)
@@ -67,6 +68,17 @@ def block_depth_from_force_all(out, F, a, H, k, t0, m0):
         np.copyto(out, C2, where=~m0)
     np.multiply(t0, out, out)
     np.divide(F, out, out)
+
+
+def displacement(r, d, a, k):
+    if r.__class__ is d.__class__ is a.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._displacement(r, d, a, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def force(d, a, H, k):

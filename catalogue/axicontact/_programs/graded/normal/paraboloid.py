@@ -7,10 +7,110 @@ from math import pow
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.normal import paraboloid as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(2.0)
 C2 = np.array(1.0)
+
+
+def depth(a, R, k):
+    if a.__class__ is R.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth(a, R, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth_from_force(F, R, H, k):
+    if F.__class__ is R.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth_from_force(F, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R, k):
+    if r.__class__ is a.__class__ is R.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._displacement(r, a, R, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, H, k):
+    if a.__class__ is R.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force(a, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force_from_depth(d, R, H, k):
+    if d.__class__ is R.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force_from_depth(d, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, R, H, k):
+    if a.__class__ is R.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._mean_pressure(a, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, R, H, k):
+    if r.__class__ is a.__class__ is R.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._pressure(r, a, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, k):
+    if d.__class__ is R.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_depth(d, R, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, H, k):
+    if F.__class__ is R.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_force(F, R, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def stiffness(a, H, k, R=1.0):

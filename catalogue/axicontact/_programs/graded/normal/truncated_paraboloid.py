@@ -7,6 +7,7 @@ from math import nan, pow, sqrt
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.normal import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(np.nan)
@@ -102,6 +103,28 @@ def block_depth_all(out, a, R, b, k, t0, t1, m0, m1, f0):
         np.divide(t1, R, out)
     if some25 != size:
         np.copyto(out, C1, where=~m0)
+
+
+def depth_from_force(F, R, b, H, k):
+    if F.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth_from_force(F, R, b, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R, b, k):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (k > 1e-30) and (k < 1.0) and (b <= a):
+        try:
+            value = bodies._displacement(r, a, R, b, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def force(a, R, b, H, k):
@@ -228,6 +251,17 @@ def block_force_all(out, a, R, b, H, k, t0, t1, t2, m0, m1, f0):
         np.multiply(t2, out, out)
     if some43 != size:
         np.copyto(out, C1, where=~m0)
+
+
+def force_from_depth(d, R, b, H, k):
+    if d.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force_from_depth(d, R, b, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def mean_pressure(a, R, b, H, k):
@@ -362,6 +396,39 @@ def block_mean_pressure_all(out, a, R, b, H, k, t0, t1, t2, m0, m1, f0):
     np.multiply(C5, a, t2)
     np.multiply(t2, a, t2)
     np.divide(out, t2, out)
+
+
+def pressure(r, a, R, b, H, k):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (b <= a):
+        try:
+            value = bodies._pressure(r, a, R, b, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, b, k):
+    if d.__class__ is R.__class__ is b.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_depth(d, R, b, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, b, H, k):
+    if F.__class__ is R.__class__ is b.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_force(F, R, b, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def stiffness(a, H, k, R=1.0, b=1.0):

@@ -7,10 +7,22 @@ from math import pow
 import numpy as np
 
 from ...._runtime.arrays.blocks import Program, largest
+from ...._programs.bodies.graded.normal import wavy_paraboloid as bodies
 
 C0 = np.array(0.0)
 C1 = np.array(2.0)
 C2 = np.array(1.0)
+
+
+def displacement(r, a, R, h, wavelength, k):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._displacement(r, a, R, h, wavelength, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def stiffness(a, H, k, R=1.0, h=1.0, wavelength=1.0):

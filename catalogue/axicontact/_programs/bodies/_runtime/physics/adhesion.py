@@ -1,13 +1,18 @@
-"""Bodies of axicontact._runtime.physics.adhesion over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.physics.adhesion over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
-from ....._runtime.physics.adhesion import Array, ROUNDING
+from ....._runtime.physics.adhesion import Array, ROUNDING, XI
 from ....._runtime.plain import integral
 from ....._runtime.plain import MATH as np
+
+
+def least_steepness(control: str, E_star: Array, dgamma: Array) -> Array:
+    """The sqrt(a) g'(a) beyond which the load grows with the contact radius."""
+    return XI[control] * np.sqrt(np.pi * dgamma / (2.0 * E_star))
 
 
 def hess_retraction(a: Array, E_star: Array, dgamma: Array) -> Array:
@@ -15,16 +20,21 @@ def hess_retraction(a: Array, E_star: Array, dgamma: Array) -> Array:
     return np.sqrt(a) * np.sqrt(2.0 * np.pi * dgamma / E_star)
 
 
+def pull(a: Array, E_star: Array, dgamma: Array) -> Array:
+    """Force of the flat punch moved by the retraction."""
+    return 2.0 * E_star * a * hess_retraction(a, E_star, dgamma)
+
+
 def tension(r: Array, a: Array, E_star: Array, dgamma: Array) -> Array:
     """Its pressure: infinite at the edge, zero outside."""
     moved = hess_retraction(a, E_star, dgamma)
-    inside = np.where(moved > 0.0, E_star * moved / (np.pi * difference_root(a, r)), 0.0)
-    return np.where(r <= a, inside, 0.0)
+    inside = E_star * moved / (np.pi * difference_root(a, r)) if moved > 0.0 else 0.0
+    return inside if r <= a else 0.0
 
 
 def lift(r: Array, a: Array, E_star: Array, dgamma: Array) -> Array:
     """Its surface displacement."""
-    share = np.where(r > a, 2.0 / np.pi * np.arctan2(a, difference_root(r, a)), 1.0)
+    share = 2.0 / np.pi * np.arctan2(a, difference_root(r, a)) if r > a else 1.0
     return hess_retraction(a, E_star, dgamma) * share
 
 
@@ -35,11 +45,11 @@ def power_law_radius(value: Array, a_c: Array, least: Array, p: Array, q: float,
     `plain` is the radius without adhesion, which remains where the pull is nothing to the load.
     """
     m = p / q + np.zeros_like(value)
-    e = np.where(least < 0.0, 1.0 - value / np.where(least < 0.0, least, -1.0), np.inf)
-    e = np.where(np.abs(e) < ROUNDING, 0.0, e)
-    s = _growth(np.where(e > 0.0, e, 1.0), m)
-    a = a_c * (1.0 + np.where(e == 0.0, 0.0, s)) ** (1.0 / q)
-    return np.where(e < 0.0, np.nan, np.where(np.isfinite(e), a, np.where(value >= 0.0, plain, np.nan)))
+    e = 1.0 - value / (least if least < 0.0 else -1.0) if least < 0.0 else np.inf
+    e = 0.0 if np.abs(e) < ROUNDING else e
+    s = _growth(e if e > 0.0 else 1.0, m)
+    a = a_c * (1.0 + (0.0 if e == 0.0 else s)) ** (1.0 / q)
+    return np.nan if e < 0.0 else a if np.isfinite(e) else plain if value >= 0.0 else np.nan
 
 
 def _growth(e: Array, m: Array) -> Array:
@@ -47,20 +57,16 @@ def _growth(e: Array, m: Array) -> Array:
 
     def curve(s: Array) -> tuple[Array, Array]:
         log = np.log1p(s)
-        # the rounding of a logarithm of 60 would be felt in its exponential
-        more = np.where((s > 1.0) & ((m - 1.0) * log > 1.0), (1.0 + s) ** (m - 1.0) - 1.0, np.expm1((m - 1.0) * log))
+        more = (1.0 + s) ** (m - 1.0) - 1.0 if (s > 1.0) & ((m - 1.0) * log > 1.0) else np.expm1((m - 1.0) * log)
         rate = m * more / (m - 1.0)
-        value = np.where(np.minimum(s, 4.0) * np.maximum(m, 2.0) < 4.0, near(s), (1.0 + s) * rate / m - s)
-        return value, s * rate / value
+        value = near(s) if np.minimum(s, 4.0) * np.maximum(m, 2.0) < 4.0 else (1.0 + s) * rate / m - s
+        return (value, s * rate / value)
 
     def near(s: Array) -> Array:
-        # an integral of positive terms, up to where the difference is a third of its own; at s = 1/2 it is an eighth
         s = np.minimum(s, 2.0)
         return m * s * s * integral(lambda y: (1.0 - y) * np.exp((m - 2.0) * np.log1p(s * y)), np.ones_like(s), 16)
-
-    # (1 + s)**m = 1 + (m - 1) e + m s, twice with the last s on the right
     far = 0.0
     for _ in range(3):
         far = np.expm1(np.log1p((m - 1.0) * e + m * far) / m)
-    start = np.where(e * m < 1.0, np.sqrt(2.0 * e / m), far)
+    start = np.sqrt(2.0 * e / m) if e * m < 1.0 else far
     return inverse(curve, e, start, (np.minimum(m, 2.0), np.maximum(m, 2.0)))

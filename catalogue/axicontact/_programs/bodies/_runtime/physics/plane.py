@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.physics.plane over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.physics.plane over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -18,5 +18,4 @@ def load_beyond(growth: Growth, root: Array, b: Array) -> Strip:
     def integrand(v: Array) -> Array:
         side = root * fallen(v)
         return growth(np.sqrt(b * b + side * side), side) * side
-
-    return integrand, np.minimum(stop, FADED), 1.0, True, 0.0
+    return (integrand, np.minimum(stop, FADED), 1.0, True, 0.0)

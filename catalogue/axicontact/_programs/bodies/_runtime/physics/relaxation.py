@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.physics.relaxation over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.physics.relaxation over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ....._runtime.plain import MATH as np
 def fading(x: Array, m: Array) -> Array:
     """1F1(1; m + 1; -x) = int_0^1 m (1 - y)**(m - 1) exp(-x y) dy for x >= 0 and m >= 1: positive terms only."""
     low = np.minimum(x, SWITCH)
-    term, total = np.exp(-low), np.exp(-low)
+    term, total = (np.exp(-low), np.exp(-low))
     for k in range(1, TERMS):
         term = term * low / k
         more = term * (m / (m + k))
@@ -23,7 +23,7 @@ def fading(x: Array, m: Array) -> Array:
         return total
     high = np.maximum(x, SWITCH)
     tail = integral(lambda y: m * np.exp((m - 1.0) * np.log1p(-y) - high * y), 0.999999 * SWITCH / high, 64)
-    return np.where(x <= SWITCH, total, np.where(x < np.inf, tail, 0.0))
+    return total if x <= SWITCH else tail if x < np.inf else 0.0
 
 
 def ramp_maxwell(t: Array, m: Array, E: Array, tau: Array) -> Array:
@@ -48,7 +48,7 @@ def relaxation_standard_solid(t: Array, E_inf: Array, E_1: Array, tau: Array) ->
 
 def relaxation_kelvin_voigt(t: Array, E: Array, eta: Array) -> Array:
     """For t > 0; a step of the depth needs an infinite force at t = 0."""
-    return np.where(t > 0.0, E, np.inf)
+    return E if t > 0.0 else np.inf
 
 
 def relaxation_power_creep(t: Array, E: Array, alpha: Array, t_0: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.physics.slip over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.physics.slip over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -11,17 +11,22 @@ from ....._runtime.plain import MATH as np
 
 def log_ratio(a: Array, c: Array) -> Array:
     """ln(a/c) for c <= a."""
-    return np.where(a > c, np.log1p((a - c) / c), 0.0)
+    return np.log1p((a - c) / c) if a > c else 0.0
+
+
+def gained_share(c: Array, a: Array, n: Array) -> Array:
+    """1 - (c/a)**n."""
+    return -np.expm1(-n * log_ratio(a, c))
 
 
 def root_gain(r: Array, c: Array, a: Array) -> Array:
     """sqrt(a**2 - r**2) - sqrt(c**2 - r**2) for r <= c <= a."""
-    return np.where(a > c, (a - c) * (a + c) / (difference_root(a, r) + difference_root(c, r)), 0.0)
+    return (a - c) * (a + c) / (difference_root(a, r) + difference_root(c, r)) if a > c else 0.0
 
 
 def arc_gain(r: Array, c: Array, a: Array) -> Array:
     """Integral of 1/sqrt(t**2 - r**2) from c to a."""
-    return np.log1p(((a - c) + root_gain(r, c, a)) / (c + difference_root(c, r)))
+    return np.log1p((a - c + root_gain(r, c, a)) / (c + difference_root(c, r)))
 
 
 def power_gain(r: Array, c: Array, a: Array, n: Array) -> Array:
@@ -29,60 +34,54 @@ def power_gain(r: Array, c: Array, a: Array, n: Array) -> Array:
 
     In s with t = r exp(s**2) every integrand is smooth; its nearest singularity is at abs(s) = sqrt(pi).
     """
-    growth, depth = log_ratio(a, c), log_ratio(a, r)
-    outer, inner = np.sqrt(depth), np.sqrt(log_ratio(c, r))
-    steep, rate = n > 1.0, np.abs(n - 1.0)
-    end = DECAY / np.maximum(rate, 1e-3)
-    # counted from the end where the power is largest, so that the difference to it is exact
-    start: Array = np.where(steep, outer, inner)
+    growth, depth = (log_ratio(a, c), log_ratio(a, r))
+    outer, inner = (np.sqrt(depth), np.sqrt(log_ratio(c, r)))
+    steep, rate = (n > 1.0, np.abs(n - 1.0))
+    end = DECAY / np.maximum(rate, 0.001)
+    start: Array = outer if steep else inner
     side = 1.0 - 2.0 * steep
     cut = np.sqrt(np.maximum(start * start + side * end, 0.0))
-    reach = np.where(growth > end, end / (start + cut), growth / (outer + inner))
+    reach = end / (start + cut) if growth > end else growth / (outer + inner)
 
     def integrand(step: Array) -> Array:
         fall = step * (2.0 * start + side * step)
         return np.exp(-rate * fall) * _weight(np.maximum(start + side * step, 0.0))
-
-    largest = np.where(steep, 1.0, (c / a) ** n * (a / c))
-    within = np.where(reach > 0.0, integral(integrand, reach, NODES), 0.0)
-    centre = -np.expm1(-rate * growth) / np.where(rate > 0.0, rate, 1.0)
-    return np.where(rate > 0.0, largest * np.where(r > 0.0, within, centre), arc_gain(r, c, a))
+    largest = 1.0 if steep else (c / a) ** n * (a / c)
+    within = integral(integrand, reach, NODES) if reach > 0.0 else 0.0
+    centre = -np.expm1(-rate * growth) / (rate if rate > 0.0 else 1.0)
+    return largest * (within if r > 0.0 else centre) if rate > 0.0 else arc_gain(r, c, a)
 
 
 def _weight(s: Array) -> Array:
     """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
-    return np.where(s > 0.0, 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s)), np.sqrt(2.0))
+    return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s)) if s > 0.0 else np.sqrt(2.0)
 
 
 def stick_force(F: Array, F_x: Array, mu: Array) -> Array:
     """The normal force of the stick zone, F - F_x/mu; NaN beyond full slip."""
     rest = F - F_x / mu
-    rest = np.where(np.abs(rest) <= 2e-16 * F, 0.0, rest)
-    return np.where(rest >= 0.0, rest, np.nan)
+    rest = 0.0 if np.abs(rest) <= 2e-16 * F else rest
+    return rest if rest >= 0.0 else np.nan
 
 
 @in_groups
 def growth_below(slope: Slope, order: int, r: Array, c: Array, a: Array, R: Array, close: Array) -> Strip:
     """For g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
-    scale, root, below = difference_root(R, r), difference_root(c, r), difference_root(R, c)
-    outer, last = difference_root(a, r), difference_root(R, a)
+    scale, root, below = (difference_root(R, r), difference_root(c, r), difference_root(R, c))
+    outer, last = (difference_root(a, r), difference_root(R, a))
     ratio = 2.0 * scale * _gap(a, c, outer, root) / last * ((scale + outer) / (scale + root)) / last
     holds = close & (a > c)
 
     def integrand(v: Array) -> Array:
-        even, odd = np.cosh(v), np.sinh(v)
+        even, odd = (np.cosh(v), np.sinh(v))
         secant = scale * even + root * odd
-        u, side = scale * (root * even + scale * odd) / secant, scale * below / secant
+        u, side = (scale * (root * even + scale * odd) / secant, scale * below / secant)
         t = np.sqrt(r * r + u * u)
-        return slope(t, side) * (side / scale) * (side / t) * t**order
+        return slope(t, side) * (side / scale) * (side / t) * t ** order
+    return (integrand, 0.5 * np.log1p(ratio) if holds else 0.0, 1.0, holds, 0.0)
 
-    return integrand, np.where(holds, 0.5 * np.log1p(ratio), 0.0), 1.0, holds, 0.0
 
-
-def growth_waves(
-    slope: Slope, parameters: tuple[Array, ...], order: int, r: Array, c: Array, a: Array, wavelength: Array,
-    close: Array,
-) -> Array:  # fmt: skip
+def growth_waves(slope: Slope, parameters: tuple[Array, ...], order: int, r: Array, c: Array, a: Array, wavelength: Array, close: Array) -> Array:
     """For g' that oscillates with a wavelength."""
     root = difference_root(c, r)
     gap = _gap(a, c, difference_root(a, r), root)
@@ -91,10 +90,9 @@ def growth_waves(
     def integrand(u: Array) -> Array:
         t = np.sqrt(r * r + (root + u) ** 2)
         return slope(t, *parameters) * t ** (order - 1)
-
-    return integral_in_strip(integrand, np.where(holds, gap, 0.0), wavelength, WAVES)
+    return integral_in_strip(integrand, gap if holds else 0.0, wavelength, WAVES)
 
 
 def _gap(a: Array, c: Array, outer: Array, inner: Array) -> Array:
     """outer - inner, their squares being a**2 and c**2 less the same number."""
-    return np.where(a > c, (a - c) * (a + c) / (outer + inner), 0.0)
+    return (a - c) * (a + c) / (outer + inner) if a > c else 0.0

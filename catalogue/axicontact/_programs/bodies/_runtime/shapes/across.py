@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.shapes.across over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.shapes.across over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -9,14 +9,7 @@ from ....._runtime.shapes.across import Array, Callable, NOISE, ROUNDING, Rooted
 from ....._runtime.plain import MATH as np
 
 
-def inverse_beyond(
-    curve: Rooted,
-    value: Array,
-    b: Array,
-    tip: Array | float,
-    powers: tuple[float, float] | None = None,
-    leaving: tuple[float, float] | None = None,
-) -> Array:
+def inverse_beyond(curve: Rooted, value: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None=None, leaving: tuple[float, float] | None=None) -> Array:
     """The radius at which a curve has this value that is its power `tip` up to b, where it bends or its slope jumps.
 
     `curve` gives its value and the derivative by ln radius from b on, from the radius and sqrt(radius**2 - b**2).
@@ -25,21 +18,14 @@ def inverse_beyond(
     """
     base = curve(b, np.zeros_like(b))[0]
     above = value > base
-    radius = b * nth_root(np.where(above, base, value) / base, tip)
+    radius = b * nth_root((base if above else value) / base, tip)
     if not np.count_nonzero(above):
         return radius
-    high = np.where(above, value, 2.0 * base)
-    return np.where(above, _beyond(curve, high, base, b, tip, powers, leaving), radius)
+    high = value if above else 2.0 * base
+    return _beyond(curve, high, base, b, tip, powers, leaving) if above else radius
 
 
-def inverse_across(
-    curve: Rooted,
-    value: Array,
-    b: Array,
-    tip: Array | float,
-    end: Array | None = None,
-    powers: tuple[float, float] | None = None,
-) -> Array:
+def inverse_across(curve: Rooted, value: Array, b: Array, tip: Array | float, end: Array | None=None, powers: tuple[float, float] | None=None) -> Array:
     """The same for a curve that only begins as that power: one iteration for both sides of b.
 
     Below it the root is zero, and the unknown the radius; or artanh(radius/end), for a curve that would be infinitely
@@ -53,59 +39,31 @@ def inverse_across(
 
     def both(t: Array) -> tuple[Array, Array]:
         inner = np.minimum(t, reach)
-        y, rate = curve(np.where(above, b * np.sqrt(1.0 + t * t), radius_at(inner)), np.where(above, b * t, 0.0))
+        y, rate = curve(b * np.sqrt(1.0 + t * t) if above else radius_at(inner), b * t if above else 0.0)
         more, slope = _excess(t, y, rate, base, powers[0] if powers else 2.0)
-        return np.where(above, more, y), np.where(above, slope, rate / y * share(inner))
-
-    # the curve beyond b may begin a few roundings later
+        return (more if above else y, slope if above else rate / y * share(inner))
     last, rate = curve(radius_at(reach), np.zeros_like(b))
-    wanted = np.where(above, value - base, np.minimum(value, last))
-    like = np.where(above, last, wanted) / last
+    wanted = value - base if above else np.minimum(value, last)
+    like = (last if above else wanted) / last
     start = reach * (like ** (1.0 / tip) if end is None else joining(like, rate / last * share(reach), tip, 1.0))
     if np.count_nonzero(above):
-        start = np.where(above, _start(curve, np.where(above, wanted, base), base, b, tip, powers), start)
+        start = _start(curve, wanted if above else base, base, b, tip, powers) if above else start
     least, most = (tip, np.inf) if end is None else (1.0, tip)
-    t = inverse(
-        both,
-        wanted,
-        start,
-        (np.where(above, 1.0, least), np.where(above, np.inf, most)),
-        np.where(above, np.inf, reach),
-        lambda t: np.where(above, 1.0, share(np.minimum(t, reach))),
-        smooth=True,
-        noise=np.where(above, NOISE, ROUNDING) * value,
-    )
-    return np.where(above, b * np.sqrt(1.0 + t * t), np.minimum(b, radius_at(np.minimum(t, reach))))
+    t = inverse(both, wanted, start, (1.0 if above else least, np.inf if above else most), np.inf if above else reach, lambda t: 1.0 if above else share(np.minimum(t, reach)), smooth=True, noise=(NOISE if above else ROUNDING) * value)
+    return b * np.sqrt(1.0 + t * t) if above else np.minimum(b, radius_at(np.minimum(t, reach)))
 
 
-def _beyond(
-    curve: Rooted,
-    value: Array,
-    base: Array,
-    b: Array,
-    tip: Array | float,
-    powers: tuple[float, float] | None,
-    leaving: tuple[float, float] | None = None,
-) -> Array:
+def _beyond(curve: Rooted, value: Array, base: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None, leaving: tuple[float, float] | None=None) -> Array:
     small = None if leaving else (powers or (2.0,))[0]
 
     def excess(t: Array) -> tuple[Array, Array]:
         return _excess(t, *curve(b * np.sqrt(1.0 + t * t), b * t), base, small)
-
     start = _start(curve, value - base, base, b, tip, powers, leaving)
     t = inverse(excess, value - base, start, (1.0, np.inf), smooth=True, noise=NOISE * value)
     return b * np.sqrt(1.0 + t * t)
 
 
-def _start(
-    curve: Rooted,
-    more: Array,
-    base: Array,
-    b: Array,
-    tip: Array | float,
-    powers: tuple[float, float] | None,
-    leaving: tuple[float, float] | None = None,
-) -> Array:
+def _start(curve: Rooted, more: Array, base: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None, leaving: tuple[float, float] | None=None) -> Array:
     """About the t at which the excess is this."""
     if powers is None and leaving is None:
         return np.ones_like(more)
@@ -123,6 +81,6 @@ def _excess(t: Array, y: Array, rate: Array, base: Array, small: float | None) -
 def _tip(b: Array, end: Array | None) -> tuple[Callable[[Array], Array], Callable[[Array], Array], Array]:
     """The radius of the unknown up to b; the derivative of its logarithm by that of the unknown; the unknown at b."""
     if end is None:
-        return lambda t: t, np.ones_like, b
+        return (lambda t: t, np.ones_like, b)
     reach = np.arctanh(np.minimum(b / end, 1.0 - ROUNDING))
-    return lambda t: end * np.tanh(t), lambda t: t / (np.sinh(t) * np.cosh(t)), reach
+    return (lambda t: end * np.tanh(t), lambda t: t / (np.sinh(t) * np.cosh(t)), reach)

@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.shapes.arcs over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.shapes.arcs over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ def arc_strips(r: Array, a: Array, R: Array) -> Array:
     It is chi(high) - chi(low) with low high = (r/(R + sqrt(R**2 - r**2)))**2 and chi(x) = x + x**3/9 + x**5/25 + ...;
     with chi(x) = x P(x**2) the difference quotient of P is summed along with P, so that nothing is subtracted.
     """
-    reach, below = difference_root(a, r), R + difference_root(R, r)
+    reach, below = (difference_root(a, r), R + difference_root(R, r))
     high = (a + reach) / below
     low = r * (r / (a + reach)) / below
-    upper, lower = high * high, low * low
-    value, quotient = LEGENDRE_CHI[0][-1], 0.0
+    upper, lower = (high * high, low * low)
+    value, quotient = (LEGENDRE_CHI[0][-1], 0.0)
     for coefficient in LEGENDRE_CHI[0][-2::-1]:
         quotient = quotient * lower + value
         value = value * upper + coefficient
@@ -27,7 +27,7 @@ def arc_strips(r: Array, a: Array, R: Array) -> Array:
     beyond = high > END
     if not np.any(beyond):
         return near
-    return np.where(beyond, pressure_integral_tanh(_arc_rate, (), r, a, R), near)
+    return pressure_integral_tanh(_arc_rate, (), r, a, R) if beyond else near
 
 
 def _arc_rate(t: Array, root: Array) -> Array:

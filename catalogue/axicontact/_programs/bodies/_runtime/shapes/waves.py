@@ -1,4 +1,4 @@
-"""Bodies of axicontact._runtime.shapes.waves over plain numbers: the same text with `math` for NumPy."""
+"""Bodies of axicontact._runtime.shapes.waves over plain numbers: the same with `math` for NumPy."""
 
 from __future__ import annotations
 
@@ -17,26 +17,24 @@ def inverse_over_waves(value: Array, waves: Array, power: int) -> Array:
     The curve increases, so that the root is between the points that were met below and above it; no step leaves them.
     """
     plain = np.sqrt(value) if power == 1 else np.cbrt(1.5 * value)
-    # z**2 (1 + 2/pi waves) for small z, z**2 + 2/pi waves and the waves for large ones
     raised = 1.0 + 2.0 / np.pi * waves / (1.0 + plain * plain)
     z = plain / (np.sqrt(raised) if power == 1 else np.cbrt(raised))
     left = (value > 0.0) & (value < np.inf)
-    low, high = np.zeros_like(z), np.full_like(z, np.inf)
+    low, high = (np.zeros_like(z), np.full_like(z, np.inf))
     for _ in range(LOOKS):
         width = np.minimum(0.5 * z, 2.0)
         y, series = _series(z, waves, width, power)
         s = _reached(series, value - y, value)
-        low, high = np.where(y < value, z, low), np.where(y > value, z, high)
+        low, high = (z if y < value else low, z if y > value else high)
         step = z + width * s
         within = (low <= step) & (step <= high)
-        z = np.where(left, np.where(within, step, 0.5 * (low + np.minimum(high, z + width))), z)
-        # what the next term of the series would be, or less
+        z = (step if within else 0.5 * (low + np.minimum(high, z + width))) if left else z
         rest = np.abs(series[-1] * s ** len(series))
         settled = within & (np.abs(s) < 1.0) & (rest <= 0.5 * ROUNDING * value)
         left = left & np.logical_not(settled & (np.abs(value - y) <= FAR * value))
         if not np.count_nonzero(left):
             break
-    return np.where(value >= 0.0, np.where(value < np.inf, z, np.inf), np.nan)
+    return (z if value < np.inf else np.inf) if value >= 0.0 else np.nan
 
 
 def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, list[Array]]:
@@ -45,8 +43,8 @@ def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, li
     With H_0' = 2/pi - H_1 and (x H_1)' = x H_0; g' = 2 x + waves (H_0 + 2/pi x - x H_1).
     """
     part = width / z
-    zero, one = [struve_h0(z)], [struve_h1(z)]
-    square, change = z * z * zero[0] - z * one[0], z * z
+    zero, one = ([struve_h0(z)], [struve_h1(z)])
+    square, change = (z * z * zero[0] - z * one[0], z * z)
     y = change + waves * z * zero[0] if power == 1 else 2.0 / 3.0 * z * change + waves * square
     for n in range(TERMS - 1):
         grown = zero[n] if n == 0 else zero[n] + part * zero[n - 1]
@@ -57,7 +55,7 @@ def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, li
     slopes += [waves * (zero[n] - z * one[n] - width * one[n - 1]) for n in range(2, TERMS)]
     if power == 2:
         slopes = [z * slopes[0]] + [z * slopes[n] + width * slopes[n - 1] for n in range(1, TERMS)]
-    return y, [width * slopes[n] / (n + 1) for n in range(TERMS)]
+    return (y, [width * slopes[n] / (n + 1) for n in range(TERMS)])
 
 
 def _reached(series: list[Array], change: Array, value: Array) -> Array:
@@ -67,12 +65,12 @@ def _reached(series: list[Array], change: Array, value: Array) -> Array:
     """
     most = least = 0.0 * change
     for coefficient in series[::-1]:
-        most, least = coefficient + most, -coefficient - least
-    s = np.where(change >= most, 1.0, 0.0) - np.where(change <= least, 1.0, 0.0)
+        most, least = (coefficient + most, -coefficient - least)
+    s = (1.0 if change >= most else 0.0) - (1.0 if change <= least else 0.0)
     within = s == 0.0
-    low, high = -np.ones_like(change), np.ones_like(change)
+    low, high = (-np.ones_like(change), np.ones_like(change))
     for turn in range(TURNS):
-        missed, slope, bend = series[-1], 0.0 * s, 0.0 * s
+        missed, slope, bend = (series[-1], 0.0 * s, 0.0 * s)
         for coefficient in series[-2::-1]:
             bend = bend * s + slope
             slope = slope * s + missed
@@ -83,9 +81,9 @@ def _reached(series: list[Array], change: Array, value: Array) -> Array:
         left = within & (np.abs(missed) > ROUNDING * (0.25 * value + 8.0 * np.abs(change)))
         if not np.count_nonzero(left):
             break
-        low, high = np.where(missed > 0.0, s, low), np.where(missed > 0.0, high, s)
+        low, high = (s if missed > 0.0 else low, high if missed > 0.0 else s)
         root = np.sqrt(np.maximum(4.0 * slope * slope + 12.0 * missed * bend, 0.0))
         step = s + 3.0 * missed / (slope + root)
-        step = np.where((low < step) & (step < high) & (turn % 4 != 3), step, 0.5 * (low + high))
-        s = np.where(left, step, s)
+        step = step if (low < step) & (step < high) & (turn % 4 != 3) else 0.5 * (low + high)
+        s = step if left else s
     return s

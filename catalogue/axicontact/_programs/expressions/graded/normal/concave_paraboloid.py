@@ -24,34 +24,36 @@ def pressure(xp, r, d, a, h, H, k):
     v7 = v5 + v6
     v8 = v7 * 0.999999999999999
     v9 = v8 <= d
-    v10 = d - v7
-    v11 = 4.0 * h
-    v12 = r ** 2.0
-    v13 = v11 * v12
-    v14 = a ** 2.0
-    v15 = v14 * v4
-    v16 = v13 / v15
-    v17 = v10 + v16
-    v18 = r < a
-    v19 = xp.where(v18, r, 0.5 * a)
-    v20 = H / 3.141592653589793
-    v21 = a - v19
-    v22 = xp.maximum(v21, 0.0)
-    v23 = a + v19
-    v24 = v22 * v23
-    v25 = xp.sqrt(v24)
-    v26 = v25 ** k
-    v27 = v20 * v26
-    v28 = v27 / v25
-    v29 = xp.where(v18, 2.0 * a, r)
-    v30 = v29 > a
-    v31 = xp.where(v30, v29, 2.0 * a)
-    v32 = xp.where(v30, 0.5 * a, v29)
-    v33 = xp.where(v30, 0.0, xp.inf)
-    v34 = xp.where(v18, v28, v33)
-    v35 = v17 * v34
-    v36 = xp.where(v9, v35, xp.nan)
-    return v36
+    v10 = xp.where(v9, v8, 0.5 * d)
+    v11 = d - v7
+    v12 = 4.0 * h
+    v13 = r ** 2.0
+    v14 = v12 * v13
+    v15 = a ** 2.0
+    v16 = v15 * v4
+    v17 = v14 / v16
+    v18 = v11 + v17
+    v19 = r < a
+    v20 = xp.where(v19, r, 0.5 * a)
+    v21 = H / 3.141592653589793
+    v22 = a - v20
+    v23 = xp.maximum(v22, 0.0)
+    v24 = a + v20
+    v25 = v23 * v24
+    v26 = xp.sqrt(v25)
+    v27 = v26 ** k
+    v28 = v21 * v27
+    v29 = v28 / v26
+    v30 = xp.where(v19, 2.0 * a, r)
+    v31 = v30 > a
+    v32 = xp.where(v31, v30, 2.0 * a)
+    v33 = xp.where(v31, 0.5 * a, v30)
+    v34 = xp.where(v31, 0.0, xp.inf)
+    v35 = xp.where(v19, v29, v34)
+    v36 = v18 * v35
+    v37 = xp.where(v9, 2.0 * d, v8)
+    v38 = xp.where(v9, v36, xp.nan)
+    return v38
 
 
 def stiffness(xp, a, H, k):

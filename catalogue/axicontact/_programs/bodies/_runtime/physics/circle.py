@@ -1,0 +1,74 @@
+"""Bodies of axicontact._runtime.physics.circle over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ....._programs.bodies._runtime.special import gamma_ratio
+from ....._runtime.physics.circle import Array, LAST, SHORTEST, STEP
+from ....._runtime.plain import integral_in_strip
+from ....._runtime.plain import MATH as np
+
+
+def _far(r: Array, a: Array) -> tuple[Array, Array]:
+    """The longer length, and the root of 1 - (shorter/longer)**2."""
+    far, near = (np.maximum(r, a), np.minimum(r, a))
+    return (far, np.sqrt((far - near) / far * ((far + near) / far)) if far < np.inf else 1.0)
+
+
+def power(r: Array, a: Array, s: Array) -> Array:
+    """w E_star/(p_0 a) for any s > -1, as the integral over the circle of (11.105) in the angle psi from the edge."""
+    fallen = a / np.maximum(r, a)
+    r, a, s = (np.asarray(r), np.asarray(a), np.asarray(s))
+    _, kc = _far(r, a)
+    strength = 1.0 / gamma_ratio(s + 1.0)
+    within = r < a
+    inside = _inside(r / a if within else 0.0, kc if within else 1.0, s + 0.5)
+    outside = _outside(kc if r > a else 1.0, s + 1.0)
+    sides = inside if within else outside if r > a else np.sqrt(np.pi) / 2.0 * strength
+    return fallen * (2.0 / np.sqrt(np.pi) * strength * sides)
+
+
+def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
+    """Integral of (1 - ratio**2 cos(psi)**2)**exponent over a quarter turn, kc**2 = 1 - ratio**2.
+
+    With tan(psi/2) = least sinh(whole - v) the nearest zeros of the base are pi/2 away from all v.
+    """
+    least = np.maximum(kc / (1.0 + ratio), SHORTEST)
+    whole = np.arcsinh(1.0 / least)
+    positive = np.maximum(exponent, 0.0)
+    cosine = np.minimum(np.sqrt(-np.expm1(-LAST / positive)) / ratio, 1.0)
+    stop = whole - np.arcsinh(np.sqrt((1.0 - cosine) / (1.0 + cosine)) / least)
+    scale = 1.0 / np.expm1(-2.0 * whole)
+
+    def places(v: Array) -> tuple[Array, Array, Array]:
+        """sin(psi), cos(psi) and dpsi/dv over -2 scale."""
+        decay = np.exp(-v)
+        turned = decay * np.expm1(2.0 * (v - whole))
+        tangent = scale * turned
+        share = 1.0 / (1.0 + tangent * tangent)
+        rest = scale * (1.0 + decay + turned) * np.expm1(-v)
+        return (2.0 * tangent * share, rest * (1.0 + tangent) * share, (2.0 * decay + turned) * share)
+
+    def integrand(v: Array) -> Array:
+        sine, cosine, stretch = places(v)
+        taken = (ratio * cosine) ** 2
+        base = sine * sine + (kc * cosine) ** 2
+        logarithm = np.log1p(-np.minimum(taken, 0.5)) if taken < 0.5 else np.log(base)
+        return np.exp(exponent * logarithm) * stretch
+    return -2.0 * scale * integral_in_strip(integrand, stop, 1.0 / np.sqrt(1.0 + positive / 4.0))
+
+
+def _outside(kc: Array, power: Array) -> Array:
+    """Sum over equal steps of u, sin(psi) = 1/cosh(u): of sin(psi)**(2 power)/sqrt(1 + kc**2 sinh(u)**2).
+
+    All derivatives vanish at both ends; the nearest singularities are pi/2 away, for large powers less by their width.
+    """
+    step = STEP / np.sqrt(1.0 + power / 4.0)
+    last = np.minimum(LAST / (2.0 * power), (LAST - np.log(np.maximum(kc, SHORTEST))) / (1.0 + 2.0 * power))
+    count = (last + np.log1p(np.sqrt(-np.expm1(-2.0 * last)))) / step
+    total = 0.0
+    for number in range(int(np.ceil(np.max(count if np.isfinite(count) else 0.0))), 0, -1):
+        square = np.sinh(number * step) ** 2
+        fallen = np.exp(np.maximum(-power * np.log1p(square), -16.0 * LAST))
+        total = total + fallen / np.sqrt(1.0 + kc * kc * square)
+    return step * (0.5 + total)

@@ -1,0 +1,69 @@
+"""Bodies of axicontact.adhesive.gaussian over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies.normal import gaussian as normal
+from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies._runtime.physics.branches import exponent_of
+from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
+from ...._programs.bodies._runtime.physics.unknowns import on_the_bump
+from ...._runtime.physics.single import branches, lowest
+from ....adhesive.gaussian import Array, Branches, _samples
+from ...._runtime.plain import MATH as np
+
+
+def _depth(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, h, s) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, h, s, E_star) - pull(a, E_star, dgamma)
+
+
+def _rate(a: Array, h: Array, s: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    return normal._slope(a, h, s)
+
+
+def _branches(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: np.sqrt(a) * _rate(a, h, s), _samples(h, s), least_steepness(control, E_star, dgamma))
+
+
+def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(s)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    found = _branches(h, s, E_star, dgamma, control)
+    load = _force if control == 'force' else _depth
+    radius = lowest(found, lambda a: load(a, h, s, E_star, dgamma))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+    unit = exponent_of(s)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(h, s, E_star, dgamma, control='depth')
+    radius = stable_radius(d, found, lambda a: _depth(a, h, s, E_star, dgamma), lambda a: growth(_rate(a, h, s), a, 'depth', E_star, dgamma), lambda a: hess_retraction(a, E_star, dgamma), on_the_bump(s))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+    unit = exponent_of(s)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(h, s, E_star, dgamma, control='force')
+    radius = stable_radius(F, found, lambda a: _force(a, h, s, E_star, dgamma), lambda a: growth(_rate(a, h, s), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), on_the_bump(s))
+    return np.ldexp(radius, unit)

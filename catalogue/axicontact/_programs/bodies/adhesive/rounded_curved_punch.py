@@ -1,0 +1,73 @@
+"""Bodies of axicontact.adhesive.rounded_curved_punch over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ...._programs.bodies.normal import rounded_curved_punch as normal
+from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
+from ...._programs.bodies._runtime.physics.branches import exponent_of
+from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
+from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
+from ...._runtime.physics.single import branches, lowest
+from ....adhesive.rounded_curved_punch import Array, Branches, _samples
+from ...._runtime.plain import MATH as np
+
+
+def _depth(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._depth(a, R1, R2, b) - hess_retraction(a, E_star, dgamma)
+
+
+def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    return normal._force(a, R1, R2, b, E_star) - pull(a, E_star, dgamma)
+
+
+def _rate(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+    """Derivative g'(a) of the depth without adhesion."""
+    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
+    return normal._slope(a, R1) if a < b else normal._slope_beyond(a, root, R1, R2, b)
+
+
+def _branches(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: np.sqrt(a) * _rate(a, R1, R2, b), _samples(R1, R2, b), least_steepness(control, E_star, dgamma))
+
+
+def _pull_off_radius(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    found = _branches(R1, R2, b, E_star, dgamma, control)
+    load = _force if control == 'force' else _depth
+    radius = lowest(found, lambda a: load(a, R1, R2, b, E_star, dgamma))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(R1, R2, b, E_star, dgamma, control='depth')
+    radius = stable_radius(d, found, lambda a: _depth(a, R1, R2, b, E_star, dgamma), lambda a: growth(_rate(a, R1, R2, b), a, 'depth', E_star, dgamma), lambda a: hess_retraction(a, E_star, dgamma), radius_itself(), beyond_edge(b), corner=b)
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+    unit = exponent_of(b)
+    stress = exponent_of(E_star)
+    E_star = np.ldexp(E_star, -stress)
+    R1 = np.ldexp(R1, -unit)
+    R2 = np.ldexp(R2, -unit)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(R1, R2, b, E_star, dgamma, control='force')
+    radius = stable_radius(F, found, lambda a: _force(a, R1, R2, b, E_star, dgamma), lambda a: growth(_rate(a, R1, R2, b), a, 'force', E_star, dgamma), lambda a: pull(a, E_star, dgamma), radius_itself(), beyond_edge(b), corner=b)
+    return np.ldexp(radius, unit)

@@ -1,0 +1,15 @@
+"""Bodies of axicontact.graded.adhesive.concave_quartic over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_stiffness
+from .....graded.adhesive.concave_quartic import Array, power_factor
+
+
+def _pull_off_depth(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -h * power_factor(4.0, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _pull_off_force(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return -punch_stiffness(a, H, k) * (h * power_factor(4.0, k) * 4.0 / (4.0 + 1.0 + k) + graded_retraction(a, H, k, dgamma))

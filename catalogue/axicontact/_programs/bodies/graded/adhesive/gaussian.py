@@ -1,0 +1,71 @@
+"""Bodies of axicontact.graded.adhesive.gaussian over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ....._programs.bodies.graded.normal import gaussian as normal
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
+from ....._runtime.physics.single import branches, lowest
+from .....graded.adhesive.gaussian import Array, Branches, _samples
+from ....._runtime.plain import MATH as np
+
+
+def _depth(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, h, s, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, h, s, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, h, s, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k), _samples(h, s, k), least_steepness(control, H, k, dgamma))
+
+
+def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(s)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    found = _branches(h, s, H, k, dgamma, control)
+    load = _force if control == 'force' else _depth
+    radius = lowest(found, lambda a: load(a, h, s, H, k, dgamma))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import on_the_bump
+    unit = exponent_of(s)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(h, s, H, k, dgamma, control='depth')
+    slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control='depth')
+    pulled = pull_of(H, k, dgamma, control='depth')
+    radius = stable_radius(d, found, lambda a: _depth(a, h, s, H, k, dgamma), slope, pulled, on_the_bump(s))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import on_the_bump
+    unit = exponent_of(s)
+    stress, H = stress_at(unit, H, k)
+    h = np.ldexp(h, -unit)
+    s = np.ldexp(s, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(h, s, H, k, dgamma, control='force')
+    slope = growth_of(normal._rate, (h, s, k), H, k, dgamma, control='force')
+    pulled = pull_of(H, k, dgamma, control='force')
+    radius = stable_radius(F, found, lambda a: _force(a, h, s, H, k, dgamma), slope, pulled, on_the_bump(s))
+    return np.ldexp(radius, unit)

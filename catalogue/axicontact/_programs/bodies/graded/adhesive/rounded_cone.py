@@ -1,0 +1,68 @@
+"""Bodies of axicontact.graded.adhesive.rounded_cone over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ....._programs.bodies.graded.normal import rounded_cone as normal
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
+from ....._runtime.physics.single import branches, lowest
+from .....graded.adhesive.rounded_cone import Array, Branches, _samples
+from ....._runtime.plain import MATH as np
+
+
+def _depth(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._depth(a, theta, b, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._force(a, theta, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    return normal._displacement(r, a, theta, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+    return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k), _samples(theta, b, k), least_steepness(control, H, k, dgamma))
+
+
+def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    found = _branches(theta, b, H, k, dgamma, control)
+    load = _force if control == 'force' else _depth
+    radius = lowest(found, lambda a: load(a, theta, b, H, k, dgamma))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(theta, b, H, k, dgamma, control='depth')
+    slope = growth_of(normal._rate, (theta, b, k), H, k, dgamma, control='depth')
+    pulled = pull_of(H, k, dgamma, control='depth')
+    radius = stable_radius(d, found, lambda a: _depth(a, theta, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b), corner=b)
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
+    unit = exponent_of(b)
+    stress, H = stress_at(unit, H, k)
+    b = np.ldexp(b, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(theta, b, H, k, dgamma, control='force')
+    slope = growth_of(normal._rate, (theta, b, k), H, k, dgamma, control='force')
+    pulled = pull_of(H, k, dgamma, control='force')
+    radius = stable_radius(F, found, lambda a: _force(a, theta, b, H, k, dgamma), slope, pulled, radius_itself(), beyond_edge(b), corner=b)
+    return np.ldexp(radius, unit)

@@ -1,0 +1,13 @@
+"""Bodies of axicontact.graded.tangential.truncated_paraboloid over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+
+from ....._programs.bodies.graded.normal import truncated_paraboloid as normal
+from ....._programs.bodies._runtime.physics.slip import stick_force
+from .....graded.tangential.truncated_paraboloid import Array
+
+
+def _stick_radius(F_x: Array, a: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+    F = stick_force(normal._force(a, R, b, H, k), F_x, mu)
+    return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, b, H, k)

@@ -1,0 +1,71 @@
+"""Programs of axicontact.graded.adhesive.sphere_tipped_cone."""
+
+from __future__ import annotations
+
+from ...._programs.bodies.graded.adhesive import sphere_tipped_cone as bodies
+
+
+def depth(a, R, theta, H, k, dgamma):
+    if a.__class__ is R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._depth(a, R, theta, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R, theta, H, k, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._displacement(r, a, R, theta, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, theta, H, k, dgamma):
+    if a.__class__ is R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._force(a, R, theta, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R, theta, H, k, dgamma, control):
+    if R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and R > 1e-30 and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, theta, H, k, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, theta, H, k, dgamma):
+    if d.__class__ is R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, theta, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, theta, H, k, dgamma):
+    if F.__class__ is R.__class__ is theta.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, theta, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

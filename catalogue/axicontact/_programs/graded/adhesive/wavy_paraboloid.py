@@ -1,0 +1,16 @@
+"""Programs of axicontact.graded.adhesive.wavy_paraboloid."""
+
+from __future__ import annotations
+
+from ...._programs.bodies.graded.adhesive import wavy_paraboloid as bodies
+
+
+def displacement(r, a, R, h, wavelength, H, k, dgamma):
+    if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._displacement(r, a, R, h, wavelength, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -1,0 +1,27 @@
+"""Programs of axicontact.graded.tangential.truncated_cone."""
+
+from __future__ import annotations
+
+from ...._programs.bodies.graded.tangential import truncated_cone as bodies
+
+
+def full_slip_displacement(a, theta, b, H, H_x, k, mu):
+    if a.__class__ is theta.__class__ is b.__class__ is H.__class__ is H_x.__class__ is k.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (H_x > 1e-30) and (H_x < 1e+30) and (k > 1e-30) and (k < 1.0) and (mu > 1e-30) and (mu < 1e+30) and (b <= a):
+        try:
+            value = bodies._full_slip_displacement(a, theta, b, H, H_x, k, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stick_radius(F_x, a, theta, b, H, k, mu):
+    if F_x.__class__ is a.__class__ is theta.__class__ is b.__class__ is H.__class__ is k.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (mu > 1e-30) and (mu < 1e+30) and (b <= a):
+        try:
+            value = bodies._stick_radius(F_x, a, theta, b, H, k, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
