@@ -119,18 +119,19 @@ def sphere_depth(a: Array, root: Array, k: Array) -> Array:
 
 
 def sphere_rate(t: Array, root: Array, k: Array) -> Array:
-    v = np.arcsinh(t / root)
-    far = np.hypot(t, root) / root
+    open_ = np.where(root > 0.0, root, t)
+    v = np.arcsinh(t / open_)
+    far = np.hypot(t, root) / open_
 
     def integrand(x: Array) -> Array:
         return sinh_over(x) ** k * (1.0 + (far / np.cosh(x)) ** 2)
 
     # 2e4 units at the end of the sphere from one panel over all of v
     first = np.minimum(v, _LONGEST)
-    total = (root / t * first) ** k * first * weighted(integrand, first, k)
+    total = (open_ / t * first) ** k * first * weighted(integrand, first, k)
     if np.any(v > first):
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
-        total = total + (root / t) ** k * rest
+        total = total + (open_ / t) ** k * rest
     return np.where(root > 0.0, total, np.inf)
 
 

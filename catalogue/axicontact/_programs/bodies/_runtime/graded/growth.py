@@ -44,16 +44,17 @@ def sphere_depth(a: Array, root: Array, k: Array) -> Array:
 
 
 def sphere_rate(t: Array, root: Array, k: Array) -> Array:
-    v = np.arcsinh(t / root)
-    far = np.hypot(t, root) / root
+    open_ = root if root > 0.0 else t
+    v = np.arcsinh(t / open_)
+    far = np.hypot(t, root) / open_
 
     def integrand(x: Array) -> Array:
         return sinh_over(x) ** k * (1.0 + (far / np.cosh(x)) ** 2)
     first = np.minimum(v, _LONGEST)
-    total = (root / t * first) ** k * first * weighted(integrand, first, k)
+    total = (open_ / t * first) ** k * first * weighted(integrand, first, k)
     if np.any(v > first):
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
-        total = total + (root / t) ** k * rest
+        total = total + (open_ / t) ** k * rest
     return total if root > 0.0 else np.inf
 
 
