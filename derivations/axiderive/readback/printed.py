@@ -128,11 +128,12 @@ def holding(one: Row, env: Environment) -> Region:
 
 
 def holds(condition: str, env: Environment) -> bool:
-    """Whether a printed range, chains of < and <= separated by commas, contains the point."""
+    """Whether a printed range, chains of < and <= separated by commas, contains the point; r <= r is none."""
     for chain in filter(None, condition.split(r",\; ")):
         parts = re.split(r"([<>]|\\[lg]e(?![a-z]))", chain)
         members = [read(part)[0].members[0](env) for part in parts[::2]]
-        if not all(SIGNS[sign](*pair) for sign, pair in zip(parts[1::2], itertools.pairwise(members), strict=True)):
+        kept = [SIGNS[sign](*pair) for sign, pair in zip(parts[1::2], itertools.pairwise(members), strict=True)]
+        if not all(kept) or any(x.strip() == y.strip() for x, y in itertools.pairwise(parts[::2])):
             return False
     return True
 
