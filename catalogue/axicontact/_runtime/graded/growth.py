@@ -120,8 +120,7 @@ def sphere_depth(a: Array, root: Array, k: Array) -> Array:
 
 def sphere_rate(t: Array, root: Array, k: Array) -> Array:
     open_ = np.where(root > 0.0, root, t)
-    v = np.arcsinh(t / open_)
-    far = np.hypot(t, root) / open_
+    v, far = np.arcsinh(t / open_), np.hypot(t, root) / open_
 
     def integrand(x: Array) -> Array:
         return sinh_over(x) ** k * (1.0 + (far / np.cosh(x)) ** 2)
