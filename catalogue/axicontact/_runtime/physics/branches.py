@@ -16,7 +16,7 @@ from ..interface import Array
 
 Load = Callable[[Array], Array]
 STEPS, CLOSEST, FAR = 20, 2.0**-51, 1e50
-"""Steps before a bracket is halved, the shortest of them over the radius, and radii beyond the range of loads."""
+"""Steps before a bracket is halved, the shortest first step over the radius, and radii beyond the range of loads."""
 
 
 class Branches(NamedTuple):
@@ -59,7 +59,7 @@ def _changes(above: Load, mask: Array, grid: Array, known: Array, sign: float) -
     """The first radius beyond each change of sign, between neighbours of the grid.
 
     By the rule of false position, with half the weight for an end that stays again (Illinois), in logarithms: over
-    decades the steepness is nearly a power.  A step is at least as long as to cross what is all rounding.
+    decades the steepness is nearly a power.  A step is at least as long as to cross what is all rounding, soon.
     """
     count = int(mask.sum(axis=0).max(initial=0))
     order = np.argsort(~mask, axis=0, kind="stable")[:count]
@@ -72,8 +72,8 @@ def _changes(above: Load, mask: Array, grid: Array, known: Array, sign: float) -
         middle = halfway(low, high)
         if step < STEPS:
             share = before / (before - after)
-            tried = low * np.exp(np.where((share > 0.0) & (share < 1.0), share, 0.5) * np.log(high / low))
-            tried = np.minimum(np.maximum(tried, low * (1.0 + CLOSEST)), high * (1.0 - CLOSEST))
+            tried = low * np.exp(np.where((share >= 0.0) & (share <= 1.0), share, 0.5) * np.log(high / low))
+            tried = np.clip(tried, low * (1.0 + CLOSEST * 2.0**step), high * (1.0 - CLOSEST * 2.0**step))
             middle = np.where((low < tried) & (tried < high), tried, middle)
         value = sign * above(middle)
         beyond = value >= 0.0

@@ -44,8 +44,8 @@ def _change(above: Load, low: float, high: float, before: float, after: float, s
         if math.nextafter(low, high) >= high:
             break
         share = before / (before - after) if step < STEPS and before != after else math.nan
-        tried = low * math.exp((share if 0.0 < share < 1.0 else 0.5) * math.log(high / low))
-        tried = min(max(tried, low * (1.0 + CLOSEST)), high * (1.0 - CLOSEST))
+        tried = low * math.exp((share if 0.0 <= share <= 1.0 else 0.5) * math.log(high / low))
+        tried = min(max(tried, low * (1.0 + CLOSEST * 2.0**step)), high * (1.0 - CLOSEST * 2.0**step))
         middle = tried if step < STEPS and low < tried < high else halfway_of_arrays(low, high).item()
         value = sign * above(middle)
         if value >= 0.0:
