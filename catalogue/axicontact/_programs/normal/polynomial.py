@@ -11,7 +11,7 @@ C0 = np.array(2.0)
 
 
 def depth(a, A):
-    if a.__class__ is float and a > 1e-30 and (a < 1e+30):
+    if a.__class__ is float and a > 1e-30 and (a < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._depth(a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -22,7 +22,7 @@ def depth(a, A):
 
 
 def depth_from_force(F, E_star, A):
-    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._depth_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -33,7 +33,7 @@ def depth_from_force(F, E_star, A):
 
 
 def displacement(r, a, A):
-    if r.__class__ is a.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30):
+    if r.__class__ is a.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._displacement(r, a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -44,7 +44,7 @@ def displacement(r, a, A):
 
 
 def force(a, E_star, A):
-    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._force(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -55,7 +55,7 @@ def force(a, E_star, A):
 
 
 def force_from_depth(d, E_star, A):
-    if d.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if d.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._force_from_depth(d, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -66,7 +66,7 @@ def force_from_depth(d, E_star, A):
 
 
 def mean_pressure(a, E_star, A):
-    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._mean_pressure(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -77,7 +77,7 @@ def mean_pressure(a, E_star, A):
 
 
 def pressure(r, a, E_star, A):
-    if r.__class__ is a.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if r.__class__ is a.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._pressure(r, a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -88,7 +88,7 @@ def pressure(r, a, E_star, A):
 
 
 def profile(r, A):
-    if r.__class__ is float and r > 1e-30 and (r < 1e+30):
+    if r.__class__ is float and r > 1e-30 and (r < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._profile(r, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -99,7 +99,7 @@ def profile(r, A):
 
 
 def radius_from_depth(d, A):
-    if d.__class__ is float and d > 1e-30 and (d < 1e+30):
+    if d.__class__ is float and d > 1e-30 and (d < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._radius_from_depth(d, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -110,7 +110,7 @@ def radius_from_depth(d, A):
 
 
 def radius_from_force(F, E_star, A):
-    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+    if F.__class__ is E_star.__class__ is float and F > 1e-30 and (F < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._radius_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:

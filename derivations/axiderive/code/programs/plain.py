@@ -50,6 +50,12 @@ def function(
     inside = [f"{own} > {low!r} and {own} < {high!r}" for own, (low, high) in arguments.items()]
     if arguments:
         inside.insert(0, f"{' is '.join(f'{own}.__class__' for own in arguments)} is float")
+    # coefficients, of which some may be zero
+    inside += [
+        f"all([x.__class__ is float and (x == 0.0 or {SMALL} < x < {LARGE}) for x in {own}])"
+        for own in words
+        if own == "A"
+    ]
     condition = " and ".join([*inside, *orders]) or "True"
     body = "\n".join(f"            {line}" for line in lines)
     signature = [f"{own}={min(1.0, 0.5 * arguments[own][1])!r}" if own in unused else own for own in arguments]

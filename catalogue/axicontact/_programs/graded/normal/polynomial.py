@@ -15,7 +15,7 @@ C2 = np.array(1.0)
 
 
 def depth(a, k, A):
-    if a.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if a.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._depth(a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -26,7 +26,7 @@ def depth(a, k, A):
 
 
 def depth_from_force(F, H, k, A):
-    if F.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if F.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._depth_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -37,7 +37,7 @@ def depth_from_force(F, H, k, A):
 
 
 def displacement(r, a, k, A):
-    if r.__class__ is a.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if r.__class__ is a.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._displacement(r, a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -48,7 +48,7 @@ def displacement(r, a, k, A):
 
 
 def force(a, H, k, A):
-    if a.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if a.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._force(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -59,7 +59,7 @@ def force(a, H, k, A):
 
 
 def force_from_depth(d, H, k, A):
-    if d.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if d.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._force_from_depth(d, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -70,7 +70,7 @@ def force_from_depth(d, H, k, A):
 
 
 def mean_pressure(a, H, k, A):
-    if a.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if a.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._mean_pressure(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -81,7 +81,7 @@ def mean_pressure(a, H, k, A):
 
 
 def pressure(r, a, H, k, A):
-    if r.__class__ is a.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if r.__class__ is a.__class__ is H.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._pressure(r, a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -92,7 +92,7 @@ def pressure(r, a, H, k, A):
 
 
 def radius_from_depth(d, k, A):
-    if d.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if d.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._radius_from_depth(d, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
@@ -103,7 +103,7 @@ def radius_from_depth(d, k, A):
 
 
 def radius_from_force(F, H, k, A):
-    if F.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+    if F.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
             value = bodies._radius_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
