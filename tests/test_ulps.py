@@ -44,7 +44,7 @@ BESIDE = {"power_law.w": 7.6}
 FUNCTIONS = ("power_law", "gaussian", "wavy_paraboloid", "concave_power")
 """Profiles with functions beyond the elementary ones: powers of any exponent, Gamma, Dawson's, Struve's."""
 CONDITIONED = {
-    *(f"power_law.{suffix}" for suffix in ("ad", "aF", "Fd", "dF")),
+    *(f"power_law.{suffix}" for suffix in ("ad", "aF", "Fd", "dF", "rp")),
     *(f"gaussian.{suffix}" for suffix in ("p", "ad", "aF", "Fd")),
     "concave_power.p",
     "concave_quartic.p",
