@@ -71,3 +71,11 @@ def test_known_changes_are_found_in_few_steps(name: str) -> None:
     np.testing.assert_allclose(many.last[:, 0], last, rtol=1e-15)
     assert calls[0] <= 2 * FEW
     assert single.lowest(one, lambda a: -a) == (first[-1] if first else pytest.approx(math.nan, nan_ok=True))
+
+
+def test_the_lowest_of_several_branches_is_pull_off() -> None:
+    """Not the first nor the highest, and none whose load is no number."""
+    first, loads = [1.0, 2.0, 3.0], {1.0: -0.2, 2.0: -0.7, 3.0: math.nan}
+    assert single.lowest(arrays.Branches(first, [1.5, 2.5, math.inf]), loads.__getitem__) == 2.0
+    columns = np.array(first)[:, None]
+    assert arrays.lowest(arrays.Branches(columns, columns), lambda a: np.array([loads[float(a[0])]])).tolist() == [2.0]
