@@ -49,7 +49,7 @@ def index_record(
     return {
         "format": FORMAT,
         "physics": [
-            {"name": s.name, "title": s.title, "module": s.package, "formulas": _count(problems, derived, s)}
+            {"name": s.name, "title": s.said.title, "module": s.package, "formulas": _count(problems, derived, s)}
             for s in systems.SYSTEMS
         ],
         "units": [

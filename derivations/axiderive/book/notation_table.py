@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from .. import notation as nt
-from ..physics.systems import POOLS
+from ..physics.pools import POOLS
 from ..print.words import domain, prose
 
 Row = dict[str, str]

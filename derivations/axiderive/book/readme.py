@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from ..physics import systems
+from ..physics import pools, systems
 
 LEGEND = {
     "✓": "certified: an exact proof of the formula, or of the equation and its one root",
@@ -38,7 +38,7 @@ def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) ->
     for key in derived:
         problem = systems.problem(key)
         profiles.setdefault(problem.profile_id, {})[problem.system.name] = _cell(evidence[key]["entries"])
-    for pool in systems.POOLS:
+    for pool in pools.POOLS:
         for system in (system for system in systems.SYSTEMS if system.pool is pool):
             for name in pool.names:
                 if pool.id(name) in profiles and system.refusal(pool.load(name)):
@@ -141,7 +141,7 @@ def _between(text: str, name: str, content: Callable[[], str]) -> str:
 
 def matrix_tables(found: Mapping[str, Any]) -> str:
     """Two tables: the profiles of revolution by physics, and the others."""
-    names = [system.name for system in systems.SYSTEMS if system.pool is systems.ROUND]
+    names = [system.name for system in systems.SYSTEMS if system.pool is pools.ROUND]
     rows = [["profile", *names]]
     for profile, cells in found["profiles"].items():
         if names[0] in cells:

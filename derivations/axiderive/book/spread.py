@@ -14,7 +14,8 @@ from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.sketch_given import load_sketch, tilted_sketch
 from ..oracle.values import Numbers, StripNumbers, sketch_values
-from ..physics.systems import ROUND, SYSTEMS, Problem, pool_of
+from ..physics.pools import ROUND
+from ..physics.systems import SYSTEMS, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
 from ..profiles.profile import Profile

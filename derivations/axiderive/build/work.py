@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 FORMAT = 2
 DERIVING = (
     *("axiderive.physics.systems.problem", "axiderive.physics.systems.Problem"),
+    *(f"{module}.PHYSICS" for module in modules_of("axiderive.physics")),
     *("axiderive.store.records.entry_record", "axiderive.store.records.read_entry"),
 )
 PROVING = (*DERIVING, "axiderive.build.verification.verify")
@@ -103,7 +104,7 @@ def _shape(profile: Profile) -> Any:
 @remember
 def _shapes() -> str:
     """Digest of all profiles: a limit is verified with the profile that it leads to."""
-    from ..physics.systems import POOLS
+    from ..physics.pools import POOLS
 
     return digest([[pool.prefix, name, _shape(pool.load(name))] for pool in POOLS for name in pool.names])
 

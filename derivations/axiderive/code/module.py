@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from ..physics import adhesive, loads, normal, plane, tangential, viscoelastic
 from ..physics.systems import Problem, System
 from .function import Function
 from .layout import LINE, from_import
@@ -28,15 +27,6 @@ COMMON = (
     *("shapes.across", "shapes.arcs", "shapes.powers", "shapes.ring", "shapes.waves"),
 )
 """Files of the run time that any module may call."""
-FILES = {
-    normal.PHYSICS: ("physics.unknowns",),
-    adhesive.PHYSICS: ("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
-    tangential.PHYSICS: ("physics.slip",),
-    viscoelastic.PHYSICS: ("physics.relaxation",),
-    plane.PHYSICS: ("physics.plane",),
-    loads.PHYSICS: ("physics.circle",),
-}
-"""Those of a physics."""
 GRADED = tuple(f"graded.{file.stem}" for file in sorted((RUNTIME / "graded").glob("[a-z]*.py")))
 LATE = (
     *("physics.stable", "physics.unknowns"),
@@ -136,7 +126,7 @@ class Module:
         """The imports of these names at the top of the module, or inside the function that uses them."""
         graded = self.system.medium.graded
         up = "." * self.path.count("/")
-        known = names_of((*(GRADED if graded else ()), *FILES.get(self.system.physics, ()), *COMMON))
+        known = names_of((*(GRADED if graded else ()), *self.system.physics.runtime, *COMMON))
         found: dict[str, list[str]] = {}
         for name in [*used, *([PLAIN] if self._programmed and not late else [])]:
             file = known.get(name)

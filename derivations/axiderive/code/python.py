@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import coefficients, e
+from ..physics.medium import GRADED
 from ..physics.systems import SYSTEMS, System, problem
 from .module import PACKAGE, PLACE, Module, package_source, runtime_sources
 from .private import parameter_name
@@ -20,16 +21,8 @@ from .tables import kernels_source, nodes_source, symbols_sources
 NODE_COUNTS = (8, 16, 24, 32, 64, 128)
 TITLES = {
     "": "Closed forms of elastic contact as NumPy functions, a package per kind of contact, a module per profile",
-    "normal": "Normal contact without adhesion of a rigid indenter on an elastic half-space",
-    "adhesive": "Adhesive contact of a rigid indenter with an elastic half-space",
-    "tangential": "Tangential contact with friction, with a zone of stick",
-    "graded": "Contact on a half-space whose modulus grows as a power of the depth",
-    "graded.normal": "Normal contact of a rigid indenter with a power-law graded half-space",
-    "graded.adhesive": "Adhesive contact of a rigid indenter with a power-law graded half-space",
-    "graded.tangential": "Tangential contact with friction on a power-law graded half-space",
-    "viscoelastic": "Contact with a viscoelastic half-space, while it grows",
-    "plane": "Plane contact without adhesion: rigid strips on an elastic half plane, per length of the strip",
-    "loads": "Displacement under a prescribed pressure",
+    GRADED.name: "Contact on a half-space whose modulus grows as a power of the depth",
+    **{system.name: system.said.package for system in SYSTEMS if system.said.package},
 }
 """Of the packages, by their names below the first."""
 MEMBERS = {"": "attribute", "normal": "profile"}

@@ -11,7 +11,6 @@ import sympy as sp
 from ..entry import Entry
 from ..letters import name_of
 from ..notation import coefficients
-from ..physics import adhesive, tangential, viscoelastic
 from ..physics.systems import System
 from ..profiles.profile import Profile
 from . import docstring
@@ -22,11 +21,6 @@ from .module import Module
 from .private import parameter_name
 from .text import python
 
-CONTACTS = {
-    adhesive.PHYSICS: " with adhesion",
-    tangential.PHYSICS: " under a tangential load",
-    viscoelastic.PHYSICS: " on a viscoelastic half-space",
-}
 GRADED = " on a power-law graded half-space"
 """What titles of modules say behind that of the profile."""
 
@@ -172,5 +166,6 @@ class Writer:
     def module(self) -> Module:
         """The module of these functions."""
         system, profile = self.system, self.profile
-        title = f"{profile.title}{CONTACTS.get(system.physics, '')}{GRADED if system.medium.graded else ''}"
+        contact = f" {system.physics.contact}" if system.physics.over else ""
+        title = f"{profile.title}{contact}{GRADED if system.medium.graded else ''}"
         return Module(system, profile.name, title, profile.subtitle, self.public, self.private)

@@ -13,11 +13,11 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from ..entry import COMPACT, Case, Entry, Quantity, Status
+from ..entry import COMPACT, FOUR, Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
 from ..profiles.profile import Profile, Rule
-from . import Physics, detachment, normal
-from .medium import HOMOGENEOUS, Medium
+from . import Physics, Wording, detachment, normal
+from .medium import GRADED, HOMOGENEOUS, Medium
 from .normal import stable_inverse
 
 GROUP = detachment.GROUP
@@ -210,5 +210,36 @@ def _derive(profile: Profile, medium: Medium, plain: Mapping[str, Entry] | None 
 
 
 PHYSICS = Physics(
-    "adhesive", _derive, group=GROUP, over=normal.PHYSICS, refusal=detachment.refusal, tension=True, material=(dgamma,)
+    "adhesive",
+    {
+        HOMOGENEOUS: Wording(
+            place=2,
+            title="Adhesive contact",
+            note=r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$",
+            package="Adhesive contact of a rigid indenter with an elastic half-space",
+            searched="adhesion JKR Johnson Kendall Roberts Hess pull-off",
+            button="adhesion",
+            by_rule=("Dl", *FOUR),
+            subject="truncated_paraboloid.adh",
+        ),
+        GRADED: Wording(
+            place=5,
+            title="Adhesive contact, graded half-space",
+            note=r"$g$, $F_{\mathrm N}$, $p$, $w$ of the graded half-space",
+            package="Adhesive contact of a rigid indenter with a power-law graded half-space",
+            searched="FGM functionally graded gradient adhesion JKR pull-off",
+            by_rule=("Dl", *FOUR),
+            subject="paraboloid.fgm.adh",
+        ),
+    },
+    _derive,
+    group=GROUP,
+    over=normal.PHYSICS,
+    refusal=detachment.refusal,
+    tension=True,
+    material=(dgamma,),
+    contact="with adhesion",
+    runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
+    quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
+    wanted=("depth", "force", "pressure", "displacement", "pull_off"),
 )

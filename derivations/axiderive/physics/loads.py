@@ -13,7 +13,9 @@ from ..abel.moments import outside_moment
 from ..entry import Case, Entry, Quantity
 from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
-from . import Physics
+from . import Physics, Wording
+from .medium import HOMOGENEOUS
+from .pools import PRESSURES
 
 HALF = sp.S.Half
 QUANTITIES = {
@@ -72,4 +74,21 @@ def _outside(s: sp.Expr) -> sp.Expr:
     return beta * a / (sp.pi * r) * Hypergeometric(HALF, HALF, power + sp.Rational(3, 2), z)
 
 
-PHYSICS = Physics("loads", lambda profile, *_: derive(profile))
+PHYSICS = Physics(
+    "loads",
+    {
+        HOMOGENEOUS: Wording(
+            place=9,
+            title="Prescribed pressure",
+            heading="Displacement",
+            package="Displacement under a prescribed pressure",
+            searched="prescribed pressure loaded circle",
+        )
+    },
+    lambda profile, *_: derive(profile),
+    pool=PRESSURES,
+    contact="under a prescribed pressure",
+    runtime=("physics.circle",),
+    quantities={"loads": QUANTITIES},
+    wanted=("displacement",),
+)

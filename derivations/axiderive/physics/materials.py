@@ -12,7 +12,9 @@ import sympy as sp
 from ..entry import Case, Entry, Quantity
 from ..notation import E_0, E_star, F, G_star, H, beta, c_0, h_N, k, nu, nu_1, nu_2, r, w, young_1, young_2
 from ..profiles.materials import PROFILE
-from . import Physics
+from . import Physics, Wording
+from .medium import HOMOGENEOUS
+from .pools import BODIES as POOL
 
 QUANTITIES = {
     q.suffix: q
@@ -68,4 +70,10 @@ def _entry(
     )
 
 
-PHYSICS = Physics("materials", lambda *_: derive())
+PHYSICS = Physics(
+    "materials",
+    {HOMOGENEOUS: Wording(place=10, title="Elastic constants", searched="effective modulus Young Poisson")},
+    lambda *_: derive(),
+    pool=POOL,
+    quantities={"materials": QUANTITIES},
+)

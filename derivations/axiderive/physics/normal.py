@@ -23,11 +23,11 @@ import sympy as sp
 
 from ..abel.form import Chain, Form, Order, insert
 from ..abel.reduce import Reduced, parse
-from ..entry import COMPACT, Case, Entry, Primitive, Status
+from ..entry import COMPACT, COMPLETE, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
-from . import Physics, complete, peak
-from .medium import HOMOGENEOUS, Medium
+from . import Physics, Wording, complete, peak
+from .medium import GRADED, HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
 
@@ -374,4 +374,34 @@ def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
     return pieces, False
 
 
-PHYSICS = Physics("normal", derive)
+PHYSICS = Physics(
+    "normal",
+    {
+        HOMOGENEOUS: Wording(
+            place=1,
+            title="Normal contact without adhesion",
+            heading="Normal contact",
+            package="Normal contact without adhesion of a rigid indenter on an elastic half-space",
+            searched="indentation",
+            by_rule=("k",),
+            subject="rounded_punch",
+        ),
+        GRADED: Wording(
+            place=4,
+            title="Normal contact, graded half-space",
+            heading="Power-law graded half-space",
+            note=r"$c_{\mathrm N}(x)=H|x|^k$, $-1<k<1$",
+            package="Normal contact of a rigid indenter with a power-law graded half-space",
+            searched="FGM functionally graded gradient",
+            button="graded",
+            by_rule=("k", "pm", "aF", "dF"),
+            by_rule_complete=("k", "dF"),
+            subject="quartic.fgm",
+        ),
+    },
+    derive,
+    contact="without adhesion",
+    runtime=("physics.unknowns",),
+    quantities={"compact": COMPACT, "complete": COMPLETE},
+    wanted=("depth", "force", "pressure", "displacement"),
+)

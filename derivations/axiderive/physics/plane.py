@@ -20,9 +20,11 @@ from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
 from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
 from ..profiles.profile import Piece, Profile
-from . import Physics, complete, tilted
+from . import Physics, Wording, complete, tilted
+from .medium import HOMOGENEOUS
 from .normal import closed_inverse
-from .plane_quantities import PLANE, PLANE_COMPLETE
+from .plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from .pools import STRIPS
 
 # factors of P/E* in the pressure over E*, and in slope and depth
 PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi
@@ -209,4 +211,21 @@ class _Complete:
         }
 
 
-PHYSICS = Physics("plane", lambda profile, *_: derive(profile))
+PHYSICS = Physics(
+    "plane",
+    {
+        HOMOGENEOUS: Wording(
+            place=8,
+            title="Plane contact",
+            note=r"load $P$ per length; $d$ relative to the surface at the distance $L$; formulas for $x\ge 0$",
+            package="Plane contact without adhesion: rigid strips on an elastic half plane, per length of the strip",
+            searched="two-dimensional line contact roller strip",
+        )
+    },
+    lambda profile, *_: derive(profile),
+    pool=STRIPS,
+    contact="of a strip without adhesion, per length",
+    runtime=("physics.plane",),
+    quantities={"plane": PLANE, "plane complete": PLANE_COMPLETE, "plane eccentric": PLANE_ECCENTRIC},
+    wanted=("load", "pressure", "slope", "depth", "half_width_from_load"),
+)

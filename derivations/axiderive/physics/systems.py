@@ -6,60 +6,40 @@ A system applied to a profile is a problem.  Its key (`cone`, `cone.fgm.adh`,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
+from pathlib import Path
 
-import sympy as sp
-
-from .. import profiles
 from ..entry import Entry
-from ..notation import F, P, r, x
-from ..profiles import loads as prescribed
-from ..profiles import plane as plane_profiles
-from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile, unknown
-from . import Physics, adhesive, loads, materials, normal, plane, tangential, viscoelastic
-from .medium import GRADED, HOMOGENEOUS, Medium
-
-
-@dataclass(frozen=True)
-class Pool:
-    """Profiles that a family of systems draws on; `prefix` tells those of the same name apart."""
-
-    prefix: str
-    names: tuple[str, ...]
-    load: Callable[[str], Profile]
-    place: sp.Symbol = r
-    """Along the surface."""
-    force: sp.Symbol = F
-    """The load; in the plane by length."""
-
-    @property
-    def strip(self) -> bool:
-        """Whether the bodies are strips, the same at every cross-section."""
-        return self.place == x
-
-    def id(self, name: str) -> str:
-        """How the profile is called on the command line and in the index."""
-        return ".".join(part for part in (self.prefix, name) if part)
-
-
-ROUND = Pool("", profiles.NAMES, profiles.load)
-STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load, x, P)
-PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
-BODIES = Pool("", ("materials",), lambda name: ELASTIC)
-POOLS = (ROUND, STRIPS, PRESSURES, BODIES)
+from . import Physics, Wording
+from .medium import Medium
+from .pools import BODIES, POOLS, PRESSURES, ROUND, STRIPS, Pool
 
 
 @dataclass(frozen=True)
 class System:
-    """A physics on a medium, for the profiles of a pool."""
+    """A physics on a medium, for the profiles of its pool."""
 
     physics: Physics
     medium: Medium
-    title: str
-    pool: Pool = ROUND
+
+    @property
+    def said(self) -> Wording:
+        """What is said of it."""
+        return self.physics.wording[self.medium]
+
+    @property
+    def heading(self) -> str:
+        """What stands above its rows."""
+        return self.said.heading or self.said.title
+
+    @property
+    def pool(self) -> Pool:
+        """The bodies that it is derived for."""
+        return self.physics.pool
 
     @property
     def name(self) -> str:
@@ -129,18 +109,14 @@ class Problem:
         return Problem(self.system.base, self.name) if self.system.base else None
 
 
-SYSTEMS = (
-    System(normal.PHYSICS, HOMOGENEOUS, "Normal contact without adhesion"),
-    System(adhesive.PHYSICS, HOMOGENEOUS, "Adhesive contact"),
-    System(tangential.PHYSICS, HOMOGENEOUS, "Tangential contact with partial slip"),
-    System(normal.PHYSICS, GRADED, "Normal contact, graded half-space"),
-    System(adhesive.PHYSICS, GRADED, "Adhesive contact, graded half-space"),
-    System(tangential.PHYSICS, GRADED, "Tangential contact, graded half-space"),
-    System(viscoelastic.PHYSICS, HOMOGENEOUS, "Growing contact, viscoelastic half-space"),
-    System(plane.PHYSICS, HOMOGENEOUS, "Plane contact", STRIPS),
-    System(loads.PHYSICS, HOMOGENEOUS, "Prescribed pressure", PRESSURES),
-    System(materials.PHYSICS, HOMOGENEOUS, "Elastic constants", BODIES),
-)
+def _physics() -> Iterator[Physics]:
+    """What the files of this folder end with."""
+    for path in sorted(Path(__file__).parent.glob("[a-z]*.py")):
+        if path.stem != "systems" and (found := getattr(import_module(f".{path.stem}", __package__), "PHYSICS", None)):
+            yield found
+
+
+SYSTEMS = tuple(sorted((System(p, m) for p in _physics() for m in p.wording), key=lambda own: own.said.place))
 BY_NAME = {system.name: system for system in SYSTEMS}
 
 

@@ -14,8 +14,8 @@ from ..abel.form import insert
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import F, F_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
-from . import Physics, normal
-from .medium import HOMOGENEOUS, Medium
+from . import Physics, Wording, normal
+from .medium import GRADED, HOMOGENEOUS, Medium
 
 GROUP = "tan"
 
@@ -144,5 +144,39 @@ def _closed_stick_radius(radius: Entry, force: Entry) -> tuple[Case, ...] | None
 
 
 PHYSICS = Physics(
-    "tangential", derive, group=GROUP, over=normal.PHYSICS, beside=True, refusal=refusal, shear=True, material=(mu,)
+    "tangential",
+    {
+        HOMOGENEOUS: Wording(
+            place=3,
+            title="Tangential contact with partial slip",
+            heading="Tangential contact",
+            note=r"Cattaneo--Mindlin approximation, coefficient of friction $\mu$, stick for $r<c$, constant "
+            r"$F_{\mathrm N}$",
+            package="Tangential contact with friction, with a zone of stick",
+            searched="friction partial slip Cattaneo Mindlin Ciavarella Jäger traction",
+            button="friction",
+            by_rule=("F", "u", "us", "tau"),
+            subject="truncated_paraboloid.tan",
+        ),
+        GRADED: Wording(
+            place=6,
+            title="Tangential contact, graded half-space",
+            note=r"$c_{\mathrm T}(x)=H_x|x|^k$",
+            package="Tangential contact with friction on a power-law graded half-space",
+            searched="FGM functionally graded gradient friction partial slip Cattaneo Mindlin",
+            by_rule=("F", "u", "us", "tau", "c"),
+            subject="paraboloid.fgm.tan",
+        ),
+    },
+    derive,
+    group=GROUP,
+    over=normal.PHYSICS,
+    beside=True,
+    refusal=refusal,
+    shear=True,
+    material=(mu,),
+    contact="under a tangential load",
+    runtime=("physics.slip",),
+    quantities={"tangential": QUANTITIES},
+    wanted=("depth", "force", "tangential_force", "traction", "stick_radius"),
 )

@@ -16,7 +16,8 @@ from ..abel.masters import Kummer
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, time, v
 from ..profiles.profile import Profile
-from . import Physics, normal
+from . import Physics, Wording, normal
+from .medium import HOMOGENEOUS
 
 GROUP = "vis"
 REFERENCES = ("(11.16)", "(11.20)")
@@ -154,4 +155,26 @@ def _entry(
     )
 
 
-PHYSICS = Physics("viscoelastic", lambda profile, *_: derive(profile), group=GROUP, over=normal.PHYSICS, laws=LAWS)
+PHYSICS = Physics(
+    "viscoelastic",
+    {
+        HOMOGENEOUS: Wording(
+            place=7,
+            title="Growing contact, viscoelastic half-space",
+            heading="Viscoelastic half-space",
+            note=r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
+            package="Contact with a viscoelastic half-space, while it grows",
+            searched="creep relaxation Lee Radok rheology",
+            button="viscoelastic",
+            subject="sphere.vis",
+        )
+    },
+    lambda profile, *_: derive(profile),
+    group=GROUP,
+    over=normal.PHYSICS,
+    laws=LAWS,
+    contact="on a viscoelastic half-space",
+    runtime=("physics.relaxation",),
+    quantities={"viscoelastic": QUANTITIES},
+    wanted=("ramp_force", "step_force", "step_load_radius"),
+)

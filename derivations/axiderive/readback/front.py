@@ -19,7 +19,7 @@ from ..oracle.evaluate import case_at, evaluate
 from ..oracle.sampling import points
 from ..oracle.shape import number
 from ..physics import viscoelastic
-from ..physics.systems import pool_of, problem
+from ..physics.systems import BY_NAME, pool_of, problem
 from ..print.formula import Printer
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -93,12 +93,6 @@ SAMPLES = {
 """Arguments at which the special functions are compared with their definitions."""
 
 
-SUBJECTS = {
-    "normal": "rounded_punch", "adhesive": "truncated_paraboloid.adh", "tangential": "truncated_paraboloid.tan",
-    "viscoelastic": "sphere.vis", "graded.normal": "quartic.fgm", "graded.adhesive": "paraboloid.fgm.adh",
-    "graded.tangential": "paraboloid.fgm.tan",
-}  # fmt: skip
-"""Problems whose entries the rules are compared with: roots where an equation is solved, no integrals in fields."""
 OF_DEPTH, POWER = "cone", r",\qquad m=2"
 """A contact whose force is printed as a function of the depth, and the power of the depth that it goes with."""
 
@@ -110,7 +104,7 @@ def rules(stored: Callable[[str], Entries]) -> list[Line]:
 
 def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], bool]:
     of_depth = one.suffix in ("step", "ramp")
-    key = f"{OF_DEPTH}.vis" if of_depth else SUBJECTS[one.system]
+    key = f"{OF_DEPTH}.vis" if of_depth else BY_NAME[one.system].said.subject
     entries, below = stored(key), problem(key).base
     base = {"F": stored(OF_DEPTH)["Fd"]} if of_depth else stored(below.key if below else key)
     if one.kind is None:

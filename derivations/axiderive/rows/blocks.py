@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..entry import Entry
-from ..physics.systems import BODIES, ROUND, SYSTEMS, Problem, System, of, pool_of
+from ..physics.pools import BODIES, ROUND
+from ..physics.systems import SYSTEMS, Problem, System, of, pool_of
 from ..print.words import prose
 from . import laws
 from .approaches import approach_rows
@@ -17,33 +18,6 @@ from .limits import limit_rows, reduction_rows
 from .row import Row, lines, ordered
 from .special import HOSTS, ON_TIP, TIPS, sum_rows, tip_rows
 
-TITLES = {
-    "normal": ("Normal contact", ""),
-    "adhesive": (
-        "Adhesive contact",
-        r"Johnson--Kendall--Roberts limit, work of separation $\Delta\gamma$",
-    ),
-    "tangential": (
-        "Tangential contact",
-        r"Cattaneo--Mindlin approximation, coefficient of friction $\mu$, stick for $r<c$, constant $F_{\mathrm N}$",
-    ),
-    "viscoelastic": (
-        "Viscoelastic half-space",
-        r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
-    ),
-    "graded.normal": ("Power-law graded half-space", r"$c_{\mathrm N}(x)=H|x|^k$, $-1<k<1$"),
-    "graded.adhesive": (
-        "Adhesive contact, graded half-space",
-        r"$g$, $F_{\mathrm N}$, $p$, $w$ of the graded half-space",
-    ),
-    "graded.tangential": ("Tangential contact, graded half-space", r"$c_{\mathrm T}(x)=H_x|x|^k$"),
-    "plane": (
-        "Plane contact",
-        r"load $P$ per length; $d$ relative to the surface at the distance $L$; formulas for $x\ge 0$",
-    ),
-    "loads": ("Displacement", ""),
-    "materials": ("Elastic constants", ""),
-}
 PULL_OFF = r"pull-off under force control, $a_{\mathrm c}$, and under depth control, $a_{\mathrm m}$"
 
 
@@ -66,7 +40,7 @@ class Block:
 
 def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
     """Title and note of a block; a note speaks of what the block has rows for only."""
-    title, note = TITLES[system.name]
+    title, note = system.heading, system.said.note
     if "am" in entries and not system.medium.graded:
         return title, f"{note}; {PULL_OFF}"
     if "phi" in entries:
@@ -194,8 +168,7 @@ def _reason(message: str) -> str:
 
 
 def _silent(system: System, words: str) -> Block:
-    title, _ = TITLES[system.name]
-    return Block(title, "", [], [], words=words)
+    return Block(system.heading, "", [], [], words=words)
 
 
 def rows_of(

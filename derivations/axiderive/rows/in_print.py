@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..entry import FOUR
 from ..notation import a, b
 from ..physics.adhesive import CONTROLS
 from ..physics.systems import System
@@ -21,17 +20,6 @@ JOINT = r",\quad\enspace "
 JOINT_WIDTH = 15.0
 MOST_LINES = 10
 """Of a row in print; a longer one is left to the web edition and its definition."""
-SAME_FOR_ALL = {
-    "normal": ("k",),
-    "graded.normal": ("k", "pm", "aF", "dF"),
-    "adhesive": ("Dl", *FOUR),
-    "graded.adhesive": ("Dl", *FOUR),
-    "tangential": ("F", "u", "us", "tau"),
-    "graded.tangential": ("F", "u", "us", "tau", "c"),
-}
-"""Quantities of a compact contact whose formula is that of the rule with g, F_N, p or w put in."""
-OF_COMPLETE = {"graded.normal": ("k", "dF")}
-"""The same of a complete contact."""
 
 
 def printed(system: System, rows: Sequence[Row]) -> list[Row]:
@@ -39,7 +27,7 @@ def printed(system: System, rows: Sequence[Row]) -> list[Row]:
     if not rows or system.pool.strip:
         return [_beyond_tip(one) if system.pool.id(one.entry.profile.name) in TIPS else one for one in rows]
     if not rows[0].entry.profile.compact:
-        return [replace(one, listed=one.suffix in OF_COMPLETE.get(system.name, ())) for one in rows]
+        return [replace(one, listed=one.suffix in system.said.by_rule_complete) for one in rows]
     known = {one.suffix: one for one in rows}
     found: list[Row] = []
     for one in rows:
@@ -85,7 +73,7 @@ def _is_ruled(system: System, one: Row) -> bool:
         return one.suffix not in ("d", "F", "ad") or system.medium.graded
     if one.suffix == "pp":
         return False
-    if one.suffix in SAME_FOR_ALL.get(system.name, ()) or one.kind in ("rule", "root", "composition"):
+    if one.suffix in system.said.by_rule or one.kind in ("rule", "root", "composition"):
         # what a law does to a closed formula is printed with it
         return not system.physics.laws or r"F_{\mathrm N}(" in one.regions[0].tex
     if sum(len(region.lines) for region in one.regions) > MOST_LINES:

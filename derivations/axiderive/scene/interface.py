@@ -10,13 +10,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..code.plane.interface import SHAPE
-from ..entry import COMPACT, COMPLETE, Entry, Quantity
+from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace
-from ..physics import Physics, adhesive, detachment, loads, normal, plane, tangential, viscoelastic
+from ..physics import Physics, adhesive, normal, viscoelastic
 from ..physics.adhesive import pull_off_rule
-from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ..physics.systems import BODIES, SYSTEMS, System
+from ..physics.pools import BODIES
+from ..physics.systems import SYSTEMS, System
 from ..physics.viscoelastic import Law
 from ..profiles import NAMES
 from ..profiles.profile import Profile, Rule
@@ -143,25 +143,17 @@ def parameters(profile: Profile) -> dict[str, sp.Symbol]:
     return {letter(symbol): symbol for symbol in profile.parameters}
 
 
-PUNCHED = {"f": SHAPE}
-TABLES: dict[Physics, dict[str, Mapping[str, Quantity]]] = {
-    normal.PHYSICS: {"compact": COMPACT, "": COMPLETE},
-    adhesive.PHYSICS: {"compact": adhesive.QUANTITIES, "": detachment.QUANTITIES},
-    tangential.PHYSICS: {"": tangential.QUANTITIES},
-    loads.PHYSICS: {"": loads.QUANTITIES},
-    plane.PHYSICS: {"compact": PUNCHED | PLANE, TILTED: PLANE_ECCENTRIC, "": PUNCHED | PLANE_COMPLETE},
-}
-"""The quantities of a physics, by what `contact_of` says of the profile; empty for all others."""
-
-
 def functions(kind: Kind, contact: str = "compact") -> dict[str, Function]:
     """All functions of a kind of contact by name, `pull_off` left out."""
     if kind.law:
         return _viscoelastic(kind, kind.law, contact)
-    tables = TABLES[kind.physics]
+    tables = [*kind.physics.quantities.values()]
+    table = tables[{"compact": 0, TILTED: -1}.get(contact, 1 % len(tables))]
+    if kind.system.pool.strip and contact != TILTED:
+        table = {"f": SHAPE} | {**table}
     return {
         quantity.function: Function(kind, quantity, contact)
-        for quantity in (tables.get(contact) or tables[""]).values()
+        for quantity in table.values()
         if not quantity.control and not quantity.member and (not quantity.threshold or contact == CONCAVE)
     }
 

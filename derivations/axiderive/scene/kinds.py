@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..physics.medium import GRADED, HOMOGENEOUS
-from ..physics.systems import BODIES, PRESSURES, ROUND, STRIPS, SYSTEMS, Pool, on
+from ..physics.pools import BODIES, PRESSURES, ROUND, STRIPS, Pool
+from ..physics.systems import SYSTEMS, on
 from ..physics.viscoelastic import LAWS, Law
 from ..profiles.profile import Profile
 from . import interface

@@ -19,11 +19,11 @@ from ..code.plane import document
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
-from ..physics.systems import ROUND, Problem
+from ..physics.pools import ROUND
+from ..physics.systems import Problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles.profile import Profile
-from ..rows.blocks import TITLES
 from ..rows.laws import laws
 from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
@@ -171,7 +171,7 @@ def _sections(profile: Profile, kind: interface.Kind) -> str:
         record = sources.evidence(own.key) or {}
         entries = read_entries(own, record.get("entries", {}))
         rows = law_rows(entries, below) if system.physics.laws else ordered(entries)
-        lines += [rf"\sect{{{TITLES[system.name][0]}}}", *_rows(rows, record.get("evidence", {}))]
+        lines += [rf"\sect{{{system.heading}}}", *_rows(rows, record.get("evidence", {}))]
         below = entries
     return "\n".join([*lines, ""])
 

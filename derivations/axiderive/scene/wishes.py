@@ -10,7 +10,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from .. import notation as nt
-from ..physics.systems import ROUND
+from ..physics.pools import ROUND
 from . import interface
 from .linker.sources import ramps
 from .text import SceneText, near
@@ -20,14 +20,6 @@ if TYPE_CHECKING:
     from .reading import Scene
 
 FORMATS = ("python", "tex", "pdf", "json")
-DEFAULT = {
-    "normal": ["depth", "force", "pressure", "displacement"],
-    "adhesive": ["depth", "force", "pressure", "displacement", "pull_off"],
-    "tangential": ["depth", "force", "tangential_force", "traction", "stick_radius"],
-    "plane": ["load", "pressure", "slope", "depth", "half_width_from_load"],
-    "loads": ["displacement"],
-    "viscoelastic": ["ramp_force", "step_force", "step_load_radius"],
-}
 OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
 SYMBOLS = {"d": "depth", "g": "depth", "F": "force", "p": "pressure", "w": "displacement", "f": "profile",
            "a": "radius_from_force", "u": "displacement", "F_N": "force", "P": "load"}  # fmt: skip
@@ -44,7 +36,7 @@ def want(text: SceneText, scene: Scene) -> None:
     known = available(scene.kind, contact)
     if scene.kind.law and not ramps(scene.profile):
         known.remove("ramp_force")
-    default = [name for name in DEFAULT[scene.kind.physics.name] if name in known]
+    default = [name for name in scene.kind.physics.wanted if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them
     default += [name for name in OF_COMPLETE if name in known and contact != "compact"]
     default.sort(key=known.index)

@@ -23,8 +23,8 @@ from typing import Any
 import sympy as sp
 
 from ..abel.masters import MASTERS
-from ..entry import COMPACT, COMPLETE, Case, Entry, Primitive, Quantity
-from ..physics import adhesive, detachment, loads, materials, plane_quantities, tangential, viscoelastic
+from ..entry import Case, Entry, Primitive, Quantity
+from ..physics.systems import SYSTEMS, of
 from ..profiles.loads import Load
 from ..profiles.profile import Limit, Piece, Profile, Rule, Sketch
 
@@ -138,19 +138,7 @@ Record = Any
 _CLASSES: dict[str, type] = {
     cls.__name__: cls for cls in (Case, Entry, Limit, Load, Piece, Primitive, Profile, Quantity, Rule, Sketch)
 }
-_KINDS = {
-    "compact": COMPACT,
-    "complete": COMPLETE,
-    "adhesive": adhesive.QUANTITIES,
-    "detachment": detachment.QUANTITIES,
-    "tangential": tangential.QUANTITIES,
-    "viscoelastic": viscoelastic.QUANTITIES,
-    "plane": plane_quantities.PLANE,
-    "plane complete": plane_quantities.PLANE_COMPLETE,
-    "plane eccentric": plane_quantities.PLANE_ECCENTRIC,
-    "loads": loads.QUANTITIES,
-    "materials": materials.QUANTITIES,
-}
+_KINDS = {name: table for own in SYSTEMS for name, table in own.physics.quantities.items()}
 _QUANTITIES = {f"{name}.{q.suffix}": q for name, kind in _KINDS.items() for q in kind.values()}
 
 
@@ -179,8 +167,9 @@ def read_entry(record: Record, profile: Profile) -> Entry:
         message = f"{profile.name}: a stored entry is a {type(entry).__name__}; run axicontact build --fresh"
         raise RecordError(message)
     # stored by the name of the first quantity that computes the same: the depth under adhesion as that without it
-    own = adhesive.QUANTITIES.get(entry.suffix) if f".{adhesive.GROUP}." in entry.key else None
-    return dataclasses.replace(entry, quantity=own) if own == entry.quantity else entry
+    tables = of(entry).physics.quantities.values()
+    own = next(table[entry.suffix] for table in tables if table.get(entry.suffix) == entry.quantity)
+    return dataclasses.replace(entry, quantity=own)
 
 
 def _encode(value: Any, profiles: Mapping[str, Profile]) -> Record:

@@ -226,9 +226,10 @@ def _code(value: object) -> str:
 
 
 def _silent(node: object) -> bool:
-    """Whether a statement computes nothing: a string that stands alone, own imports, what only a type checker reads."""
+    """Whether a part computes nothing: a string that stands alone, words, own imports, what a type checker reads."""
     words = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
-    return words or (isinstance(node, ast.ImportFrom) and node.level > 0) or _for_types(node)
+    said = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Wording"
+    return words or said or (isinstance(node, ast.ImportFrom) and node.level > 0) or _for_types(node)
 
 
 def _for_types(node: object) -> bool:

@@ -10,6 +10,7 @@ from ..book.guide import TITLE, cited
 from ..book.readme import LEFT_OUT
 from ..book.word_index import WORDS
 from ..figures.svg import svg
+from ..physics.systems import SYSTEMS
 
 KINDS = {
     "Pointed": "pointed", "Round": "round", "Flatter than round": "round", "Flat": "flat",
@@ -21,10 +22,6 @@ FILTERS = {
     "load": "pressure known",
 }  # fmt: skip
 """What the buttons say."""
-PHYSICS = {
-    "adhesive": "adhesion", "tangential": "friction", "viscoelastic": "viscoelastic", "graded.normal": "graded",
-}  # fmt: skip
-"""Systems to which a picture leads besides normal contact."""
 SMALL = 20.0
 """SVG units to one unit of the outline that the front of the book draws."""
 NONE = "–"
@@ -48,7 +45,8 @@ def home(front: Mapping[str, Any], models: Mapping[str, Mapping[str, Any]]) -> d
 def _card(one: Mapping[str, Any], kind: str, models: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     status = models[one["name"]]["status"]
     kinds = [kind, "worn"] if _WORN.search(one["words"]) else [kind]
-    physics = [(name, words) for name, words in PHYSICS.items() if status.get(name, LEFT_OUT) not in (LEFT_OUT, NONE)]
+    others = sorted((s for s in SYSTEMS if s.said.button), key=lambda s: s.medium.graded)
+    physics = [(s.name, s.said.button) for s in others if status.get(s.name, LEFT_OUT) not in (LEFT_OUT, NONE)]
     return {**one, "picture": svg(one["shape"], SMALL), "kinds": kinds, "physics": physics}
 
 

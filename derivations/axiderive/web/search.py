@@ -35,7 +35,7 @@ def search_index(
         "citation": bibtex(front["version"], front["edition"]),
         "first": FIRST,
         "profiles": profiles,
-        "systems": [[_short(system.title), SEARCHED.get(system.name, "")] for system in SYSTEMS],
+        "systems": [[_short(system.said.title), system.said.searched] for system in SYSTEMS],
         "keys": rows,
         "places": [
             *_of_profiles(models),
@@ -62,20 +62,6 @@ ALSO = {
     "dgamma": "work of adhesion surface energy",
 }  # fmt: skip
 """Other words for what a function gives or a symbol means."""
-
-SEARCHED = {
-    "normal": "indentation",
-    "adhesive": "adhesion JKR Johnson Kendall Roberts Hess pull-off",
-    "tangential": "friction partial slip Cattaneo Mindlin Ciavarella Jäger traction",
-    "viscoelastic": "creep relaxation Lee Radok rheology",
-    "graded.normal": "FGM functionally graded gradient",
-    "graded.adhesive": "FGM functionally graded gradient adhesion JKR pull-off",
-    "graded.tangential": "FGM functionally graded gradient friction partial slip Cattaneo Mindlin",
-    "plane": "two-dimensional line contact roller strip",
-    "loads": "prescribed pressure loaded circle",
-    "materials": "effective modulus Young Poisson",
-}
-"""Words by which a physics is looked for and that its title does not have."""
 
 
 def _short(title: str) -> str:

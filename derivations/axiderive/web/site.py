@@ -17,7 +17,8 @@ from ..book import book
 from ..book.handbook import Model, page_models, ruled, summary
 from ..book.readme import LEFT_OUT, LEGEND
 from ..code.python import package_sources
-from ..physics.systems import ROUND, SYSTEMS, pool_of
+from ..physics.pools import ROUND
+from ..physics.systems import SYSTEMS, pool_of
 from . import study
 from .home import home
 from .page import Derived, page

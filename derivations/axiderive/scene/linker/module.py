@@ -26,10 +26,7 @@ if TYPE_CHECKING:
 def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
     law = request.kind.law
-    kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
-            "loads": "under a prescribed pressure",
-            "plane": "of a strip without adhesion, per length",
-            "viscoelastic": f"on {law.material if law else ''}, while it grows"}[request.kind.physics.name]  # fmt: skip
+    kind = f"on {law.material}, while it grows" if law else request.kind.physics.contact
     if request.kind.graded:
         kind += " on a half-space whose modulus grows as a power of depth"
     title = _plain(request.title)
