@@ -62,7 +62,8 @@ def document(
     lines += _section("Raises", ["ValueError", f"    If {outside} is outside its domain."])
     lines += _section("Notes", wrapped(notes))
     lines += _section("References", wrapped(f"{named}.")) if named else []
-    return "\n".join([*lines, *_section("Examples", example)][:-1])
+    lines += _section("Examples", example) if example else []
+    return "\n".join(lines[:-1])
 
 
 def _section(title: str, lines: Sequence[str]) -> list[str]:

@@ -11,6 +11,7 @@ from ..entry import Entry
 from ..notation import coefficients, e
 from ..physics.medium import GRADED
 from ..physics.systems import SYSTEMS, System, problem
+from . import subsurface
 from .module import PACKAGE, PLACE, Module, package_source, runtime_sources
 from .private import parameter_name
 from .programs import program_sources
@@ -48,6 +49,7 @@ def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, s
         below[system.name] = modules(system, found, below)
         files |= {module.path: module.source() for module in below[system.name].values()}
         files |= _refusals(system, found)
+    files |= subsurface.sources(below["normal"], found["normal"])
     for package, title in TITLES.items():
         place = "/".join([PACKAGE, *filter(None, package.split("."))])
         files[f"{place}/__init__.py"] = package_source(title, _names(place, files), MEMBERS.get(package, "member"))

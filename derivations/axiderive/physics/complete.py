@@ -33,7 +33,7 @@ REFERENCES = {
 
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All entries of a profile in complete contact, keyed by suffix."""
-    face, coefficient = _fixed_face(profile)
+    face, coefficient = fixed_face(profile)
     reduced = parse(face, medium.k)
     fixed = _fixed_formulas(reduced, medium)
     cases = {name: Case(case.chain, _merged(case.expr.subs(C, coefficient))) for name, case in fixed.items()}
@@ -48,7 +48,7 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
 
 def edge_depth(profile: Profile, medium: Medium = HOMOGENEOUS) -> sp.Expr:
     """g(a), the depth at which the pressure has no singularity at the edge."""
-    face, coefficient = _fixed_face(profile)
+    face, coefficient = fixed_face(profile)
     depth = parse(face, medium.k).depth(Order((a,))).expr()
     return _merged(depth.subs(C, coefficient))
 
@@ -95,7 +95,7 @@ def definitions(medium: Medium) -> dict[str, sp.Expr]:
     }
 
 
-def _fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
+def fixed_face(profile: Profile) -> tuple[tuple[Piece, ...], sp.Expr]:
     """The face with C for its coefficient where that depends on a, and what C stands for."""
     (piece,) = profile.pieces
     if not piece.expr.has(a):

@@ -15,13 +15,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..interface import Array
+from ..nodes import gauss_legendre
 
-NODES, WEIGHTS = (lambda x, w: ((1 + x) / 2, w / 2))(*np.polynomial.legendre.leggauss(14))
-FEW, FEW_WEIGHTS = (lambda x, w: ((1 + x) / 2, w / 2))(*np.polynomial.legendre.leggauss(8))
-PANEL = 2.0
-"""In u, where the next singular point is a right angle away: 14 nodes leave 1e-15 of the integral."""
-CLEAR, FAR = 0.85, 3.0
-"""Distances of the singular point, in lengths of a panel, from which 14 and 8 nodes need no sinh(u)."""
+MANY, FEW = 16, 8
+"""Nodes of a panel, and of one that is far away."""
+PANEL = 2.4
+"""In u, where the next singular point is a right angle away: 16 nodes leave 1e-15 of the integral."""
+CLEAR, FAR = 0.75, 3.0
+"""Distances of the singular point, in lengths of a panel, from which 16 and 8 nodes need no sinh(u)."""
 SURFACE = 1e-30
 """Depths below the surface, in lengths of the contact, that change nothing."""
 LOST = 37.0
@@ -252,7 +253,7 @@ def _cut(point: Array, start: Array, end: Array, offset: Any) -> Panels:
 
 def _add(total: Array, r: Array, z: Array, piece: Piece, star: Array, panels: Panels) -> None:
     """Adds the integrals over panels to those of their points."""
-    nodes, weights = (FEW, FEW_WEIGHTS) if panels.few else (NODES, WEIGHTS)
+    nodes, weights = gauss_legendre(FEW if panels.few else MANY)
     for begin in range(0, panels.point.size, POINTS):
         part = slice(begin, begin + POINTS)
         point, step = panels.point[part], panels.step[part, None]

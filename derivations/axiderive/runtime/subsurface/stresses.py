@@ -58,34 +58,114 @@ class Greatest(NamedTuple):
 
 
 Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
-"""Of a, d and the geometry: the contact radius, the depth that its edge is pressed in beyond g, the pieces of g'."""
+"""Of the given radius or depth and of the geometry: the contact radius, NaN where there is no contact; the depth by
+which the edge is pressed in beyond g; the pieces of g'."""
 
 
-def eleven(shape: Shape, r: Array, z: Array, a: Array, d: Array | None, geometry: dict[str, Array]) -> Array:
-    """The eleven numbers as rows over points of one shape, which all arguments broadcast to; NaN where one is negative.
+def eleven(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
+    """The eleven numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
 
-    They are infinite at the edge of a flat face and at the tip of a cone, NaN where there is no direction to the edge.
+    They are infinite where the pressure is: at the edge of a flat face, a tip, a kink.
     """
-    given = [r, z, a, *([] if d is None else [d]), *geometry.values()]
-    r, z, a, *others = np.broadcast_arrays(*(np.asarray(x, float) for x in given))
+    r, z, given, *own = np.broadcast_arrays(r, z, given, *geometry.values())
     size = r.shape
-    r, z, a, *others = (np.ravel(x) for x in (r, z, a, *others))
-    depth, own = (None, others) if d is None else (others[0], others[1:])
+    r, z, given, *own = (np.ravel(x) for x in (r, z, given, *own))
     with np.errstate(all="ignore"):
-        radius, edge, pieces = shape(a, depth, **dict(zip(geometry, own, strict=True)))
-        edge = np.broadcast_to(edge, r.shape)
+        radius, edge, pieces = shape(given, **dict(zip(geometry, own, strict=True)))
+        radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
         total = superposed(r, z, pieces)
         pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
-        if pressed.size:
-            x, y, t = r[pressed], z[pressed], np.broadcast_to(radius, r.shape)[pressed]
-            rim = (x == t) & (y == 0.0)
-            field = np.array(punch(x, y, t, t - x))
-            field[:, rim] = np.nan
-            field[np.ix_((0, 8, 9), np.flatnonzero(rim))] = np.inf
-            total[:, pressed] += edge[pressed] * field
+        x, y, t = r[pressed], z[pressed], radius[pressed]
+        field = np.array(punch(x, y, t, t - x))
+        rim = np.flatnonzero((x == t) & (y == 0.0))
+        field[:, rim] = np.nan
+        field[np.ix_((0, 8, 9), rim)] = np.inf
+        total[:, pressed] += edge[pressed] * field
         total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
-        total[:, np.isinf(r) | np.isinf(z)] = 0.0
+        total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
     return total.reshape(-1, *size)
+
+
+def held(d: Result | None) -> dict[str, Result]:
+    """A depth, where it is given."""
+    return {} if d is None else {"d": d}
+
+
+def stress_below(
+    shape: Shape, r: Result, z: Result, given: Result, E_star: Result, nu: Result, **geometry: Result
+) -> Stress:
+    """The stress under the normal load."""
+    found, (nu, E_star) = _found(shape, r, z, given, geometry, nu, E_star)
+    return Stress(*plain(normal_stress(found, nu, E_star / np.pi)))
+
+
+def displacement_below(
+    shape: Shape, r: Result, z: Result, given: Result, nu: Result, **geometry: Result
+) -> Displacement:
+    """The displacement under the normal load."""
+    found, (nu, r, z) = _found(shape, r, z, given, geometry, nu, r, z)
+    return Displacement(*plain(normal_displacement(found, r, z, nu)))
+
+
+def sliding_below(
+    shape: Shape, r: Result, phi: Result, z: Result, given: Result,
+    E_star: Result, nu: Result, mu: Result, inner: Result = None, **geometry: Result,
+) -> SlidingStress:  # fmt: skip
+    """What friction adds, with a zone of stick up to the radius `inner` if there is one."""
+    found, (phi, nu, E_star, mu) = _found(shape, r, z, given, geometry, phi, nu, E_star, mu)
+    if inner is not None:
+        found = found - _found(shape, r, z, inner, geometry, phi, nu, E_star, mu)[0]
+    return SlidingStress(*plain(frictional_stress(found, phi, nu, mu * E_star / np.pi)))
+
+
+def _found(
+    shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], *others: Result
+) -> tuple[Array, list[Array]]:
+    """The eleven numbers, and the other arguments, over the shape to which all broadcast."""
+    fields = zip(("r", "z", "the contact"), (r, z, given), strict=True)
+    own = [
+        *(numbers(name, x) for name, x in (*fields, *geometry.items())),
+        *(numbers("an argument", x) for x in others),
+    ]
+    r, z, given, *own = np.broadcast_arrays(*own)
+    geometry = dict(zip(geometry, own, strict=False))
+    return eleven(shape, r, z, given, geometry), own[len(geometry) :]
+
+
+def greatest_below(
+    shape: Shape, measure: Callable[[Stress], Array], given: Result, E_star: Result, nu: Result, **geometry: Result
+) -> Greatest:
+    """The greatest value of a measure below each contact, and where."""
+    known = {"the contact": given, "E_star": E_star, "nu": nu, **geometry}
+    own = np.broadcast_arrays(*(numbers(name, x) for name, x in known.items()))
+    rows = []
+    for one in zip(*(np.ravel(x).tolist() for x in own), strict=True):
+        rows.append(_greatest_of(shape, measure, *one[:3], dict(zip(geometry, one[3:], strict=True))))
+    columns = np.array(rows, float).reshape(-1, 3).T
+    return Greatest(*plain([column.reshape(np.shape(own[0])) for column in columns]))
+
+
+def _greatest_of(
+    shape: Shape, measure: Callable[[Stress], Array], given: float, modulus: float, nu: float, known: dict[str, float]
+) -> Greatest:
+    with np.errstate(all="ignore"):
+        radius, edge, pieces = shape(np.array([given]), **{name: np.array([x]) for name, x in known.items()})
+    a = float(np.ravel(radius)[0])
+    if not a > 0.0:
+        return Greatest(0.0 if a == 0.0 else np.nan, np.nan, np.nan)
+    if np.ravel(edge)[0] != 0.0:
+        return Greatest(np.inf, a, 0.0)
+    inner = [(float(np.ravel(p.low)[0]), bool(np.ravel(p.sharp)[0])) for p in pieces]
+    inside = [low for low, _ in inner if low < a]
+    sharp = [low for low, infinite in inner if infinite and low < a]
+    if sharp and nu < 0.5:
+        return Greatest(np.inf, sharp[0], 0.0)
+
+    def value(r: Array, z: Array) -> Array:
+        found = eleven(shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
+        return measure(Stress(*normal_stress(found, nu, modulus / np.pi)))
+
+    return greatest(value, a, [0.0, *inside, a])
 
 
 def plain(values: Sequence[Array]) -> list[Result]:
@@ -142,7 +222,8 @@ def hydrostatic(stress: AnyStress) -> Result:
 def von_mises(stress: AnyStress) -> Result:
     """Equivalent stress of von Mises [Pa]."""
     rr, tt, zz, rt, rz, tz = _components(stress)
-    normal = (rr - tt) ** 2 + (tt - zz) ** 2 + (zz - rr) ** 2
+    with np.errstate(invalid="ignore"):  # of two that are infinite
+        normal = (rr - tt) ** 2 + (tt - zz) ** 2 + (zz - rr) ** 2
     return plain([np.sqrt(normal / 2.0 + 3.0 * (rt**2 + rz**2 + tz**2))])[0]
 
 
@@ -166,9 +247,10 @@ def tresca(stress: AnyStress) -> Result:
 
 def largest_shear(stress: Stress) -> Array:
     """The greatest shear of an axisymmetric state, by its two principal stresses in the plane and the one around it."""
-    half = np.hypot((stress.rr - stress.zz) / 2.0, stress.rz)
-    middle = (stress.rr + stress.zz) / 2.0
-    return np.maximum(half, (np.abs(middle - stress.tt) + half) / 2.0)
+    with np.errstate(invalid="ignore"):  # of two that are infinite
+        half = np.hypot((stress.rr - stress.zz) / 2.0, stress.rz)
+        middle = (stress.rr + stress.zz) / 2.0
+        return np.maximum(half, (np.abs(middle - stress.tt) + half) / 2.0)
 
 
 LAYERS, ZOOMS, KEPT, WIDE = 34, 16, 4, 9

@@ -1,0 +1,275 @@
+"""Modules `axicontact.subsurface.<profile>`: stresses and displacements below a contact, from the slopes of its module.
+
+What is written here is which radii the slope g' has on either side of a break, and the variable in which a rule takes
+it (`runtime/subsurface/punches.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .. import notation as nt
+from ..abel import masters
+from ..abel.form import Order
+from ..abel.reduce import parse
+from ..entry import Entry
+from ..letters import name_of
+from ..notation import C, a, coefficients, t
+from ..physics import Physics, Wording, normal
+from ..physics.complete import fixed_face
+from ..physics.medium import HOMOGENEOUS
+from ..physics.systems import System
+from ..stable.forms import evaluation_form
+from ..stable.signs import facts_of
+from ..stable.slopes import singular_at_break, slope_form
+from . import docstring
+from .bodies.regimes import Regimes
+from .function import Function
+from .layout import from_import
+from .module import PACKAGE, PLACE, Module, package_source
+from .private import PrivateFunctions
+from .text import python
+from .writer import required
+
+NAME = "subsurface"
+TITLE = "Stresses and displacements below a rigid indenter on an elastic half-space, under normal load and friction"
+BELOW = Physics(
+    NAME, {HOMOGENEOUS: Wording(place=0, title=TITLE)}, lambda *_: {}, over=normal.PHYSICS,
+    runtime=("subsurface.punches", "subsurface.stresses"),
+)  # fmt: skip
+SYSTEM = System(BELOW, HOMOGENEOUS)
+SHARED = (
+    "Displacement",
+    "Greatest",
+    "SlidingStress",
+    "Stress",
+    "add",
+    "hydrostatic",
+    "principal",
+    "tresca",
+    "von_mises",
+)
+"""What the package gives besides its modules."""
+FIELDS = {
+    "r": "Distance from the axis [m]",
+    "phi": "Angle from the direction of the traction on the half-space [rad]",
+    "z": "Depth below the surface [m]; NaN above it",
+}
+RETURNS = {
+    "Stress": "Named tuple of rr, tt, zz and rz [Pa], tension positive, z into the half-space.",
+    "SlidingStress": "Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.",
+    "Displacement": "Named tuple of r and z [m], away from the axis and into the half-space.",
+    "SurfaceStress": "Named tuple of rr and tt [Pa], tension positive.",
+    "Greatest": "Named tuple of value [Pa], r and z [m], the point at which it is.",
+    "Result": "Displacement away from the axis [m].",
+}
+NUMBERS = "S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t."
+STRESS = (
+    "zz = -E_star*(S_0 + D_0)/pi", "rz = -E_star*D_1/pi",
+    "rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi", "rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi",
+)  # fmt: skip
+OUTWARD = "r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))"
+FRICTION = (
+    "rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi",
+    "rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi",
+    "zz = -mu*E_star*D_1*cos(phi)/pi",
+    "rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)",
+    "rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi", "tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi",
+)  # fmt: skip
+INFINITE = "At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite."
+SEARCHED = "Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the contact radius."
+SLIDES = "The traction mu p does not change the pressure. The whole stress is the `add` of this and of `stress`."
+STICKS = "The traction is mu times the difference of the pressures of radii a and c."
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A public function: its arguments besides the geometry, and the call of the run time that gives it."""
+
+    name: str
+    fields: tuple[str, ...]
+    material: tuple[sp.Symbol, ...]
+    returns: str
+    summary: str
+    stated: tuple[str, ...]
+    call: str
+    """With {0} for the shape, the point and the contact, and {1} for the geometry."""
+    note: str
+
+
+STATIC, FRICTIONAL = (nt.E_star, nt.nu), (nt.E_star, nt.nu, nt.mu)
+ASKED = (
+    Asked("stress", ("r", "z"), STATIC, "Stress", "Stress below the contact.", STRESS,
+          "stress_below({0}, E_star, nu, {1})", INFINITE),
+    Asked("displacement", ("r", "z"), (nt.nu,), "Displacement", "Displacement below the contact.",
+          ("z = (2*W + z*S_0/(1 - nu))/pi", OUTWARD), "displacement_below({0}, nu, {1})", ""),
+    Asked("surface_stress", ("r",), STATIC, "SurfaceStress", "Stress of the surface.", STRESS[2:],
+          "SurfaceStress(*stress_below({0}, E_star, nu, {1})[:2])", INFINITE),
+    Asked("surface_displacement", ("r",), (nt.nu,), "Result", "Displacement of the surface away from the axis.",
+          (OUTWARD,), "displacement_below({0}, nu, {1}).r", ""),
+    Asked("sliding_stress", ("r", "phi", "z"), FRICTIONAL, "SlidingStress",
+          "Stress that friction adds where the whole contact slides.", FRICTION,
+          "sliding_below({0}, E_star, nu, mu, {1})", SLIDES),
+    Asked("partial_slip_stress", ("r", "phi", "z"), FRICTIONAL, "SlidingStress",
+          "Stress that friction adds where the contact sticks within the radius c.", FRICTION,
+          "sliding_below({0}, E_star, nu, mu, c, {1})", STICKS),
+    Asked("greatest_von_mises", (), STATIC, "Greatest", "The greatest stress of von Mises below the contact.", (),
+          "greatest_below({0}, von_mises, E_star, nu, {1})", SEARCHED),
+    Asked("greatest_shear", (), STATIC, "Greatest", "The greatest shear stress below the contact.", (),
+          "greatest_below({0}, largest_shear, E_star, nu, {1})", SEARCHED),
+)  # fmt: skip
+
+
+def sources(modules: Mapping[str, Module], entries: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
+    """The files of the package, for the modules of the normal contact and the entries behind them, by profile."""
+    files = {f"{PACKAGE}/{NAME}/{name}.py": _Source(module, entries[name]).text() for name, module in modules.items()}
+    family = package_source(TITLE, sorted([*modules, *SHARED]), "profile")
+    shared = "\n".join(from_import(f"..{PLACE}.{NAME}.stresses", SHARED))
+    return files | {f"{PACKAGE}/{NAME}/__init__.py": family.replace("\n__all__", f"\n{shared}\n\n__all__", 1)}
+
+
+class _Source:
+    """The module of one profile."""
+
+    def __init__(self, module: Module, entries: Mapping[str, Entry]) -> None:
+        self.known, self.entries = module.parameters, entries
+        self.name, self.profile = module.name, next(iter(entries.values())).profile
+        self.compact, self.summed = self.profile.compact, coefficients in self.profile.parameters
+        self.geometry = [name_of(symbol) for symbol in self.profile.parameters]
+        self.given = "a" if self.compact else "d"
+
+    def text(self) -> str:
+        """The whole module."""
+        asked = [one for one in ASKED if self.compact or one.name != "partial_slip_stress"]
+        shape = self.grown() if self.compact else self.fixed()
+        public, title = [self.public(one) for one in asked], f"{self.profile.title}: stresses below the surface"
+        return Module(SYSTEM, self.name, title, self.profile.subtitle, public, shape).source()
+
+    def public(self, asked: Asked) -> Function:
+        """A function of the interface."""
+        held = ["c"] if "c, {1}" in asked.call else []
+        free = ["d: ArrayLike | None = None"] if self.compact and not held else []
+        shape = "partial(_shape, A=A)" if self.summed else "_shape"
+        point = [*asked.fields, *(["0.0"] if asked.name.startswith("surface") else [])]
+        measure = ["von_mises", "largest_shear"][asked.name == "greatest_shear"] if not asked.fields else ""
+        first = ", ".join([shape, *([measure] if measure else point), self.given])
+        passed = [f"{name}={name}" for name in self.geometry if not (self.summed and name == "A")]
+        rest = ", ".join([*passed, *(["**held(d)"] if free else [])])
+        call = asked.call.replace("{0}, von_mises", "{0}").replace("{0}, largest_shear", "{0}")
+        symbols = [*self.profile.parameters, *asked.material]
+        lines = [*self.checks(symbols), f"return {call.format(first, rest)}".replace(", )", ")")]
+        keywords = [name_of(symbol) for symbol in symbols]
+        doc = self.document(asked, held, bool(free))
+        return Function(asked.name, [*asked.fields, self.given, *held], [*keywords, *free], lines, doc, asked.returns)
+
+    def checks(self, symbols: list[sp.Symbol]) -> list[str]:
+        """The lines that check the parameters."""
+        lines = ["A = require_coefficients(A)"] if self.summed else []
+        plain = [symbol for symbol in symbols if symbol != coefficients]
+        lines.append(required(plain, "normal._check" if self.profile.rules else "require"))
+        return [*lines, *([f"require_reach(a, {self.profile.breaks[0]})"] if self.profile.truncated else [])]
+
+    def document(self, asked: Asked, held: list[str], free: bool) -> str:
+        """The docstring."""
+        field = {"a": "Contact radius [m]", "d": "Indentation depth [m]", "c": "Radius of the stick zone [m]"} | FIELDS
+        rows = [row for name in (*asked.fields, self.given, *held) for row in docstring.parameter(name, field[name])]
+        meaning = docstring.words_of(self.profile)
+        rows += docstring.parameters([], [*self.profile.parameters, *asked.material], meaning)
+        if free:
+            words = (
+                "Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it"
+            )
+            rows += docstring.parameter("d", words, kind="array_like, optional")
+        notes = f"Valid for {self.profile.validity}. {asked.note} {NUMBERS}".replace("  ", " ")
+        stated = [f"    {line}" for line in asked.stated] or ["    the largest of all points with z >= 0"]
+        returns = (asked.returns.replace("Result", docstring.NUMBERS), RETURNS[asked.returns])
+        return docstring.document(asked.summary, stated, rows, returns, notes, self.profile.sources, [])
+
+    def shaped(self, lines: list[str], pieces: list[str]) -> Function:
+        """The function `_shape`."""
+        own = [f"{symbol} = {python(expr)}" for symbol, expr in self.profile.abbreviations]
+        joined = f"({', '.join(pieces)}{',' if len(pieces) == 1 else ''})"
+        free = ["d: Array | None = None"] if self.compact else []
+        lines = [*own, *lines, f"return radius, edge, {joined}"]
+        doc = "Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."
+        returns = "tuple[Array, Array, tuple[Piece, ...]]"
+        return Function("_shape", [self.given], [*self.geometry, *free], lines, doc, returns, summed=self.summed)
+
+    def grown(self) -> list[Function]:
+        """Of a contact that grows: nothing is pressed in beyond g unless a depth is given."""
+        regimes = Regimes(self.entries, PrivateFunctions(self.profile))
+        depth = f"normal._depth({', '.join(self.known['_depth'])})"
+        lines = [f"depth = {depth}", "radius = np.where(np.isnan(depth), np.nan, a)"]
+        lines.append("edge = 0.0 if d is None else d - depth")
+        b = str(self.profile.breaks[0]) if self.profile.breaks else ""
+        pieces = []
+        if "_slope" in self.known:
+            pieces.append("tip")
+            lines.append(f"tip = {self.tip(regimes, f'np.minimum(a, {b})' if b else 'a')}")
+        if "_slope_beyond" in self.known:
+            pieces.append("beyond")
+            jump = singular_at_break(regimes.slopes["beyond"][1])
+            sharp = "" if jump == 0 else f", sharp={python(jump)} > 0.0"
+            own = _tuple(self.known["_slope_beyond"][2:])
+            lines.append(f"beyond = Piece(COSH, {b}, np.maximum(a, {b}), normal._slope_beyond, {own}, {b}, 2.0{sharp})")
+        return [self.shaped(lines, pieces)]
+
+    def tip(self, regimes: Regimes, high: str) -> str:
+        """The slope from the axis on."""
+        if self.summed:
+            return f"Piece(PLAIN, 0.0, {high}, partial(normal._slope, A=A), (), sharp=A[0] > 0.0)"
+        slope, (kind, length) = regimes.slopes["tip"][1].value, regimes.scale("tip")
+        own = self.known["_slope"][1:]
+        start = f"0.0, {high}, normal._slope, {_tuple(own[1:] if own[:1] == ['root'] else own)}"
+        if kind in ("tanh", "sinh"):
+            return f"Piece({kind.upper()}, {start}, {length}, 2.0)"
+        return _piece(start, high, slope, regimes)
+
+    def fixed(self) -> list[Function]:
+        """Of a contact with a fixed edge: it is pressed in by what the depth is more than g."""
+        face, coefficient = fixed_face(self.profile)
+        least = self.known.get("_minimum_depth")
+        if least is not None:
+            radius = f"np.where(d >= normal._minimum_depth({', '.join(least)}) * (1.0 - 1e-15), a, np.nan)"
+        else:
+            radius = "np.where(d >= 0.0, a, np.nan)"
+        if face[0].expr == 0:
+            return [self.shaped([f"radius = {radius}", "edge = d"], [])]
+        facts, functions = facts_of((a,)), PrivateFunctions(self.profile)
+        depth = parse(face).depth(Order((a,))).expr()
+        slope = slope_form(depth, facts).value.subs(C, coefficient)
+        names = sorted({str(symbol) for symbol in slope.free_symbols} - {"t"}, key=self.geometry.index)
+        doc = "Rate g'(t) of the depth g(t) of the face."
+        rate = Function("_slope", ["t"], names, [f"return {python(slope)}"], doc)
+        form = evaluation_form(sp.factor_terms(depth.subs(C, coefficient)), facts)
+        lines, whole = functions.steps(form), python(form.value)
+        if self.entries["F"].partial is not None:
+            reach = python(self.entries["F"].cases[0].chain[0])
+            lines.append(f"radius = np.where(d >= 0.0, np.minimum({reach}, a), np.nan)")
+            lines.append(f"edge = np.maximum(d - {whole}, 0.0)")
+        else:
+            lines += [f"radius = {radius}", f"edge = d - ({whole})"]
+        start = f"0.0, radius, _slope, {_tuple(names)}"
+        return [self.shaped(lines, [_piece(start, "radius", slope, None)]), rate]
+
+
+def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> str:
+    """The piece of a slope without singular points, or of a power of t."""
+    powers = [p.exp for p in slope.atoms(sp.Pow) if p.base == t and p.exp.free_symbols]
+    if powers:
+        n = python(powers[0])
+        return f"Piece(EXP, {start}, {high}, 2.0 / np.maximum({n}, 1.0), {n}, {n} <= 1.0)"
+    calls = slope.atoms(masters.Dawson, masters.StruveH)
+    if regimes is not None and calls:
+        form = regimes.slopes["tip"][1]
+        (argument, *_) = {call.args[-1].subs(dict(form.steps)) for call in calls}
+        longest = python(sp.cancel(t / argument) * (6 if slope.has(masters.StruveH) else 1))
+        return f"Piece(PLAIN, {start}, longest={longest})"
+    return f"Piece(PLAIN, {start}{'' if slope.has(t) else ', sharp=True'})"
+
+
+def _tuple(names: list[str]) -> str:
+    return f"({names[0]},)" if len(names) == 1 else f"({', '.join(names)})"
