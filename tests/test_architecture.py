@@ -28,7 +28,7 @@ NAMED, KINDS = 7, 10
 """Comparisons with the name of a physics, and with a kind of contact."""
 LITERALS, LITERAL_FILES = 1452, 130
 """Keys of quantities as literals, and files that have some."""
-RUNTIME = ("", "shapes", "physics", "graded")
+RUNTIME = ("", "shapes", "physics", "graded", "subsurface")
 """Folders of the run time: one imports only what stands before it, and `arrays` only what stands in the root."""
 SUFFIXES = {
     *("d", "F", "p", "w", "k", "pm", "ad", "aF", "Fd", "dF", "rz", "dmin", "Fmin", "Dl", "ac", "Fc", "dc", "am", "Fm"),

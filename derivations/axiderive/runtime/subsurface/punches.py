@@ -192,7 +192,9 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
         total = np.zeros((NUMBERS, r.size))
         begin = (alpha + bottom if variable is EXP else lowest)[point] + width * share
-        for panels in _panels(point, begin, left, right, alpha, beta, mirror):
+        # eight nodes are enough for the kernel, and for a slope that is a power
+        power = (variable is EXP) | np.isinf(piece.longest)[point]
+        for panels in _panels(point, power, begin, left, right, alpha, beta, mirror):
             _add(total, r, z, piece, alpha + 1j * beta, panels)
     return total
 
@@ -212,13 +214,14 @@ def _split(count: Array) -> tuple[Array, Array, Array]:
 
 
 def _panels(
-    point: Array, first: Array, left: Array, right: Array, alpha: Array, beta: Array, mirror: Array
+    point: Array, power: Array, first: Array, left: Array, right: Array, alpha: Array, beta: Array, mirror: Array
 ) -> list[Panels]:
     """Panels from `left` to `right` of v - alpha, and from `first` of v, by how close the singular point is."""
     width = right - left
     distance = np.hypot(np.maximum(np.maximum(left, -right), 0.0), beta[point])
     # at the inner end of a piece, on the surface, the kernel only makes up for the slope
-    clear, far = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point], distance > FAR * width
+    clear = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point]
+    far = power & (distance > FAR * width)
     found = [
         Panels(point[own], first[own], width[own], lambda v, o: (v, v - alpha[o], 1.0), few)
         for own, few in ((far, True), (clear & ~far, False))
