@@ -69,7 +69,7 @@ def test_kernels_come_with_the_functions_that_have_them() -> None:
 
 
 def test_every_module_says_what_it_is_for() -> None:
-    """`dir` and `import *` have the interface alone: functions of their own, and what fields below the surface share."""
+    """`dir` and `import *` have the functions of the interface alone, `subsurface` its types too."""
     code = """
 import importlib, inspect, pathlib, sys
 for path in sorted(pathlib.Path(sys.argv[1]).rglob("*.py")):

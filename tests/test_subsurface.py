@@ -252,7 +252,7 @@ VARIABLES = {
 }  # fmt: skip
 
 
-def wanted_rate(name: str, b: Any, m: int, bent: bool, v: Any, r: Any, z: Any) -> Any:
+def wanted_rate(name: str, v: Any, b: Any, m: int, bent: bool, r: Any, z: Any) -> Any:
     """The integrand of S_m, or of D_m if `bent`, in the variable of the slope."""
     _, _, _, rate, radius, _, _ = VARIABLES[name]
     if not v:
@@ -281,7 +281,7 @@ def test_slopes_with_singular_points_keep_their_digits(name: str) -> None:
                 cuts = sorted({start, end, *(s for s in [star.real, *steps] if start < s < end)})
 
                 wanted = [
-                    mp.quad(lambda v, m=m, bent=bent, B=B: wanted_rate(name, B, m, bent, v, x, y), cuts)
+                    mp.quad(lambda v, own=(B, m, bent, x, y): wanted_rate(name, v, *own), cuts)
                     for bent in (False, True) for m in range(4)
                 ]  # fmt: skip
                 error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, wanted, strict=False))

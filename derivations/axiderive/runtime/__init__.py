@@ -21,6 +21,8 @@ physics
     Adhesion, slip, viscoelasticity, prescribed pressures and strips.
 graded
     The half-space whose modulus grows as a power of depth.
+subsurface
+    Stresses and displacements below the surface, under normal load and friction.
 plain
     What the formulas for plain numbers are written with, beside `math`.
 arrays
