@@ -25,8 +25,8 @@ CLEAR, FAR = 0.75, 3.0
 """Distances of the singular point, in lengths of a panel, from which 16 and 8 nodes need no sinh(u)."""
 SURFACE = 1e-30
 """Depths below the surface, in lengths of the contact, that change nothing."""
-LOST = 37.0
-"""Of exp(-37) of an integral nothing is left in a double."""
+SMOOTH = 8.0
+"""Order to which a power of t is smooth in t**(1/m) at least, in which it is integrated next to the axis."""
 POINTS = 512
 """Panels that are summed together, so that what they need stays in the cache."""
 NUMBERS = 11
@@ -178,7 +178,7 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         star = variable.place(w, b)
         top = _away(piece, piece.high, w, star)
         if variable is EXP:
-            bottom = np.minimum(0.0, -star.real) - LOST / piece.power
+            bottom = np.minimum(0.0, -star.real) - np.log(_tail_of(piece.power))
         else:
             lowest = variable.place(piece.low + 0j, b).real
             bottom = _away(piece, piece.low, w, star).real
@@ -190,13 +190,28 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         # from the nearer end, whose distance is known to its last digits
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
-        total = np.zeros((NUMBERS, r.size))
+        total = _tail(r, z, piece) if variable is EXP else np.zeros((NUMBERS, r.size))
         begin = (alpha + bottom if variable is EXP else lowest)[point] + width * share
         # eight nodes are enough for the kernel, and for a slope that is a power
         power = (variable is EXP) | np.isinf(piece.longest)[point]
         for panels in _panels(point, power, begin, left, right, alpha, beta, mirror):
             _add(total, r, z, piece, alpha + 1j * beta, panels)
     return total
+
+
+def _tail_of(power: Array) -> Array:
+    """The part of the distance, or of the contact, to which the tail of a power reaches; m is large where it is low."""
+    return np.where(power < 1.0, 8.0 ** (2.0 / power), 8.0)
+
+
+def _tail(r: Array, z: Array, piece: Piece) -> Array:
+    """The numbers of radii that are small beside the contact and the point."""
+    nodes, weights = gauss_legendre(MANY)
+    reach, m = np.minimum(np.hypot(r, z), piece.high), np.ceil(SMOOTH / piece.power)[:, None]
+    end = np.where(reach > 0.0, reach, piece.high) / _tail_of(piece.power)
+    t = end[:, None] * nodes**m
+    weight = piece.slope(t, *(x[:, None] for x in piece.parameters)) * weights * m * t / nodes
+    return np.array([(weight * x).sum(-1) for x in punch(r[:, None], z[:, None], t, t - r[:, None])])
 
 
 def _away(piece: Piece, end: Array, w: Array, star: Array) -> Array:
