@@ -288,6 +288,13 @@ def test_slopes_with_singular_points_keep_their_digits(name: str) -> None:
                 assert error < 3e-14 * max(map(abs, wanted)), (b, r, z)
 
 
+def power_rate(n: float, v: Any, r: Any, z: Any, m: int) -> Any:
+    """The integrand of S_m of the slope t**(n - 1) in log(t)."""
+    t, i = mp.exp(v), mp.mpc(0, 1)
+    rho = mp.sqrt(z + i * (t - r)) * mp.sqrt(z + i * (t + r))
+    return -((r / (rho + z + i * t)) ** m / rho).imag * mp.exp(n * v)
+
+
 @pytest.mark.parametrize("n", [0.3, pytest.param(0.5, marks=pytest.mark.slow), 1.3,
                                pytest.param(40.0, marks=pytest.mark.slow)])  # fmt: skip
 def test_slopes_that_are_any_power_keep_their_digits(n: float) -> None:
@@ -295,17 +302,12 @@ def test_slopes_that_are_any_power_keep_their_digits(n: float) -> None:
     for r, z in ((0.3, 0.2), (1e-3, 2e-3), (0.99, 0.01)):
         found = superposed(np.array([r]), np.array([z]), [piece])[:, 0]
         with mp.workdps(25):
-            x, y, i = mp.mpf(r), mp.mpf(z), mp.mpc(0, 1)
+            x, y = mp.mpf(r), mp.mpf(z)
             star = mp.log(mp.mpc(x, y))
             steps = [star.real + k * star.imag * 4**j for j in range(4) for k in (-1, 1)]
             cuts = sorted({mp.mpf(0), *(s for s in (star.real, star.real - 8, *steps) if s < 0), mp.mpf(-60) / n})
 
-            def number(m: int, v: Any, x: Any = x, y: Any = y) -> Any:
-                t = mp.exp(v)
-                rho = mp.sqrt(y + i * (t - x)) * mp.sqrt(y + i * (t + x))
-                return -((x / (rho + y + i * t)) ** m / rho).imag * mp.exp(n * v)
-
-            wanted = [mp.quad(lambda v, m=m: number(m, v), cuts) for m in range(4)]
+            wanted = [mp.quad(lambda v, own=(x, y, m): power_rate(n, v, *own), cuts) for m in range(4)]
             error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, wanted, strict=False))
             assert error < 2e-14 * max(map(abs, wanted)), (r, z)
 
