@@ -1,8 +1,12 @@
 """The field of a contact as that of flat punches of all radii, each pressed in by what its slope g' adds to the depth.
 
-Eight numbers make up every stress and displacement below the surface (`stresses`).  Those of one flat punch are sums of
-terms of one sign, to the last digits everywhere; those of a contact are integrals over its radii t.  Their integrand
-is analytic but for t = r + i z and its mirror images, which come as close as the point is to the surface.  So panels
+With zeta = z + i t, rho**2 = r**2 + zeta**2, q = rho + zeta and X_m = (r/q)**m/rho a flat punch of radius t, pressed in
+by one, has S_m = -Im X_m, D_m = -z Im((zeta + m rho) X_m/rho**2) and W = arg q; a contact has their integrals times
+g'(t), and those of its own radius times d - g(a).  They are integrals over k of k**(1, 2, 0) P(k) exp(-k z) J_m(k r)
+with P(k) the Hankel transform of pi p/E*, D_m with z in front; on the surface S_0 is pi p/E* itself.
+
+The numbers of one punch are sums of terms of one sign, to the last digits everywhere.  The integrand of a contact is
+analytic but for t = r + i z and its mirror images, which come as close as the point is to the surface.  So panels
 get longer with the distance from there, in v - alpha = beta sinh(u) with alpha + i beta the place of r + i z in
 a variable v(t) in which the slope itself has no singular point nearer than a right angle.
 """
