@@ -1,8 +1,6 @@
 """Closed forms that cancel, taken back to the positive integrals they come from.
 
-Differences of Legendre's chi functions of an arc as the positive integral they come from.
-
-Incomplete Beta functions of a power-law contact as the positive integrals they come from.
+Differences of Legendre's chi functions of an arc, and incomplete Beta functions of a power-law contact.
 """
 
 from __future__ import annotations

@@ -1,8 +1,4 @@
-"""The generated rule with its number of nodes left open.
-
-Where the catalogue has a rule it is that rule; where it has a closed form, of a profile without
-break, Gauss-Legendre after the substitution that takes the kernel into dv.
-"""
+"""The rules of the catalogue with their number of nodes left open."""
 
 from __future__ import annotations
 
@@ -10,39 +6,10 @@ import math
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
 from importlib import import_module
 from typing import Any
 
-import numpy as np
-
-from ..code.tables import gauss_legendre
-from .problems import RADIUS
-from .subject import Array, Subject
-
-
-@cache
-def legendre(count: int) -> tuple[Array, Array]:
-    """Nodes on (0, 1) and weights, rounded from certified enclosures."""
-    nodes, weights = np.array(gauss_legendre(count)).T
-    return nodes, weights
-
-
-def pressure(subject: Subject, r: Array, count: int) -> Array:
-    """(11.23) in t = r cosh(v)."""
-    stop, total = np.arcsinh(np.sqrt((RADIUS - r) * (RADIUS + r)) / r), 0.0
-    for node, weight in zip(*legendre(count), strict=True):
-        total = total + weight * subject.rate(r * np.cosh(node * stop))
-    return subject.modulus / np.pi * stop * total
-
-
-def displacement(subject: Subject, r: Array, count: int) -> Array:
-    """(11.26) in t = r sin(v)."""
-    stop, total = np.arctan2(RADIUS, np.sqrt((r - RADIUS) * (r + RADIUS))), 0.0
-    for node, weight in zip(*legendre(count), strict=True):
-        v = node * stop
-        total = total + weight * subject.rate(r * np.sin(v)) * v * r * np.cos(v)
-    return 2 / np.pi * stop * total
+from .subject import Array
 
 
 def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Array:
