@@ -1,8 +1,6 @@
-"""Names in an expression, and what is said of wrong ones.
+"""Which names an expression may use: parameters of its own, letters of the notation, and those that are taken.
 
-What is wrong with an expression, and where in its text.
-
-Which names an expression may use: parameters of its own, letters of the notation, and those that are taken.
+And what is wrong with an expression, with the place in its text.
 """
 
 from __future__ import annotations
@@ -33,116 +31,17 @@ class ExpressionError(CommandError):
 
 SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9]{0,9}(_[A-Za-z0-9]{1,6})?")
 RESULTS = frozenset(
-    [
-        "a",
-        "d",
-        "F",
-        "p",
-        "w",
-        "f",
-        "g",
-        "p_mean",
-        "stiffness",
-        "r_zero",
-        "a_c",
-        "retraction",
-        "H_x",
-        "F_x",
-        "P",
-        "x_zero",
-        "slope",
-        "tilt",
-        "width",
-        "u_0",
-        "tau",
-    ]
+    "a d F p w f g p_mean stiffness r_zero a_c retraction H_x F_x P x_zero slope tilt width u_0 tau".split()
 )
 """Fields and results of the generated functions."""
-MATERIAL = frozenset(
-    [
-        "E_star",
-        "G_star",
-        "E",
-        "E_inf",
-        "E_1",
-        "eta",
-        "dgamma",
-        "mu",
-        "H",
-        "k",
-        "nu",
-        "v",
-        "alpha",
-        "relaxation",
-        "t_0",
-        "p_0",
-    ]
-)
+MATERIAL = frozenset("E_star G_star E E_inf E_1 eta dgamma mu H k nu v alpha relaxation t_0 p_0".split())
 INTERNAL = frozenset(
-    [
-        "t",
-        "u",
-        "x",
-        "z",
-        "psi",
-        "root",
-        "angle",
-        "tip",
-        "beyond",
-        "inner",
-        "within",
-        "growth",
-        "inside",
-        "outside",
-        "value",
-        "kappa",
-        "total",
-        "plus",
-        "minus",
-        "terms",
-        "pressed",
-        "largest",
-        "excess",
-        "rho",
-        "face",
-        "edge",
-        "j",
-        "C",
-        "e",
-        "i",
-        "np",
-        "pi",
-        "integral",
-        "elementwise",
-        "require",
-        "inverse",
-        "curve",
-        "depth",
-        "force",
-        "pressure",
-        "displacement",
-        "profile",
-        "mean_pressure",
-        "own",
-        "least",
-        "plain",
-        "found",
-        "load",
-        "control",
-        "radius",
-        "radii",
-        "balance",
-        "partial",
-        "logarithm",
-        "result",
-        "square",
-        "step",
-        "scale",
-        "span",
-        "stop",
-        "share",
-        "moved",
-    ]
+    (
+        "t u x z psi root angle tip beyond inner within growth inside outside value kappa total plus minus terms "
+        "pressed largest excess rho face edge j C e i np pi integral elementwise require inverse curve depth "
+        "force pressure displacement profile mean_pressure own least plain found load control radius radii "
+        "balance partial logarithm result square step scale span stop share moved"
+    ).split()
 )
 """Names of the generated code and of integration variables."""
 NO_REALS = {"nan": "no number", "oo": "infinity", "inf": "infinity", "infinity": "infinity",
@@ -179,28 +78,7 @@ def nearest_function(name: str) -> str:
 
 
 GREEK = frozenset(
-    [
-        "alpha",
-        "beta",
-        "gamma",
-        "delta",
-        "epsilon",
-        "zeta",
-        "eta",
-        "theta",
-        "kappa",
-        "lambda",
-        "mu",
-        "nu",
-        "xi",
-        "rho",
-        "sigma",
-        "tau",
-        "phi",
-        "chi",
-        "psi",
-        "omega",
-    ]
+    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega".split()
 )
 
 
