@@ -30,19 +30,23 @@ class ExpressionError(CommandError):
 
 
 SHAPE = re.compile(r"[A-Za-z][A-Za-z0-9]{0,9}(_[A-Za-z0-9]{1,6})?")
-RESULTS = frozenset(
-    "a d F p w f g p_mean stiffness r_zero a_c retraction H_x F_x P x_zero slope tilt width u_0 tau".split()
-)
+RESULTS = frozenset((
+    "a", "d", "F", "p", "w", "f", "g", "p_mean", "stiffness", "r_zero", "a_c", "retraction", "H_x", "F_x", "P",
+    "x_zero", "slope", "tilt", "width", "u_0", "tau",
+))  # fmt: skip
 """Fields and results of the generated functions."""
-MATERIAL = frozenset("E_star G_star E E_inf E_1 eta dgamma mu H k nu v alpha relaxation t_0 p_0".split())
-INTERNAL = frozenset(
-    (
-        "t u x z psi root angle tip beyond inner within growth inside outside value kappa total plus minus terms "
-        "pressed largest excess rho face edge j C e i np pi integral elementwise require inverse curve depth "
-        "force pressure displacement profile mean_pressure own least plain found load control radius radii "
-        "balance partial logarithm result square step scale span stop share moved"
-    ).split()
-)
+MATERIAL = frozenset((
+    "E_star", "G_star", "E", "E_inf", "E_1", "eta", "dgamma", "mu", "H", "k", "nu", "v", "alpha", "relaxation",
+    "t_0", "p_0",
+))  # fmt: skip
+INTERNAL = frozenset((
+    "t", "u", "x", "z", "psi", "root", "angle", "tip", "beyond", "inner", "within", "growth", "inside", "outside",
+    "value", "kappa", "total", "plus", "minus", "terms", "pressed", "largest", "excess", "rho", "face", "edge", "j",
+    "C", "e", "i", "np", "pi", "integral", "elementwise", "require", "inverse", "curve", "depth", "force",
+    "pressure", "displacement", "profile", "mean_pressure", "own", "least", "plain", "found", "load", "control",
+    "radius", "radii", "balance", "partial", "logarithm", "result", "square", "step", "scale", "span", "stop",
+    "share", "moved",
+))  # fmt: skip
 """Names of the generated code and of integration variables."""
 NO_REALS = {"nan": "no number", "oo": "infinity", "inf": "infinity", "infinity": "infinity",
             "zoo": "infinity", "i": "the imaginary unit"}  # fmt: skip
@@ -77,9 +81,10 @@ def nearest_function(name: str) -> str:
     return f"{name[:40]} is no function of an expression{hint}"
 
 
-GREEK = frozenset(
-    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi rho sigma tau phi chi psi omega".split()
-)
+GREEK = frozenset((
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi",
+    "rho", "sigma", "tau", "phi", "chi", "psi", "omega",
+))  # fmt: skip
 
 
 def latex(name: str) -> str:

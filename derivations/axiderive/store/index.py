@@ -242,6 +242,20 @@ def load() -> Index:
         raise NoCatalogueError(message) from error
 
 
+def evidence(folder: Path, key: str) -> dict[str, Any]:
+    """What the evidence in a folder holds of a problem."""
+    path = folder / f"{key}.json"
+    try:
+        record: dict[str, Any] = json.loads(path.read_bytes())
+    except FileNotFoundError as error:
+        message = f"{path} does not exist; run axicontact build in a checkout of the project"
+        raise NoCatalogueError(message) from error
+    except ValueError as error:
+        message = f"{path} is damaged ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error
+    return record
+
+
 TOPICS = ("profiles", "physics", "quantities", "units", "matrix")
 FORMS = ("text", "latex", "python", "json")
 
