@@ -29,6 +29,7 @@ PRINTED = "the printed formula through NumPy"
 DIGITS = "mpmath"
 """Shown on the page of a profile where it is the only other way: of a contact that is drawn there alone."""
 ADAPTIVE = "adaptive quadrature"
+ROOTED = f"{ADAPTIVE} and root finding"
 METHODS = {
     "emitted": Words("the function of this catalogue", "the function of the catalogue"),
     "lambdify": Words(PRINTED, PRINTED, PRINTED),
@@ -42,7 +43,7 @@ METHODS = {
     "trapezoid MDR": Words("dimensionality reduction by the trapezoidal rule", "trapezoidal rule, {} intervals",
                            "the trapezoidal rule on {} intervals"),
     "FFT MDR": Words("dimensionality reduction on a grid by FFT"),
-    "quad and root": Words(*[f"{ADAPTIVE} and root finding"] * 2, f"{ADAPTIVE} with root finding"),
+    "quad and root": Words(ROOTED, ROOTED, f"{ADAPTIVE} with root finding"),
     "quad, weighted": Words(f"{ADAPTIVE}, singular weight"),
     "table": Words("interpolation in a table"),
     "BEM": Words("boundary elements"),
