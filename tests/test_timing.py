@@ -19,8 +19,7 @@ from axiderive.physics.systems import problem, problems
 from axiderive.readback.claims import Line
 from axiderive.readback.timing import key, sentences
 from axiderive.study import report as pairs
-from axiderive.study import rule
-from axiderive.study.methods import Plan, arguments, methods
+from axiderive.study.methods import Plan, arguments, methods, with_nodes
 from axiderive.study.subject import NORMAL, RULED, subject
 from axiderive.web import study
 
@@ -107,7 +106,7 @@ def test_nodes_are_put_back_after_an_error() -> None:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        rule.with_nodes(refuses, np.ones(2), 8)
+        with_nodes(refuses, np.ones(2), 8)
     assert (integrals.integral, integrals.FEW) == before
 
 

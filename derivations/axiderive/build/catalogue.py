@@ -150,9 +150,8 @@ def _measured(
 
     Also of how many problems they were taken over, and the keys of their inputs.
     """
-    from ..stable.drift import settled
     from ..stable.measure import closure
-    from ..stable.records import MEASURED
+    from ..stable.records import MEASURED, settled
 
     errors, inputs, kept, tasks = {}, {}, 0, []
     for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True):

@@ -14,8 +14,8 @@ from ..entry import Entry
 from ..physics import systems
 from ..physics.systems import Problem
 from ..stable import records
-from ..stable.drift import drift
 from ..stable.measure import closure
+from ..stable.records import drift
 from ..store.index import evidence as stored_in
 from ..store.index import load, table
 

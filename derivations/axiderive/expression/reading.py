@@ -20,8 +20,7 @@ from typing import Any, NoReturn
 import sympy as sp
 
 from ..notation import r, theta
-from . import advice
-from .names import FUNCTIONS, ExpressionError, nearest_function, refusal
+from .names import FUNCTIONS, ExpressionError, kinked, misplaced, refusal, syntax, unit, unknown, without_r
 
 FORM = "write breaks as Max(0, r - b) with a parameter b"
 PIECES = "write Piecewise((f1, r < b), (f2, True)) with a parameter b"
@@ -130,14 +129,14 @@ class _Reader:
         node = self._parsed()
         names = [inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)]
         if "r" not in names:
-            raise ExpressionError(advice.without_r(self.text.strip(), names), self.text, 0, len(self.text))
+            raise ExpressionError(without_r(self.text.strip(), names), self.text, 0, len(self.text))
         tree = self._walk(node, 0)
         if not tree.has(r):
             message = "f does not depend on r; write the height of the indenter over its tip, as r**2/(2*R)"
             raise ExpressionError(message, self.text, 0, len(self.text))
-        kinked = next(iter(sorted(tree.atoms(sp.Abs), key=str)), None)
-        if kinked is not None:
-            message = advice.kinked(str(kinked).replace("Abs", "abs"))
+        bent = next(iter(sorted(tree.atoms(sp.Abs), key=str)), None)
+        if bent is not None:
+            message = kinked(str(bent).replace("Abs", "abs"))
             raise ExpressionError(message, self.text, 0, len(self.text))
         return Expression(self.text.strip(), tree, tuple(self.parameters.values()), tuple(self.breaks.values()))
 
@@ -163,7 +162,7 @@ class _Reader:
                 return ast.parse(self.text, mode="eval").body
         except SyntaxError as error:
             place = min(max(0, (error.offset or 1) - 1), len(self.text) - 1)
-            message = advice.syntax(self.text, error.msg)
+            message = syntax(self.text, error.msg)
             raise ExpressionError(message, " " * stripped + self.text, stripped + place) from None
         except (RecursionError, MemoryError, ValueError):
             message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
@@ -211,8 +210,8 @@ class _Reader:
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
                 self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):
-                self._refuse(advice.function(name, nearest_function(name)), node.func)
-        return self._refuse(advice.misplaced(node, self._segment(node)), node)
+                self._refuse(unknown(name), node.func)
+        return self._refuse(misplaced(node, self._segment(node)), node)
 
     def _angle(self, value: sp.Expr, node: ast.Call) -> sp.Expr:
         if value.is_number and value > sp.pi / 2:
@@ -243,7 +242,7 @@ class _Reader:
             return sp.pi
         if name in self.parameters:
             return self.parameters[name]
-        reason = advice.unit(name) or refusal(name)
+        reason = unit(name) or refusal(name)
         if reason:
             self._refuse(reason, node)
         if len(self.parameters) == MOST_PARAMETERS:

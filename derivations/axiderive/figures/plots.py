@@ -20,9 +20,8 @@ from ..oracle.evaluate import at_precision
 from ..oracle.values import Numbers, StripNumbers, sketch_values
 from ..print.formula import Printer
 from ..profiles.profile import Profile
-from .axes import Axes, Mark, Shown, axes
+from .axes import HIGHEST, Axes, Mark, Shown, axes
 from .drawing import Rows
-from .labels import HIGHEST
 
 TOP = HIGHEST * 1.06
 RATIOS = ("0.25", "0.5", "0.8")

@@ -24,9 +24,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from .integrals import arc_integrals, power_integrals
 from .opaque import Arctan2, ArctanGap, Log1p, Root, RootGap, named
-from .rewriting import Rewriting, gamma_ratios
+from .rewriting import Rewriting, arc_integrals, gamma_ratios, power_integrals
 from .signs import Facts, cancels, sign, squares
 from .variants import FULL, Variant
 
