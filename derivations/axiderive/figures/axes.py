@@ -37,6 +37,11 @@ def rounded(rows: Rows) -> Rows:
     return [(float(f"{x:.5g}"), float(f"{y:.5g}")) for x, y in rows]
 
 
+def short(x: float, y: float) -> tuple[float, float]:
+    """A point to four significant digits."""
+    return float(f"{x:.4g}"), float(f"{y:.4g}")
+
+
 TALL = 0.24
 """Height of a label in units of the vertical axis, in the frame of the pressure."""
 WIDE = 0.045

@@ -41,12 +41,10 @@ class Variant:
 
 
 FULL = Variant("all rules", closed=False)
-CLOSED, QUOTIENTS = Variant("all rules, closed"), Variant("angles of quotients", quotients=True)
-VARIANTS = (FULL, CLOSED, QUOTIENTS, Variant("without gaps", gaps=False), Variant("expanded sums", expanded=True))
+QUOTIENTS = Variant("angles of quotients", quotients=True)
+VARIANTS = (FULL, QUOTIENTS, Variant("without gaps", gaps=False), Variant("expanded sums", expanded=True))
 PLACES = (2.0, 16.0, 128.0)
-SPLITS = tuple(
-    replace(way, name=f"{way.name}{BEYOND} {at:g} b", beyond=at) for way in (CLOSED, QUOTIENTS) for at in PLACES
-)
+SPLITS = tuple(replace(QUOTIENTS, name=f"{QUOTIENTS.name}{BEYOND} {at:g} b", beyond=at) for at in PLACES)
 """A rule next to the break, where a closed form cancels, and that form where the strips of the rule become too long."""
 
 

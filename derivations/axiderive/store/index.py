@@ -1,8 +1,6 @@
-"""The compact index of the catalogue: how it is read, and what `axicontact list` and `axicontact show` print of it.
+"""The compact index of the catalogue, and what `axicontact list` and `axicontact show` print of it.
 
-Reader of the compact index: standard library only, so that `list` and `show` are instant.
-
-What `axicontact list` and `axicontact show` print.
+By the standard library only, so that both are instant.
 """
 
 from __future__ import annotations

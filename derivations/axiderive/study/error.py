@@ -13,7 +13,7 @@ from typing import Any
 
 from .methods import DIGITS, QUICK, Method, Plan, exact, methods, skipped
 from .report import Record, paired, relative, rounded, summary, table, versions
-from .subject import EVERY, PARAMETERS, RADIUS, Subject, named, subject
+from .subject import EVERY, FURTHER, PARAMETERS, RADIUS, Subject, named, subject
 
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
@@ -39,7 +39,8 @@ def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
             rows += list(_rows(subject(name), suffix, plan))
             missing += skipped(subject(name), suffix)
     parameters = named(PARAMETERS) | {"a": RADIUS}
-    parameters |= {name: named(subject(name).further) for name in names if subject(name).further}
+    own = {name: FURTHER.get(subject(name).problem.name) for name in names}
+    parameters |= {name: named(values) for name, values in own.items() if values}
     return {
         "study": "error",
         "note": NOTE,

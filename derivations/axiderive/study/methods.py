@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from importlib import import_module
 from typing import Any
+from unittest.mock import patch
 
 import mpmath as mp
 import numpy as np
@@ -24,48 +25,6 @@ from . import grids, rivals
 from .naive import naive, per_point, printed
 from .report import seconds
 from .subject import NAMES, RADIUS, RULED, Array, Subject
-
-
-def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Array:
-    """A function of the catalogue, its rules with that many nodes."""
-    with _nodes(count):
-        return function(x)
-
-
-@contextmanager
-def _nodes(count: int) -> Iterator[None]:
-    """Every rule of the catalogue in one interval of `count` nodes, at each point by itself."""
-    integrals, weights = (import_module(f"axicontact._runtime.{name}") for name in ("integrals", "graded.rules"))
-    whole, weighted = integrals.integral, weights.weighted
-
-    def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
-        return whole(integrand, stop, count)
-
-    def fixed_weighted(
-        smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, **above: Array
-    ) -> Array:
-        return weighted(smooth, stop, power, count, **above)
-
-    # from these numbers of points on they would be put in groups, and interpolated along r
-    unbounded = [(integrals, "FEW"), (integrals, "LEAST")]
-    changes: list[tuple[Any, str, Any]] = [(one, name, math.inf) for one, name in unbounded]
-    changes += [(one, "integral", fixed) for one in _modules_with("integral", whole)]
-    changes += [(one, "weighted", fixed_weighted) for one in _modules_with("weighted", weighted)]
-    before = [(one, name, getattr(one, name)) for one, name, _ in changes]
-    try:
-        for one, name, value in changes:
-            setattr(one, name, value)
-        yield
-    finally:
-        for one, name, value in before:
-            setattr(one, name, value)
-
-
-def _modules_with(name: str, value: Any) -> list[Any]:
-    """Those of the catalogue that have the function by its name, from wherever."""
-    loaded = [module for key, module in sys.modules.items() if key.startswith("axicontact.")]
-    return [module for module in loaded if getattr(module, name, None) is value]
-
 
 DIGITS = 30
 
@@ -95,7 +54,7 @@ def defined(subject: Subject, radius: float, r: float | None = None) -> Callable
         if nt.dgamma in values:
             return partial(_half_space(subject, values).adhesive, a=mp.mpf(radius))
         if subject.graded:
-            depth = number(values[nt.d]) if subject.complete else None
+            depth = number(values[nt.d]) if subject.profile.complete else None
             return partial(_half_space(subject, values).normal, a=mp.mpf(radius), free_depth=depth)
         return contact(subject.profile, values, DIGITS).quantity
 
@@ -304,6 +263,28 @@ class _Setup:
         if wide and self.suffix == "p" and not grids.no_boundary_elements():
             force = float(defined(self.subject, RADIUS)("F"))
             yield from self.gridded("BEM", partial(grids.boundary_elements, force=force), plan.bem, "{0} x {0}")
+
+
+def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Array:
+    """A function of the catalogue, every rule of it in one interval of `count` nodes, at each point by itself."""
+    integrals, weights = (import_module(f"axicontact._runtime.{name}") for name in ("integrals", "graded.rules"))
+    whole, weighted = integrals.integral, weights.weighted
+
+    def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
+        return whole(integrand, stop, count)
+
+    def fixed_weighted(smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, **more: Array) -> Array:
+        return weighted(smooth, stop, power, count, **more)
+
+    changes = {"integral": (whole, fixed), "weighted": (weighted, fixed_weighted)}
+    with ExitStack() as changed:
+        for module in [module for key, module in sys.modules.items() if key.startswith("axicontact.")]:
+            for name, (before, after) in changes.items():
+                if getattr(module, name, None) is before:
+                    changed.enter_context(patch.object(module, name, after))
+        for name in ("FEW", "LEAST"):  # from these numbers of points on they would be put in groups, and interpolated
+            changed.enter_context(patch.object(integrals, name, math.inf))
+        return function(x)
 
 
 def _second(function: Callable[[], tuple[Array, Array]]) -> Array:

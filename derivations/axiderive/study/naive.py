@@ -11,13 +11,13 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import sympy as sp
-from flint import arb
 from scipy import optimize
 
 from .. import notation as nt
 from ..abel.masters import C0
 from ..checks.quadrature import inverse
 from ..entry import Entry
+from ..oracle.rules import middle
 from ..stable.reference import UnknownError, of_contact
 from .report import relative
 from .subject import FUNCTIONS, Array, Function, subject
@@ -120,20 +120,14 @@ def reference(problem: str, suffix: str, point: Point) -> mp.mpf | None:
     """
     known = subject(problem).entries
     try:
-        if known[suffix].status == "root":
-            with mp.workdps(3 * DIGITS):
+        with mp.workdps(3 * DIGITS):
+            if known[suffix].status == "root":
                 value = inverse(known, suffix, {symbol: mp.mpf(x) for symbol, x in point.items()}, DIGITS)
-        else:
-            value = _middle(of_contact(known, suffix, point))
+            else:
+                value = middle(of_contact(known, suffix, point))
     except UnknownError:
         return None
     return value if sys.float_info.min <= abs(value) <= sys.float_info.max else None
-
-
-def _middle(ball: arb) -> mp.mpf:
-    mantissa, exponent = ball.mid().man_exp()
-    with mp.workdps(3 * DIGITS):
-        return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
 
 
 def judged(problem: str, suffix: str, points: Sequence[Point], exact: Sequence[mp.mpf]) -> dict[str, list[Judged]]:

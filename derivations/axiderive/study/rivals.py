@@ -197,12 +197,12 @@ class Script:
                 total += self.quad(over_angle, lib.acosh(low / r), lib.acosh(end / r))
             elif end > r:
                 total += self.quad(over_rest, 0, end - low)
-        if self.subject.complete:
+        if self.subject.profile.complete:
             total += self.excess() * ((a - r) * (a + r)) ** power
         return self.subject.modulus * total / lib.pi
 
     def _displacement(self, r: Any) -> Any:
-        total = self.excess() * self.beside_punch(a / r) if self.subject.complete else self.number(0)
+        total = self.excess() * self.beside_punch(a / r) if self.subject.profile.complete else self.number(0)
 
         def flat(low: Any, t: Any) -> Any:
             return self._risen(t, low) * self.beside_punch(t / r)

@@ -234,17 +234,13 @@ class Subject:
 
         return call
 
-    @property
-    def further(self) -> dict[Any, Any]:
-        """The values of its profile alone."""
-        return FURTHER.get(self.problem.name, {})
-
     @cached_property
     def parameters(self) -> dict[Any, Any]:
         """The values of what the emitted functions are called with."""
-        known = PARAMETERS | self.further | {nt.a: RADIUS}
+        known = PARAMETERS | FURTHER.get(self.problem.name, {}) | {nt.a: RADIUS}
+        free = nt.P if self.plane else nt.d
         given = {symbol: known[symbol] for symbol in self.entries["p" if self.plane else "F"].parameters}
-        return given | {nt.a: RADIUS} | ({self.free: known[self.free]} if self.complete else {})
+        return given | {nt.a: RADIUS} | ({free: known[free]} if self.profile.complete else {})
 
     @cached_property
     def values(self) -> dict[Any, Any]:
@@ -276,19 +272,9 @@ class Subject:
         return self.problem.system.medium.graded
 
     @property
-    def complete(self) -> bool:
-        """The radius is that of the body and the depth is free, or the load of a strip."""
-        return self.profile.complete
-
-    @property
     def across(self) -> sp.Symbol:
         """The place at which a field is asked for, r or x."""
         return nt.x if self.plane else nt.r
-
-    @property
-    def free(self) -> sp.Symbol:
-        """What a complete contact is loaded by: the depth d, or the line load P in the plane."""
-        return nt.P if self.plane else nt.d
 
     @property
     def exponent(self) -> float:
@@ -317,12 +303,12 @@ class Subject:
     @cached_property
     def excess(self) -> float:
         """Depth beyond that of the profile, d - g(a): of a complete contact; of a strip the load over E*."""
-        return float(self.freed - self.depth(np.float64(RADIUS))) if self.complete else 0.0
+        return float(self.freed - self.depth(np.float64(RADIUS))) if self.profile.complete else 0.0
 
     @property
     def freed(self) -> float:
         """The depth of a complete contact; of a strip the load over E*."""
-        return float(self.values[self.free] / (self.modulus if self.plane else 1.0))
+        return float(self.values[nt.P] / self.modulus if self.plane else self.values[nt.d])
 
     @cached_property
     def largest(self) -> float:
@@ -393,7 +379,7 @@ class Subject:
 
         In a plane contact P(t)/E* has its place.
         """
-        if self.complete:
+        if self.profile.complete:
             (face,) = self.profile.pieces
             power = sp.cancel(self.across * sp.diff(face.expr, self.across) / face.expr)
             whole = self._at_edge() * (nt.t / nt.a) ** power

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...figures.drawing import Drawing
+from ...print.words import escaped
 
 WIDTH, HEIGHT = 43.0, 30.0
 """Millimetres of the frame; twelve fit below the words of the first page."""
@@ -181,7 +182,11 @@ def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width:
     step = max(1, math.ceil((last - first) / 5))
     return Figure(
         panels,
-        tuple((letter, METHODS[method].study) for method, letter in letters.items() if method in shown),
+        tuple(
+            (letter, METHODS.get(method, Words(escaped(method))).study)
+            for method, letter in letters.items()
+            if method in shown
+        ),
         tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
         tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
         width,
