@@ -129,7 +129,7 @@ def test_list_and_show_load_nothing_heavy():
 import sys
 from axiderive.cli import main
 main(sys.argv[1:])
-print(sorted({"sympy", "numpy", "mpmath", "jinja2", "rich"} & set(sys.modules)))
+print(sorted({"sympy", "numpy", "mpmath", "jinja2"} & set(sys.modules)))
 """
     for arguments in (["list"], ["show", "cone.p"]):
         done = subprocess.run([sys.executable, "-c", code, *arguments], capture_output=True, text=True, check=True)

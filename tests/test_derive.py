@@ -20,9 +20,9 @@ from axiderive import notation as nt
 from axiderive.build.pool import Beside, LimitError, limited
 from axiderive.cli import main
 from axiderive.code.normal import module as written
-from axiderive.expression import own_profile, routes, undetermined
+from axiderive.expression import own_profile, undetermined
+from axiderive.expression.answer import Route, derived
 from axiderive.expression.definition import Definition
-from axiderive.expression.routes import Route
 from axiderive.notation import R, a, b, theta
 from axiderive.physics import normal
 from axiderive.physics.medium import HOMOGENEOUS
@@ -83,7 +83,7 @@ def test_algebraic_profiles_are_found_by_undetermined_coefficients(text, single)
 def test_other_algebraic_profiles_stay_integrals(text):
     own = own_profile(text)
     with nt.extended(own.notation):
-        assert routes.derived(own.profile, HOMOGENEOUS).route is Route.INTEGRALS
+        assert derived(own.profile, HOMOGENEOUS).route is Route.INTEGRALS
 
 
 def test_a_wrong_coefficient_is_not_certified(monkeypatch):
@@ -97,7 +97,7 @@ def test_a_wrong_coefficient_is_not_certified(monkeypatch):
     monkeypatch.setattr(undetermined, "solved", wrong)
     own = own_profile("r**2/sqrt(r**2 + q**2)")
     with nt.extended(own.notation):
-        assert routes.derived(own.profile, HOMOGENEOUS).route is Route.INTEGRALS
+        assert derived(own.profile, HOMOGENEOUS).route is Route.INTEGRALS
 
 
 def test_a_new_polynomial_profile_is_derived_and_compared_once(monkeypatch):

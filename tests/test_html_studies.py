@@ -21,7 +21,7 @@ from axiderive.book.study import error
 from axiderive.figures.plots import frames
 from axiderive.figures.svg import Picture
 from axiderive.profiles import load
-from axiderive.study.problems import NAMES, OTHERS
+from axiderive.study.subject import NAMES, OTHERS
 from axiderive.web import html_sources, study
 from axiderive.web.page import figures
 

@@ -8,9 +8,8 @@ import pytest
 from stored_book import stored
 from test_pictures import profile_of
 
-from axiderive.figures.axes import Axes
+from axiderive.figures.axes import Axes, Curve, Rows, labelled
 from axiderive.figures.given import axes_of
-from axiderive.figures.labels import Curve, Rows, labelled
 
 WIDE, TALL = 67.0, 27.0
 """Millimetres of a frame."""

@@ -21,7 +21,7 @@ from axiderive.book.study import error, figures, maps, spread, tables
 from axiderive.build.pdf import problems
 from axiderive.physics.systems import pool_of
 from axiderive.print.words import domain, prose
-from axiderive.study.problems import NAMES, OTHERS
+from axiderive.study.subject import NAMES, OTHERS
 
 CATALOGUE = Path(__file__).parents[1] / "catalogue"
 WIDELY = {*NAMES, *OTHERS}

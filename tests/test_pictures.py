@@ -10,15 +10,13 @@ import pytest
 from stored_book import stored
 
 from axiderive.figures import plots
-from axiderive.figures.axes import SCREEN, printed
+from axiderive.figures.axes import HIGHEST, SCREEN, printed
 from axiderive.figures.axes import drawn as framed
 from axiderive.figures.curves import WIDEST, curves
 from axiderive.figures.drawing import Drawing, Rows
-from axiderive.figures.labels import HIGHEST
-from axiderive.figures.section import ARROW
-from axiderive.figures.sketch import LONG
+from axiderive.figures.given import HALF, load_sketch, tilted_sketch
+from axiderive.figures.sketch import ARROW, LONG
 from axiderive.figures.sketch import sketch as outline
-from axiderive.figures.sketch_given import HALF, load_sketch, tilted_sketch
 from axiderive.figures.svg import svg
 from axiderive.figures.tikz import thinned
 from axiderive.notation import R1, R2, R, b, describe, h, s, theta, wavelength

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from axiderive.figures.labels import labelled
+from axiderive.figures.axes import labelled
 from axiderive.figures.plots import TOP, cut
 from axiderive.notation import A, E_star, R, a, c, d, k, mu, r
 from axiderive.print.formula import Printer

@@ -18,11 +18,9 @@ from axiderive.figures.svg import Picture
 from axiderive.physics.systems import problem, problems
 from axiderive.readback.claims import Line
 from axiderive.readback.timing import key, sentences
-from axiderive.study import rule
-from axiderive.study import timing as pairs
-from axiderive.study.methods import Plan, arguments, methods
-from axiderive.study.problems import NORMAL, RULED
-from axiderive.study.subject import subject
+from axiderive.study import report as pairs
+from axiderive.study.methods import Plan, arguments, methods, with_nodes
+from axiderive.study.subject import NORMAL, RULED, subject
 from axiderive.web import study
 
 RECORD: dict[str, Any] = json.loads((CATALOGUE / "evidence" / "study" / "error.json").read_bytes())
@@ -66,7 +64,7 @@ def test_every_normal_contact_that_a_rule_evaluates_is_measured() -> None:
         if suffixes:
             found[name] = tuple(suffixes)
     assert found == NORMAL, (
-        "study.problems.NORMAL names what is measured; add the profile, and its parameters to FURTHER"
+        "study.subject.NORMAL names what is measured; add the profile, and its parameters to FURTHER"
     )
     assert {f"{name}.{suffix}" for name in RULED for suffix in RULED[name]} <= MEASURED
     assert all(row["lost"] == 0 for row in RECORD["rows"] if row["method"] == "emitted")
@@ -108,7 +106,7 @@ def test_nodes_are_put_back_after_an_error() -> None:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        rule.with_nodes(refuses, np.ones(2), 8)
+        with_nodes(refuses, np.ones(2), 8)
     assert (integrals.integral, integrals.FEW) == before
 
 

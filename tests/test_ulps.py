@@ -27,9 +27,8 @@ from axiderive.entry import Entry
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
-from axiderive.stable.drift import drift, settled
 from axiderive.stable.measure import Sample, closure, count_for, form, function_of, naive, samples, ulps, value
-from axiderive.stable.records import record
+from axiderive.stable.records import drift, record, settled
 from axiderive.stable.reference import condition, is_inverse, reference
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
 

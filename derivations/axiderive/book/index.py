@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 FORMAT = 2
 
 
-def to_bytes(record: Any) -> bytes:
-    """The record as indented JSON in UTF-8, keys in the order given, with a newline at the end."""
-    return (json.dumps(record, indent=1, ensure_ascii=False, sort_keys=False) + "\n").encode()
+def to_text(record: Any) -> str:
+    """The record as indented JSON, keys in the order given, with a newline at the end."""
+    return json.dumps(record, indent=1, ensure_ascii=False, sort_keys=False) + "\n"
 
 
 def index_record(

@@ -9,10 +9,9 @@ from typing import Any
 from .. import notation as nt
 from ..entry import Entry
 from ..figures.curves import curves
-from ..figures.given import axes_of
+from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
-from ..figures.sketch_given import load_sketch, tilted_sketch
 from ..oracle.values import Numbers, StripNumbers, sketch_values
 from ..physics.pools import ROUND
 from ..physics.systems import SYSTEMS, Problem, pool_of

@@ -76,6 +76,7 @@ def build(
     Catalogue
         The files do not depend on `jobs`, on the cache or on the hash seed.
     """
+    from ..chapter11.errata import failures as wrong_equations
     from ..physics.systems import problems
 
     settings = settings or Settings()
@@ -94,7 +95,7 @@ def build(
     outcomes = tuple(found[problem.key] for problem in wanted)
     published, failures = _publishable(wanted, found)
     chapter = _chapter(cache, jobs, standing.get(CHAPTER, {})) if len(wanted) == len(list(problems())) else None
-    failures += [Failure("chapter", sentence) for sentence in _wrong_equations(chapter)]
+    failures += [Failure("chapter", sentence) for sentence in (wrong_equations(chapter) if chapter else ())]
     package = emission.package(published, cache)
     published, kept, measured = _measured(published, package, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
@@ -113,17 +114,7 @@ def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
     kept = standing.get("record")
     if not cache.fresh and kept is not None and standing["receipts"].get("record") == work.receipt(key, kept):
         return dict(kept)
-    found = cache.get(key)
-    if found is None:
-        found = record(run(jobs=jobs))
-        cache.put(key, found)
-    return dict(found)
-
-
-def _wrong_equations(chapter: Record | None) -> list[str]:
-    from ..chapter11.errata import failures
-
-    return [] if chapter is None else failures(chapter)
+    return dict(cache.made(key, lambda: record(run(jobs=jobs))))
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:
@@ -159,9 +150,8 @@ def _measured(
 
     Also of how many problems they were taken over, and the keys of their inputs.
     """
-    from ..stable.drift import settled
     from ..stable.measure import closure
-    from ..stable.records import MEASURED
+    from ..stable.records import MEASURED, settled
 
     errors, inputs, kept, tasks = {}, {}, 0, []
     for own, outcome in sorted(published, key=lambda pair: _expected_effort(pair[0]), reverse=True):

@@ -37,11 +37,7 @@ def package(published: Published, cache: Cache) -> dict[str, str]:
 
     records = {problem.key: outcome.entries for problem, outcome in published}
     key = digest([work.FORMAT, "package", source_digest(*work.WRITING), records])
-    texts = cache.get(key)
-    if texts is None:
-        texts = package_sources(_derived(published), kernels(cache))
-        cache.put(key, texts)
-    return dict(texts)
+    return dict(cache.made(key, lambda: package_sources(_derived(published), kernels(cache))))
 
 
 def kernels(cache: Cache) -> str:
@@ -50,11 +46,7 @@ def kernels(cache: Cache) -> str:
 
     versions = [work.installed(name) for name in ("mpmath", "python-flint")]
     key = digest([work.FORMAT, "kernels", versions, import_digest("axiderive.code.tables.kernels_source")])
-    text = cache.get(key)
-    if text is None:
-        text = tables.kernels_source()
-        cache.put(key, text)
-    return str(text)
+    return str(cache.made(key, tables.kernels_source))
 
 
 def _derived(published: Published) -> dict[str, dict[str, Entry]]:
@@ -78,11 +70,7 @@ def emitted(
     studies = study_records()
     sources = [source_digest(*EMITTING), import_digest("axiderive.build.emission")]
     key = digest([work.FORMAT, "emission", sources, settings.record(), results, book.ids, book.chapter, studies])
-    texts = cache.get(key)
-    if texts is None:
-        files = _emit(published, modules, book, studies, jobs, printed)
-        texts = {path: content.decode() for path, content in files.items()}
-        cache.put(key, texts)
+    texts = cache.made(key, lambda: _emit(published, modules, book, studies, jobs, printed))
     return {path: text.encode() for path, text in sorted(texts.items())}
 
 
@@ -99,7 +87,7 @@ def _emit(
     studies: Mapping[str, Record],
     jobs: int,
     printed: Callable[[Mapping[str, bytes]], None],
-) -> dict[str, bytes]:
+) -> dict[str, str]:
     from .. import web
     from ..book import handbook, index
     from ..store.index import dumps
@@ -113,15 +101,14 @@ def _emit(
     texts |= {f"handbook/{path}": text for path, text in pages.items()}
     site = web.html_sources(derived, evidence, book.chapter, models, texts, studies)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
-    files = {path: text.encode() for path, text in texts.items()}
-    files["axicontact/index.json"] = dumps(index.index_record(derived, evidence, texts)).encode()
+    files = texts | {"axicontact/index.json": dumps(index.index_record(derived, evidence, texts))}
     for problem, outcome in published:
         checks = handbook.approached(models[problem.profile_id], problem.system.name)
         found = outcome.evidence | ({"approaches": checks} if checks else {})
         record = index.evidence_record(problem, outcome.entries, found)
-        files[f"evidence/{problem.key}.json"] = index.to_bytes(record)
+        files[f"evidence/{problem.key}.json"] = index.to_text(record)
     if book.chapter is not None:
-        files["evidence/chapter11.json"] = index.to_bytes(book.chapter)
+        files["evidence/chapter11.json"] = index.to_text(book.chapter)
     return files
 
 

@@ -7,8 +7,9 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 PACKAGES = ("texlive-latex-recommended", "texlive-pictures", "texlive-fonts-recommended", "tex-gyre")
 SOURCES = frozenset({".tex", ".sty", ".cls"})
@@ -44,9 +45,7 @@ def ensure_latex(*, install: bool, say: Callable[[str], None]) -> None:
     say(f"first run: installing pdflatex ({len(PACKAGES)} Debian packages, 114 MB) ...")
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     for command in (["apt-get", "update", "-qq"], [*INSTALL.split(), "--yes", "-qq"]):
-        done = subprocess.run(
-            command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-        )
+        done = _run(command, env=environment)
         if done.returncode:
             last = (done.stderr.strip().splitlines() or ["no message"])[-1]
             message = f"{hint} (tried: {' '.join(command[:2])} said {last!r})"
@@ -59,10 +58,12 @@ def has_latex() -> bool:
     """Whether pdflatex and the packages of the handbook are here."""
     if shutil.which("pdflatex") is None or shutil.which("kpsewhich") is None:
         return False
-    found = subprocess.run(
-        ["kpsewhich", *NEEDED], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-    )
-    return len(found.stdout.split()) == len(NEEDED)
+    return len(_run(["kpsewhich", *NEEDED]).stdout.split()) == len(NEEDED)
+
+
+def _run(command: Sequence[str], **more: Any) -> subprocess.CompletedProcess[str]:
+    """A command that is asked nothing and says nothing on the terminal."""
+    return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, **more)
 
 
 def main_file(sources: Mapping[str, bytes]) -> str:
@@ -149,16 +150,7 @@ def _one_pass(folder: Path, main: str, sources: Mapping[str, bytes]) -> None:
     # long lines of the log stay whole, so that its messages can be read
     environment = {**os.environ, "max_print_line": "10000", "openout_any": "p"}
     try:
-        done = subprocess.run(
-            [*PDFLATEX, main],
-            cwd=folder,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            timeout=TIMEOUT,
-            check=False,
-        )
+        done = _run([*PDFLATEX, main], cwd=folder, env=environment, timeout=TIMEOUT, errors="replace")
     except subprocess.TimeoutExpired as error:
         message = f"pdflatex was stopped after {TIMEOUT} s"
         raise LatexError(message) from error

@@ -1,10 +1,6 @@
-"""Work in processes of its own: tasks of a build, a user's text under limits, a call beside the rest.
+"""Work in processes of its own: tasks of a build, a user's text under limits of time and memory, a call beside others.
 
-Tasks in worker processes: none outlives an interrupt, and a dead worker is an error, not a hang.
-
-Work on a text of the user's in a process of its own, with limits of time and memory.
-
-A call that is worked on beside the rest, in a process of its own, where there is a second processor.
+None outlives an interrupt, and a dead worker is an error, not a hang.
 """
 
 from __future__ import annotations

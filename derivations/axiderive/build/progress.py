@@ -1,11 +1,9 @@
-"""What a build says while it runs and at its end: a bar on a terminal, one line per problem elsewhere."""
+"""What a build says while it runs, a line for each problem that it works on, and at its end."""
 
 from __future__ import annotations
 
-import os
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..physics import systems
@@ -23,31 +21,11 @@ class Progress:
 
     def __init__(self, total: int, *, quiet: bool) -> None:
         self.total, self.quiet, self.done = total, quiet, 0
-        self._bar: Any = None
-        self._task: Any = None
-
-    @contextmanager
-    def running(self) -> Iterator[Progress]:
-        """A context in which the bar is shown, if standard error is a terminal; it yields the counter itself."""
-        if self.quiet or not sys.stderr.isatty() or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
-            yield self
-            return
-        from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
-        from rich.progress import Progress as Bar
-
-        columns = (TextColumn("deriving"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"))
-        from rich.console import Console
-
-        with Bar(*columns, TimeElapsedColumn(), console=Console(stderr=True), transient=True) as self._bar:
-            self._task = self._bar.add_task("", total=self.total)
-            yield self
 
     def finished(self, outcome: Outcome) -> None:
-        """Counts one problem: the bar moves, or without a bar a line is said of what was not cached."""
+        """Counts one problem, and says a line of it unless it was cached."""
         self.done += 1
-        if self._bar is not None:
-            self._bar.update(self._task, advance=1, description=outcome.key)
-        elif not outcome.cached:
+        if not outcome.cached:
             count = f"{self.done:>{len(str(self.total))}}/{self.total}"
             state = f"{len(outcome.entries):3} formulas" if not outcome.error else "failed"
             self.say(f"{count}  {outcome.key:28} {state}  {outcome.seconds:6.1f} s")
@@ -67,13 +45,9 @@ def summary(catalogue: Catalogue) -> str:
             rows[name] = _sum(name, [rows[name], _row(outcome)]) if name in rows else _row(outcome)
     if not rows:
         return ""
-    cells = [[*map(str, row[:-1]), f"{row[-1]:.1f} s"] for row in [*rows.values(), _sum("all", list(rows.values()))]]
-    widths = [max(len(row[i]) for row in [HEAD, *cells]) for i in range(len(HEAD))]
-    aligned = [
-        [row[0], *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True))]
-        for row in [HEAD, *cells]
-    ]
-    return table(aligned)
+    cells = [HEAD, *([*map(str, row[:-1]), f"{row[-1]:.1f} s"] for row in [*rows.values(), _sum("all", rows.values())])]
+    widths = [0, *(max(map(len, column)) for column in list(zip(*cells, strict=True))[1:])]
+    return table([[cell.rjust(width) for cell, width in zip(row, widths, strict=True)] for row in cells])
 
 
 def taken_over(catalogue: Catalogue) -> str:
@@ -101,7 +75,7 @@ def _row(outcome: Outcome) -> list[Any]:
     return [name, len(statuses), *counts, certified, worst, outcome.seconds]
 
 
-def _sum(name: str, rows: Sequence[list[Any]]) -> list[Any]:
+def _sum(name: str, rows: Collection[list[Any]]) -> list[Any]:
     totals = [sum(row[i] for row in rows) for i in range(1, 6)]
     worst = max((row[6] for row in rows if row[6]), key=float, default="")
     return [name, *totals, worst, sum(row[7] for row in rows)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache as remember
 from importlib.metadata import PackageNotFoundError, version
@@ -225,14 +225,16 @@ def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:
 def _derived(problem: Problem, cache: Cache) -> dict[str, Any]:
     from ..store.records import entry_record
 
-    key = derivation_key(problem)
-    found = cache.get(key)
-    if found is None:
-        start = time.perf_counter()
-        entries = {suffix: entry_record(entry) for suffix, entry in problem.derive().items()}
-        found = {"entries": entries, "seconds": round(time.perf_counter() - start, 3)}
-        cache.put(key, found)
-    return dict(found["entries"])
+    def derive() -> Any:
+        return {suffix: entry_record(entry) for suffix, entry in problem.derive().items()}
+
+    return dict(cache.made(derivation_key(problem), lambda: _timed("entries", derive))["entries"])
+
+
+def _timed(name: str, make: Callable[[], Any]) -> dict[str, Any]:
+    """What is made, under a name, and the seconds that took."""
+    start = time.perf_counter()
+    return {name: make(), "seconds": round(time.perf_counter() - start, 3)}
 
 
 def _verified(
@@ -244,15 +246,12 @@ def _verified(
 ) -> dict[str, Any]:
     from .verification import verify
 
-    key = verification_key(problem, entries, settings)
-    found = cache.get(key)
-    if found is None:
-        start = time.perf_counter()
+    def prove() -> Any:
         # what is verified is what was stored, not what was in memory
-        evidence = verify(problem, read_entries(problem, entries), settings, checks)
-        found = {"evidence": evidence, "seconds": round(time.perf_counter() - start, 3)}
-        cache.put(key, found)
-    return dict(found["evidence"])
+        return verify(problem, read_entries(problem, entries), settings, checks)
+
+    key = verification_key(problem, entries, settings)
+    return dict(cache.made(key, lambda: _timed("evidence", prove))["evidence"])
 
 
 @remember

@@ -48,7 +48,8 @@ def build(arguments: argparse.Namespace) -> int:
     keys = [problem.key for problem in systems.problems(names)]
     measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
     ahead = Ahead(wanted=not (arguments.no_pdf or arguments.check or partial))
-    with kept(cache), Progress(len(keys), quiet=arguments.quiet).running() as progress:
+    progress = Progress(len(keys), quiet=arguments.quiet)
+    with kept(cache):
         catalogue = build_catalogue(
             names,
             cache=cache,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Collection, Sequence
@@ -15,9 +14,10 @@ from ..entry import Entry
 from ..physics import systems
 from ..physics.systems import Problem
 from ..stable import records
-from ..stable.drift import drift
 from ..stable.measure import closure
-from ..store.index import NoCatalogueError, load, table
+from ..stable.records import drift
+from ..store.index import evidence as stored_in
+from ..store.index import load, table
 
 HEAD = ["key", "status", "evidence"]
 
@@ -25,13 +25,12 @@ HEAD = ["key", "status", "evidence"]
 def check(keys: Sequence[str], folder: Path, settings: Settings, *, verbose: bool) -> bool:
     """Verify these keys (profiles, problems or single formulas; all if empty); whether all of them passed."""
     index = load()
-    wanted = index.wanted(keys)
     stored = folder if folder.is_dir() else index.folder.parent / "evidence"
     started, checked, failures = time.perf_counter(), 0, []
     rows: list[list[str]] = []
-    for key, selected in wanted.items():
+    for key, selected in index.wanted(keys).items():
         problem = systems.problem(key)
-        record = _stored(stored, key)
+        record = stored_in(stored, key)
         entries = read_entries(problem, record["entries"])
         evidence = verify(problem, entries, settings)
         checked += len(selected)
@@ -64,16 +63,3 @@ def _drift(
         {"key": f"{problem.key}.{suffix}", "message": f"the measured errors have drifted: {line}"}
         for suffix, line in drift(evidence.get("evaluation", {}), found)
     ]
-
-
-def _stored(folder: Path, name: str) -> dict[str, Any]:
-    path = folder / f"{name}.json"
-    try:
-        record: dict[str, Any] = json.loads(path.read_bytes())
-    except FileNotFoundError as error:
-        message = f"{path} does not exist; run axicontact build in a checkout of the project"
-        raise NoCatalogueError(message) from error
-    except ValueError as error:
-        message = f"{path} is damaged ({error}); run axicontact build"
-        raise NoCatalogueError(message) from error
-    return record

@@ -17,7 +17,6 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -29,27 +28,20 @@ from ..expression.answer import DIGITS, Answer, answered
 from ..expression.names import ExpressionError
 from ..expression.profile import OwnProfile, own_profile
 from ..scene import interface, text
-from ..scene.compose import Result, Typesetter, composed, manifest
+from ..scene.compose import Result, composed, manifest
+from ..scene.linker.sources import graded_refusal
 from ..scene.page import Typesetting
 from ..scene.reading import Request, Scene, read
 from ..store.writing import write_atomic
 
-if TYPE_CHECKING:
-    from ..scene.compose import Result
-
 
 def derive(arguments: argparse.Namespace) -> int:
     """Print the formulas of an expression; write its module and test where a folder is named."""
-    lines, result = limited(_derived, arguments.expression, arguments.k, arguments.out is not None)
+    lines, result = limited(shown, arguments.expression, arguments.k, arguments.out is not None)
     print("\n".join(lines))
     if arguments.out is not None and result is not None:
         _write(result, arguments.out)
     return 0
-
-
-def _derived(expression: str, k: str, write: bool) -> tuple[list[str], Result | None]:
-    """In the worker: the printed lines and the files."""
-    return shown(expression, k, write=write)
 
 
 def emit(arguments: argparse.Namespace) -> int:
@@ -66,21 +58,13 @@ def emit(arguments: argparse.Namespace) -> int:
         return 0
     with Typesetting() as typesetting:
         request = _request(scene, source.text)
-        if "pdf" in scene.formats:
-            result = limited(_composed, request, hear=typesetting.start)
-        else:
-            result = limited(composed, request)
+        result = limited(composed, request, None, hear=typesetting.start if "pdf" in scene.formats else None)
         for line in result.lines:
             print(line)
         page = typesetting.page()
     _write(result, folder, {"page.pdf": page} if page else {})
     print(f"{time.perf_counter() - started:.1f} s in all")
     return 0
-
-
-def _composed(request: Request, typeset: Typesetter) -> Result:
-    """In the worker: the files, the page of which is handed out before the rest is written."""
-    return composed(request, typeset=typeset)
 
 
 def _request(scene: Scene, source: str) -> Request:
@@ -169,7 +153,7 @@ def _write(result: Result, folder: Path, further: Mapping[str, bytes] = MappingP
 WIDTH = 110
 
 
-def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], Result | None]:
+def shown(text: str, k: str = "0", write: bool = False) -> tuple[list[str], Result | None]:
     """The lines, and the files of a module with all functions if they are wanted."""
     own = own_profile(text)
     exponent = exponent_of(k)
@@ -178,11 +162,6 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         lines = _head(own) + [line for suffix in FOUR for line in _entry(answer, suffix)] + _tail(answer)
     if not write and all(answer.entries[suffix].status == "closed" for suffix in FOUR):
         return lines, None  # else the rules of the module give the values, and their error is measured
-    from ..scene import interface
-    from ..scene.compose import composed
-    from ..scene.linker.sources import graded_refusal
-    from ..scene.reading import Request
-
     kind = interface.KINDS["graded" if exponent else "normal"]
     values = {"k": float(exponent)} if exponent else {}
     if exponent != 0 and (reason := graded_refusal(answer.profile)):
@@ -192,16 +171,8 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
         lines += [f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}"] if write else []
-    request = Request(
-        "Contact of a profile of one's own",
-        f"{own.profile.name}.py",
-        None,
-        own,
-        kind,
-        names,
-        values,
-        formats=("python", "json"),
-    )
+    title, formats = "Contact of a profile of one's own", ("python", "json")
+    request = Request(title, f"{own.profile.name}.py", None, own, kind, names, values, formats)
     result = composed(request, answer)
     return [*lines, *(line for line in result.lines if line not in lines)], result if write else None
 

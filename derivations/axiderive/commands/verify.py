@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ..store.index import NoCatalogueError, load, table
+from ..store.index import NoCatalogueError, evidence, load, table
 from ..verifier import reasons, rests_on
 
 ONLY_FIRST = "by the first prover only"
@@ -45,13 +44,8 @@ def verify(keys: Sequence[str], folder: Path) -> bool:
 
 
 def _read(folder: Path, key: str) -> Mapping[str, Any]:
-    path = folder / f"{key}.json"
-    try:
-        record: dict[str, Any] = json.loads(path.read_bytes())
-    except (OSError, ValueError) as error:
-        message = f"{path} cannot be read ({error}); run axicontact build"
-        raise NoCatalogueError(message) from error
+    record = evidence(folder, key)
     if "profile" not in record or any("twice" not in entry for entry in record["evidence"]["entries"].values()):
-        message = f"{path} holds nothing for a second prover; run axicontact build"
+        message = f"the evidence of {key} holds nothing for a second prover; run axicontact build"
         raise NoCatalogueError(message)
     return record

@@ -1,8 +1,7 @@
 """The quantities of an expression straight from their definitions.
 
-The quantities straight from their definitions, by mpmath: what formulas and generated rules are measured against.
-
-A profile in floating point at given parameter values: g, g' and F by a trapezoidal rule over the profile.
+By mpmath, which formulas and generated rules are measured against, and in floating point at given parameter values:
+g, g' and F by a trapezoidal rule over the profile.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from flint import acb, arb, ctx
 from sympy.printing.numpy import NumPyPrinter
 
 from ..notation import r
+from ..oracle.rules import middle
 from ..oracle.shape import number
 from ..physics.general import Layer, beyond, excess, layers, steepness
 from ..profiles.profile import Profile
@@ -38,9 +38,7 @@ def kernel(s: Number, r: Number, a: Number) -> Number:
     with ctx.workprec(mp.mp.prec):
         m, low, end = _ball(large), _ball(small), _ball(a)
         gap, rest = (m - low) * (m + low), (end - m) * (end + m)
-        value = (acb.elliptic_rf(gap / rest, gap / rest + gap / (m * m), gap / rest + 1) / m).real
-        mantissa, exponent = value.mid().man_exp()
-    return mp.ldexp(mp.mpf(int(mantissa)), int(exponent))
+        return middle((acb.elliptic_rf(gap / rest, gap / rest + gap / (m * m), gap / rest + 1) / m).real)
 
 
 def _flattening(function: Function) -> int:

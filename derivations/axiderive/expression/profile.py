@@ -1,8 +1,6 @@
-"""An expression as a profile, with the dimensions of its parameters.
+"""An expression as a `Profile`: ascending pieces, what the parameters mean, numbers to draw it with.
 
-Dimensions of the parameters of an expression: those that make f(r) a length, by linear algebra on its tree.
-
-An expression as a `Profile`: ascending pieces, what the parameters mean, numbers to draw it with.
+Their dimensions are those that make f(r) a length, by linear algebra on its tree.
 """
 
 from __future__ import annotations

@@ -1,42 +1,29 @@
-"""Whitelist reader of expressions in r.
+"""Whitelist reader of expressions in r: a walk over Python's own syntax tree that builds the SymPy tree node by node.
 
-Breaks of an expression: `Max(0, ...)` and `Piecewise` as sums of what begins at a break times its step.
-
-How large an expression may be: numbers of bounded size, and as many terms as can be multiplied out in no time.
-
-Whitelist reader of expressions in r: a walk over Python's own syntax tree that builds the SymPy tree node by node.
-
-Nothing is evaluated but sums, products and powers of checked size; decimals
-stay exact; `Max(0, r - b)` becomes (r - b) times the step symbol of b.
+Nothing is evaluated but sums, products and powers of checked size; decimals stay exact; `Max(0, r - b)` becomes
+(r - b) times the step symbol of b, and a `Piecewise` the sum of what begins at each break times its step.
 """
 
 from __future__ import annotations
 
 import ast
+import itertools
 import math
 import re
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NoReturn
+from operator import add, mul, sub
+from typing import Any, NoReturn
 
 import sympy as sp
 
 from ..notation import r, theta
-from . import advice
-from .names import FUNCTIONS, ExpressionError, nearest_function, refusal
+from .names import FUNCTIONS, ExpressionError, kinked, misplaced, refusal, syntax, unit, unknown, without_r
 
 FORM = "write breaks as Max(0, r - b) with a parameter b"
 PIECES = "write Piecewise((f1, r < b), (f2, True)) with a parameter b"
-
-
-class BreakError(ValueError):
-    """What is wrong with a break, and the node where it is."""
-
-    def __init__(self, message: str, node: ast.AST) -> None:
-        self.node = node
-        super().__init__(message)
 
 
 def step(b: sp.Symbol) -> sp.Symbol:
@@ -50,38 +37,6 @@ def begins_at(height: sp.Expr, parameters: Sequence[sp.Symbol]) -> sp.Symbol | N
     if any(symbol not in (r, *parameters) for symbol in height.free_symbols) or not slope.is_positive:
         return None
     return next((b for b in parameters if height.has(b) and sp.expand(height.subs(r, b)) == 0), None)
-
-
-def limit(node: ast.expr, parameter: Callable[[ast.Name], sp.Expr]) -> sp.Symbol | None:
-    """The b of a condition r < b or r <= b; None for True."""
-    match node:
-        case ast.Constant(value=True):
-            return None
-        case ast.Compare(left=ast.Name(id="r"), ops=[ast.Lt() | ast.LtE()], comparators=[ast.Name() as name]):
-            found = parameter(name)
-            if found.is_Symbol and found != r:
-                return found
-    message = f"a condition is r < b with a parameter b, and True for the last piece; {PIECES}"
-    raise BreakError(message, node)
-
-
-def joined(pieces: Sequence[tuple[sp.Expr, sp.Symbol | None]], node: ast.AST) -> sp.Expr:
-    """The sum of the first piece and of what each further one adds at its break."""
-    if len(pieces) < 2 or pieces[-1][1] is not None or any(b is None for _, b in pieces[:-1]):
-        message = f"the last piece, and no other, has the condition True; {PIECES}"
-        raise BreakError(message, node)
-    total, before = pieces[0][0], pieces[0]
-    for piece in pieces[1:]:
-        added, b = sp.expand(piece[0] - before[0]), before[1]
-        jump = sp.expand(added.subs(r, b))
-        if any(str(symbol).startswith("[") for symbol in jump.free_symbols):
-            message = f"a piece has a break of its own; {PIECES} for each break in turn"
-            raise BreakError(message, node)
-        if jump != 0:
-            message = f"f jumps by {sp.sstr(jump)[:60]} at the break r = {b}; write pieces that agree there"
-            raise BreakError(message, node)
-        total, before = total + added * step(b), piece
-    return total
 
 
 LARGEST_EXPONENT, LARGEST_ROOT = 24, 12
@@ -132,6 +87,7 @@ DIGITS = 15
 """Digits of a number, and decimals of its exponent of ten."""
 MOST_PARAMETERS, MOST_BREAKS = 8, 4
 NUMBER = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+JOINED: dict[type[ast.operator], Callable[[Any, Any], Any]] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul}
 CALLS = {name: getattr(sp, name) for name in FUNCTIONS if name not in ("Max", "Piecewise")}
 
 
@@ -173,14 +129,14 @@ class _Reader:
         node = self._parsed()
         names = [inner.id for inner in ast.walk(node) if isinstance(inner, ast.Name)]
         if "r" not in names:
-            raise ExpressionError(advice.without_r(self.text.strip(), names), self.text, 0, len(self.text))
+            raise ExpressionError(without_r(self.text.strip(), names), self.text, 0, len(self.text))
         tree = self._walk(node, 0)
         if not tree.has(r):
             message = "f does not depend on r; write the height of the indenter over its tip, as r**2/(2*R)"
             raise ExpressionError(message, self.text, 0, len(self.text))
-        kinked = next(iter(sorted(tree.atoms(sp.Abs), key=str)), None)
-        if kinked is not None:
-            message = advice.kinked(str(kinked).replace("Abs", "abs"))
+        bent = next(iter(sorted(tree.atoms(sp.Abs), key=str)), None)
+        if bent is not None:
+            message = kinked(str(bent).replace("Abs", "abs"))
             raise ExpressionError(message, self.text, 0, len(self.text))
         return Expression(self.text.strip(), tree, tuple(self.parameters.values()), tuple(self.breaks.values()))
 
@@ -206,7 +162,7 @@ class _Reader:
                 return ast.parse(self.text, mode="eval").body
         except SyntaxError as error:
             place = min(max(0, (error.offset or 1) - 1), len(self.text) - 1)
-            message = advice.syntax(self.text, error.msg)
+            message = syntax(self.text, error.msg)
             raise ExpressionError(message, " " * stripped + self.text, stripped + place) from None
         except (RecursionError, MemoryError, ValueError):
             message = f"the expression is nested deeper than {DEEPEST} levels; name its parts"
@@ -232,16 +188,11 @@ class _Reader:
                 return self._number(node)
             case ast.Name():
                 return self._name(node)
-            case ast.UnaryOp(op=ast.USub(), operand=inner):
-                return -self._walk(inner, depth)
-            case ast.UnaryOp(op=ast.UAdd(), operand=inner):
-                return self._walk(inner, depth)
-            case ast.BinOp(left=left, op=ast.Add(), right=right):
-                return self._walk(left, depth) + self._walk(right, depth)
-            case ast.BinOp(left=left, op=ast.Sub(), right=right):
-                return self._walk(left, depth) - self._walk(right, depth)
-            case ast.BinOp(left=left, op=ast.Mult(), right=right):
-                return self._walk(left, depth) * self._walk(right, depth)
+            case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=inner):
+                value = self._walk(inner, depth)
+                return -value if isinstance(sign, ast.USub) else value
+            case ast.BinOp(left=left, op=ast.Add() | ast.Sub() | ast.Mult() as sign, right=right):
+                return JOINED[type(sign)](self._walk(left, depth), self._walk(right, depth))
             case ast.BinOp(left=left, op=ast.Div(), right=right):
                 return self._quotient(self._walk(left, depth), self._walk(right, depth), right)
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
@@ -259,8 +210,8 @@ class _Reader:
             case ast.Call(func=ast.Name(id=name)) if name in CALLS:
                 self._refuse(f"{name} takes one argument; write {name}(...)", node)
             case ast.Call(func=ast.Name(id=name)):
-                self._refuse(advice.function(name, nearest_function(name)), node.func)
-        return self._refuse(advice.misplaced(node, self._segment(node)), node)
+                self._refuse(unknown(name), node.func)
+        return self._refuse(misplaced(node, self._segment(node)), node)
 
     def _angle(self, value: sp.Expr, node: ast.Call) -> sp.Expr:
         if value.is_number and value > sp.pi / 2:
@@ -291,7 +242,7 @@ class _Reader:
             return sp.pi
         if name in self.parameters:
             return self.parameters[name]
-        reason = advice.unit(name) or refusal(name)
+        reason = unit(name) or refusal(name)
         if reason:
             self._refuse(reason, node)
         if len(self.parameters) == MOST_PARAMETERS:
@@ -339,19 +290,36 @@ class _Reader:
 
     def _pieces(self, arguments: list[ast.expr], node: ast.Call, depth: int) -> sp.Expr:
         found: list[tuple[sp.Expr, sp.Symbol | None]] = []
-        try:
-            for argument in arguments:
-                if not (isinstance(argument, ast.Tuple) and len(argument.elts) == 2):
-                    self._refuse(f"a piece is a pair of f and a condition; {PIECES}", argument)
-                piece, condition = argument.elts
-                found.append((self._walk(piece, depth), limit(condition, self._name)))
-            total = joined(found, node)
-        except BreakError as error:
-            self._refuse(str(error), error.node)
-        for _, b in found[:-1]:
-            assert b is not None
+        for argument in arguments:
+            if not (isinstance(argument, ast.Tuple) and len(argument.elts) == 2):
+                self._refuse(f"a piece is a pair of f and a condition; {PIECES}", argument)
+            found.append((self._walk(argument.elts[0], depth), self._limit(argument.elts[1])))
+        breaks = [b for _, b in found]
+        if len(found) < 2 or breaks[-1] is not None or None in breaks[:-1]:
+            self._refuse(f"the last piece, and no other, has the condition True; {PIECES}", node)
+        total = found[0][0]
+        for (before, b), (piece, _) in itertools.pairwise(found):
+            added = sp.expand(piece - before)
+            jump = sp.expand(added.subs(r, b))
+            if any(str(symbol).startswith("[") for symbol in jump.free_symbols):
+                self._refuse(f"a piece has a break of its own; {PIECES} for each break in turn", node)
+            if jump != 0:
+                jumps = f"f jumps by {sp.sstr(jump)[:60]} at the break r = {b}"
+                self._refuse(f"{jumps}; write pieces that agree there", node)
             self._break(b, node)
+            total += added * step(b)
         return total
+
+    def _limit(self, node: ast.expr) -> sp.Symbol | None:
+        """The b of a condition r < b or r <= b; None for True."""
+        match node:
+            case ast.Constant(value=True):
+                return None
+            case ast.Compare(left=ast.Name(id="r"), ops=[ast.Lt() | ast.LtE()], comparators=[ast.Name() as name]):
+                found = self._name(name)
+                if found.is_Symbol and found != r:
+                    return found
+        return self._refuse(f"a condition is r < b with a parameter b, and True for the last piece; {PIECES}", node)
 
     def _break(self, b: sp.Symbol, node: ast.AST) -> None:
         self.breaks.setdefault(b.name, b)

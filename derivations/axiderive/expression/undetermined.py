@@ -1,12 +1,8 @@
-"""Profiles outside the normal form.
+"""Algebraic profiles outside the normal form: entries by undetermined coefficients, single integrals where none fit.
 
-Integrals by undetermined coefficients: one radical or pole y = B + s x**2 beside the root of the contact.
-
-Each integral is a root times polynomials over powers of y, plus multiples of the
-few functions with the remaining singularities.  The conditions on the coefficients
+One radical or pole y = B + s x**2 stands beside the root of the contact: each integral is a root times polynomials over
+powers of y, plus multiples of the few functions with the remaining singularities.  The conditions on the coefficients
 are linear.  What they give is a conjecture until the certificate proves it.
-
-Algebraic profiles outside the normal form: entries by undetermined coefficients, single integrals where none fit.
 """
 
 from __future__ import annotations
@@ -140,19 +136,14 @@ class Part:
         n, y, s, delta = self.highest, self.y(V), self.s, sp.S.Zero if self.halved else HALF
         goal = sp.cancel(sp.powsimp(sp.expand(kappa * y ** (n + 1 + delta))))
         rest = sp.cancel(V * q * y ** (n + 1))
-        size = max(degree_of(goal), degree_of(rest), n + 1)
-        (Q1, first), (Q2, second) = polynomial(size), polynomial(size)
-        C1, C2 = sp.Dummy("C1"), sp.Dummy("C2")
         gap = r**2 - V
-        of_theta = -Q1 * y + 2 * gap * (sp.diff(Q1, V) * y - (n + delta) * s * Q1) - goal
-        of_rest = gap * Q1 * self._growth + gap * (Q2 * y + 2 * V * (sp.diff(Q2, V) * y - n * s * Q2)) - V * Q2 * y
-        of_rest += C1 * y ** (n + 1) + C2 * y**n - rest
-        free = [Q1, C2] if s == 0 else []
-        unknown = [u for u in (*first, *second, C1, C2) if not any(expr.has(u) for expr in free)]
-        none = dict.fromkeys([u for u in (*first, C2) if u not in unknown], sp.S.Zero)
-        q1, q2, c1, c2 = solved(
-            [of_theta.xreplace(none), of_rest.xreplace(none)], unknown, [e.xreplace(none) for e in (Q1, Q2, C1, C2)]
-        )
+
+        def conditions(Q1: sp.Expr, Q2: sp.Expr, C1: sp.Expr, C2: sp.Expr) -> list[sp.Expr]:
+            of_theta = -Q1 * y + 2 * gap * (sp.diff(Q1, V) * y - (n + delta) * s * Q1) - goal
+            of_rest = gap * Q1 * self._growth + gap * (Q2 * y + 2 * V * (sp.diff(Q2, V) * y - n * s * Q2)) - V * Q2 * y
+            return [of_theta, of_rest + C1 * y ** (n + 1) + C2 * y**n - rest]
+
+        q1, q2, c1, c2 = fitted(conditions, max(degree_of(goal), degree_of(rest), n + 1), 2 if s != 0 else 1)
         at, z = self.y(a**2), sp.sqrt(r**2 - a**2)
         total = z * a * q2.subs(V, a**2) / at**n + c1 * sp.asin(a / r)
         if s != 0:
@@ -169,18 +160,14 @@ class Part:
         n, y, s = self.highest, self.y(V), self.s
         goal = sp.cancel(kappa + 2 * V * sp.diff(kappa, V))
         rest = sp.cancel((2 * sp.diff(V * q, V) + kappa * self._growth / y) * y ** (n + 1))
-        size = max(degree_of(goal), degree_of(rest), n + 1)
-        (Q1, first), (Q2, second) = polynomial(size), polynomial(size)
-        C1, C2 = sp.Dummy("C1"), sp.Dummy("C2")
         gap = V - r**2
-        of_theta = V * Q1 + gap * (Q1 + 2 * V * sp.diff(Q1, V)) + C2 - goal
-        of_rest = gap * Q1 * self._growth * y**n + Q2 * y + 2 * gap * (sp.diff(Q2, V) * y - n * s * Q2)
-        of_rest += C1 * y**n - rest
-        none = dict.fromkeys([*first, C1, C2] if s == 0 else [], sp.S.Zero)
-        unknown = [u for u in (*first, *second, C1, C2) if u not in none]
-        q1, q2, c1, c2 = solved(
-            [of_theta.xreplace(none), of_rest.xreplace(none)], unknown, [e.xreplace(none) for e in (Q1, Q2, C1, C2)]
-        )
+
+        def conditions(Q1: sp.Expr, Q2: sp.Expr, C1: sp.Expr, C2: sp.Expr) -> list[sp.Expr]:
+            of_theta = V * Q1 + gap * (Q1 + 2 * V * sp.diff(Q1, V)) + C2 - goal
+            of_rest = gap * Q1 * self._growth * y**n + Q2 * y + 2 * gap * (sp.diff(Q2, V) * y - n * s * Q2)
+            return [of_theta, of_rest + C1 * y**n - rest]
+
+        q1, q2, c1, c2 = fitted(conditions, max(degree_of(goal), degree_of(rest), n + 1), 2 if s != 0 else 0)
         at, root = self.y(a**2), sp.sqrt(a**2 - r**2)
         total = root * q2.subs(V, a**2) / at**n
         if s != 0:
@@ -225,10 +212,17 @@ def solved(conditions: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], wanted: 
     return [sp.factor(expr.xreplace(found)) for expr in wanted]
 
 
+def fitted(conditions: Callable[..., list[sp.Expr]], size: int, constants: int) -> list[sp.Expr]:
+    """The polynomials Q1, Q2 and constants C1, C2 that meet some conditions; with less than both constants Q1 is 0."""
+    (Q1, first), (Q2, second) = polynomial(size), polynomial(size)
+    C = sp.Dummy("C1"), sp.Dummy("C2")
+    none = dict.fromkeys([*first, *C[constants:]] if constants < len(C) else [], sp.S.Zero)
+    wanted = [expr.xreplace(none) for expr in (Q1, Q2, *C)]
+    return solved(conditions(*wanted), [u for u in (*first, *second, *C) if u not in none], wanted)
+
+
 Line = tuple[sp.Expr, sp.Expr]
 """B and s of B + s V."""
-Whole = Callable[[Callable[[Part], sp.Expr]], sp.Expr]
-"""The sum of a quantity over all parts."""
 
 
 def parts_of(shape: sp.Expr) -> list[Part]:
@@ -332,8 +326,11 @@ def derive(profile: Profile) -> tuple[Profile, dict[str, Entry], dict[str, Entry
         "d": growth,
         "F": closed("F", Case(chain, force)),
         "pm": closed("pm", Case(chain, mean)),
-        "p": _pressure(whole, single["p"]),
-        "w": _displacement(whole, depth, single["w"]),
+        "p": _closed(single["p"], lambda: HOMOGENEOUS.pressure_scale * whole(Part.over_growth)),
+        "w": _closed(
+            single["w"],
+            lambda: HOMOGENEOUS.displacement_scale * (sp.asin(a / r) * depth - whole(Part.over_arc)),
+        ),
     }
     for own in (entry for entry in plain.values() if entry.quantity.inverts):
         (curve,), (value,) = entries[own.quantity.inverts].cases, own.quantity.arguments
@@ -349,22 +346,12 @@ def _under_a_root(length: sp.Expr) -> set[sp.Symbol]:
     return {s for power in length.atoms(sp.Pow) if power.exp.q == 2 for s in power.base.free_symbols}
 
 
-def _pressure(whole: Whole, integral: Entry) -> Entry:
-    """Closed, or one regular integral over the closed g'(t)."""
+def _closed(integral: Entry, value: Callable[[], sp.Expr]) -> Entry:
+    """Closed, or the single regular integral where there is no closed form of the kind."""
     try:
-        value = HOMOGENEOUS.pressure_scale * whole(Part.over_growth)
+        return replace(integral, status="closed", cases=(Case(integral.cases[0].chain, value()),))
     except NotSolvableError:
         return integral
-    return replace(integral, status="closed", cases=(Case(integral.cases[0].chain, value),))
-
-
-def _displacement(whole: Whole, depth: sp.Expr, integral: Entry) -> Entry:
-    """Closed, or the single integral over the profile."""
-    try:
-        value = HOMOGENEOUS.displacement_scale * (sp.asin(a / r) * depth - whole(Part.over_arc))
-    except NotSolvableError:
-        return integral
-    return replace(integral, status="closed", cases=(Case(integral.cases[0].chain, value),))
 
 
 def _over_closed_growth(plain: Entry, growth: sp.Expr, chain: Chain) -> Entry:

@@ -10,9 +10,8 @@ import mpmath as mp
 from .. import notation as nt
 from ..oracle.values import Numbers
 from ..profiles.profile import Profile
-from .axes import Axes, Mark
+from .axes import HIGHEST, Axes, Curve, Mark, labelled, rounded, short
 from .drawing import Rows
-from .labels import HIGHEST, Curve, labelled, rounded
 
 PULL, LIGHT_PULL = 0.4, 0.1
 """Force of pull-off over that of the sketch, which fixes the work of separation; the second where a contact has a
@@ -81,7 +80,7 @@ def _adhesion(profile: Profile, numbers: Numbers) -> Axes:
     least_force = min(range(len(rows)), key=lambda i: rows[i][1])
     least_depth = min(range(len(rows)), key=lambda i: rows[i][0])
     first, last = sorted((least_depth, least_force))
-    force_at, depth_at = _point(rows[least_force]), _point(rows[least_depth])
+    force_at, depth_at = short(*rows[least_force]), short(*rows[least_depth])
     branches = (
         ("stable", "load", rows[last:]),
         ("stable under given depth only", "load dashed", rows[first : last + 1]),
@@ -134,7 +133,3 @@ def _slip(profile: Profile, numbers: Numbers) -> Axes:
         r"the contact sticks in its middle until it slides as a whole at $u_{\mathrm s}$.",
         (_sphere(rows),),
     )
-
-
-def _point(row: tuple[float, float]) -> tuple[float, float]:
-    return float(f"{row[0]:.4g}"), float(f"{row[1]:.4g}")

@@ -7,7 +7,7 @@ it is one power of the depth it would say nothing, and is left out.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -20,9 +20,8 @@ from ..oracle.evaluate import at_precision
 from ..oracle.values import Numbers, StripNumbers, sketch_values
 from ..print.formula import Printer
 from ..profiles.profile import Profile
-from .axes import Axes, Mark, Shown, axes
+from .axes import HIGHEST, Axes, Mark, Shown, axes, short
 from .drawing import Rows
-from .labels import HIGHEST
 
 TOP = HIGHEST * 1.06
 RATIOS = ("0.25", "0.5", "0.8")
@@ -59,40 +58,33 @@ def _scaled(rows: Rows, factor: float) -> Rows:
 
 def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers]], str]:
     """The same profile at several values of one dimensionless ratio."""
+    values = numbers.values
+
+    def members(name: str, ratios: Sequence[str], changed: Callable[[Any], dict[str, Any]]) -> Any:
+        family = [(ratio, numbers.at(**changed(sp.Rational(ratio)))) for ratio in ratios]
+        return family, f"${name}={', '.join(ratios)}$"
+
     if isinstance(numbers, StripNumbers) and "Pmin" in numbers.entries:
-        loads = ("1", "2", "4")
-        return [(v, numbers.at(P=numbers.least * int(v))) for v in loads], r"$P/P_{\mathrm{min}}=1, 2, 4$"
+        return members(r"P/P_{\mathrm{min}}", ("1", "2", "4"), lambda v: {"P": numbers.least * v})
     if profile.breaks:
         b = profile.breaks[0]
-        size = numbers.values[b]
-        members = [(ratio, numbers.at(a=size / sp.Rational(ratio))) for ratio in RATIOS]
-        return members, f"${nt.describe(b).latex}/a={', '.join(RATIOS)}$"
+        return members(f"{nt.describe(b).latex}/a", RATIOS, lambda v: {"a": values[b] / v})
     if nt.n in profile.parameters:
-        values = ("1.5", "2", "4") if profile.complete else ("0.5", "1", "2", "4")
-        return [
-            (v, numbers.at(n=sp.Rational(v), **_lift(profile, sp.Rational(v)))) for v in values
-        ], f"$n={', '.join(values)}$"
+        exponents = ("1.5", "2", "4") if profile.complete else ("0.5", "1", "2", "4")
+        return members("n", exponents, lambda v: {"n": v, **_lift(profile, v)})
     if nt.a in profile.chain:
         bound = profile.chain[-1]
-        values = ("0.5", "0.9", "0.99")
-        members = [(v, numbers.at(a=sp.Rational(v) * numbers.values[bound])) for v in values]
-        return members, f"$a/{nt.describe(bound).latex}={', '.join(values)}$"
+        return members(f"a/{nt.describe(bound).latex}", ("0.5", "0.9", "0.99"), lambda v: {"a": v * values[bound]})
     if nt.h in profile.parameters and profile.complete:
         least = sp.nsimplify(numbers("dmin"), rational=True)
-        values = ("1", "2", "4")
-        return [
-            (v, numbers.at(d=least * sp.Rational(v))) for v in values
-        ], r"$d/d_{\mathrm{min}}=" + f"{', '.join(values)}$"
+        return members(r"d/d_{\mathrm{min}}", ("1", "2", "4"), lambda v: {"d": least * v})
     if profile.complete and nt.R in profile.parameters:
-        values = ("1", "2", "5")
-        contact = numbers.values[nt.a] ** 2 / numbers.values[nt.R]
-        members = [(v, numbers.at(d=contact * (sp.Rational(v) + sp.Rational(1, 10**9)))) for v in values]
-        return members, f"$dR/a^2={', '.join(values)}$"
+        contact = values[nt.a] ** 2 / values[nt.R]
+        return members("dR/a^2", ("1", "2", "5"), lambda v: {"d": contact * (v + sp.Rational(1, 10**9))})
     length = next((s for s in (nt.b, nt.s, nt.wavelength) if s in profile.parameters), None)
     if length is not None:
-        values = {nt.b: ("0.3", "1", "10"), nt.s: ("0.3", "0.9", "1.5")}.get(length, ("0.5", "1", "3"))
-        members = [(v, numbers.at(a=sp.Rational(v) * numbers.values[length])) for v in values]
-        return members, f"$a/{nt.describe(length).latex}={', '.join(values)}$"
+        ratios = {nt.b: ("0.3", "1", "10"), nt.s: ("0.3", "0.9", "1.5")}.get(length, ("0.5", "1", "3"))
+        return members(f"a/{nt.describe(length).latex}", ratios, lambda v: {"a": v * values[length]})
     return [("", numbers)], ""
 
 
@@ -222,7 +214,7 @@ def _between(profile: Profile, numbers: Numbers) -> Axes:
     if profile.breaks and not profile.truncated:
         name = nt.describe(profile.breaks[0]).latex
         x, y = state(numbers[profile.breaks[0].name] * (1 + mp.mpf("1e-9")))
-        marks = (Mark(float(f"{x:.4g}"), float(f"{y:.4g}"), f"a={name}"),)
+        marks = (Mark(*short(x, y), f"a={name}"),)
     inside = [([(x, y) for x, y in line if bottom <= y <= top], label) for line, label in references]
     words = _told(names) + ("; at the dot the contact reaches the break." if marks else ".")
     return axes(
@@ -296,7 +288,7 @@ def _pressed(profile: Profile, numbers: Numbers) -> Axes:
     x, y = next(row for row in rows if row[0] >= float(least / depth) * (1 - 1e-9))
     end = _rounded_up(rows[-1][0])
     top = _rounded_up(rows[-1][1])
-    shown = Mark(float(f"{x:.4g}"), float(f"{y:.4g}"), "r=a" if domed else r"d_{\mathrm{min}}")
+    shown = Mark(*short(x, y), "r=a" if domed else r"d_{\mathrm{min}}")
     references: list[Shown] = []
     if domed:
         references = [

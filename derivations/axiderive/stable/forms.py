@@ -1,6 +1,4 @@
-"""Exact expression -> evaluation form.
-
-Exact expression -> evaluation form, by rewriting with fixed rules.
+"""Exact expression -> evaluation form, by rewriting with fixed rules.
 
 Radicals sqrt(x**2 - y**2) become named roots of exact differences, angles
 become atan2 of roots, and where terms cancel three rules are tried: conjugates
@@ -8,16 +6,13 @@ become atan2 of roots, and where terms cancel three rules are tried: conjugates
 and ln(X/Y) = log1p((X - Y)/Y).  The form says whether that was enough; which
 of the rules an entry is worth is measured (`axicontact study forms`).
 
-Differences that `forms` leaves: angles of two roots, and polynomials on both sides of one root.
-
-With q^2 - p^2 a product of exact differences, asin(p/q) = atan2(p, sqrt(q^2 - p^2))
+`plane_form` goes further: with q^2 - p^2 a product of exact differences, asin(p/q) = atan2(p, sqrt(q^2 - p^2))
 and atanh(p/q) = asinh(p/sqrt(q^2 - p^2)) hold every digit.  An algebraic sum
 X + Y z with z = sqrt(hi^2 - lo^2) becomes (X^2 - Y^2 z^2)/(X - Y z).
 
-What vanishes like the cube of a root, through the exact difference of its two lengths.
-
-The root of x**2 - y**2 is rounded twice, its quotient by y once more, and a cube takes all of that up three times:
-6 units of the last place next to x = y.  With q = (x - y)/y the gap is q sqrt(q) times a smooth function of q.
+`of_lengths` takes what vanishes like the cube of a root through the exact difference of its two lengths: the root of
+x**2 - y**2 is rounded twice, its quotient by y once more, and a cube takes all of that up three times: 6 units of the
+last place next to x = y.  With q = (x - y)/y the gap is q sqrt(q) times a smooth function of q.
 An angle atanh(y/x) takes half the time as log1p(2 y/(x - y))/2, without the root; what it exceeds its tangent by goes
 with the cube of that, which is y/x.
 """
@@ -29,9 +24,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from .integrals import arc_integrals, power_integrals
 from .opaque import Arctan2, ArctanGap, Log1p, Root, RootGap, named
-from .rewriting import Rewriting, gamma_ratios
+from .rewriting import Rewriting, arc_integrals, gamma_ratios, power_integrals
 from .signs import Facts, cancels, sign, squares
 from .variants import FULL, Variant
 
@@ -70,9 +64,9 @@ ROOT, CONJUGATE = named("root"), named("conjugate")
 
 def plane_form(expr: sp.Expr, facts: Facts, variant: Variant = FULL) -> EvaluationForm:
     """The evaluation form after both rewritings, as far as the variant has them."""
-    angles = exact_angles(expr, facts, variant) if "angles" in variant.rules else expr
+    angles = exact_angles(expr, facts, variant)
     form = evaluation_form(angles, facts, replace(variant, closed=False))
-    if form.cancels and "conjugates" in variant.rules:
+    if form.cancels:
         form = _conjugated(angles, facts) or form
     return replace(form, cancels=form.cancels and not variant.closed)
 

@@ -1,12 +1,6 @@
-"""Errors of emitted functions, measured on modules that are run from their texts.
+"""Emitted modules run from their texts, and their errors in units of the last place beside exact values.
 
-Errors of the emitted functions, in units of the last place, over the bench and the extreme domain.
-
-Emitted modules straight from their texts, without files, and what their functions rest on.
-
-The part of the package that some modules rest on.
-
-What `lambdify` makes of the printed formula: the form that the emitted one is measured beside.
+With what their functions rest on, and what `lambdify` makes of the printed formula, which they are measured beside.
 """
 
 from __future__ import annotations
@@ -14,7 +8,7 @@ from __future__ import annotations
 import ast
 import math
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
@@ -22,7 +16,7 @@ from hashlib import sha256
 from importlib import abc, import_module, machinery
 from pathlib import PurePosixPath
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -35,9 +29,6 @@ from ..letters import name_of
 from .reference import UnknownError, is_inverse, of_contact, reference
 from .samples import LARGEST, SMALLEST, Domain, Floats, floats
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
-
 
 @dataclass(frozen=True)
 class Sample:
@@ -48,18 +39,6 @@ class Sample:
     exact: arb
     values: Floats
     """All numbers by symbol; for an inverse with the radius near the exact one."""
-
-
-@dataclass(frozen=True)
-class Errors:
-    """Of one function over one domain; `lost` counts results that are no finite number though the exact one is."""
-
-    count: int
-    worst: float
-    median: float
-    above: int
-    lost: int
-    where: str = ""
 
 
 def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: int, seed: int = 17) -> Iterator[Sample]:
@@ -123,46 +102,6 @@ def ulps(got: float, exact: arb) -> float:
         return float(abs(arb(got) - exact) / float(np.spacing(abs(float(exact)))))
     finally:
         ctx.prec = before
-
-
-def measure(function: Callable[..., float], points: list[Sample], tolerance: float = 5.0) -> Errors:
-    """The errors of a function at these points."""
-    found = [ulps(value(function, s), s.exact) for s in points]
-    if not found:
-        return Errors(0, math.nan, math.nan, 0, 0)
-    finite = [x for x in found if math.isfinite(x)]
-    worst = max(range(len(found)), key=found.__getitem__)
-    return Errors(
-        len(found),
-        max(finite, default=math.nan),
-        float(np.median(found)),
-        sum(x > tolerance for x in found),
-        len(found) - len(finite),
-        f"{points[worst].arguments} {points[worst].keywords} {found[worst]:.3g}",
-    )
-
-
-def main(arguments: list[str]) -> None:
-    """`python -m axiderive.stable.measure COUNT [NAME ...]`: the table of all entries."""
-    from ..physics.normal import derive
-    from ..profiles import NAMES, load
-    from .samples import DOMAINS
-
-    for name in arguments[1:] or NAMES:
-        entries = derive(load(name))
-        for suffix, entry in entries.items():
-            for domain in DOMAINS:
-                points = list(samples(entries, suffix, domain, count_for(entry, int(arguments[0]))))
-                errors = measure(function_of(entry), points)
-                print(
-                    f"{entry.key:26s} {domain.name:8s} {errors.count:5d} worst {errors.worst:9.3g} "
-                    f"median {errors.median:6.2g} above {errors.above:4d} lost {errors.lost:4d}  {errors.where}",
-                    flush=True,
-                )
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
 
 
 PACKAGE = "axicontact"

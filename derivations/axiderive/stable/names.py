@@ -117,8 +117,6 @@ class Names:
         return args
 
     def _inverse_function(self, function: type[sp.Function], argument: sp.Expr) -> sp.Expr:
-        if "angles" not in self.variant.rules:
-            return function(argument)
         top, bottom = sp.fraction(argument)
         if function is sp.acos:
             return self.angle(self.root(bottom, top), top)
@@ -134,7 +132,7 @@ class Names:
         """acosh(x/y)."""
         if self.variant.quotients:
             return sp.asinh(self.root(x, y) / y)
-        return Arcosh(x, y, self.root(x, y)) if "log1p" in self.variant.rules else sp.acosh(x / y)
+        return Arcosh(x, y, self.root(x, y))
 
     def with_named_ratio(self, value: sp.Expr) -> sp.Expr:
         """The Gamma ratio of the exponent as kappa, outside of sums."""

@@ -1,17 +1,29 @@
-"""The rules of rewriting: sums that cancel, and quotients of Gamma functions.
+"""The rules of rewriting.
 
-Sums that cancel, rewritten: conjugates, the gaps x - atan(x) and atanh(x) - x, and ln(X/Y) = log1p((X - Y)/Y).
-
-Quotients of Gamma functions as one function.
+Sums that cancel: conjugates, the gaps x - atan(x) and atanh(x) - x, and ln(X/Y) = log1p((X - Y)/Y); and quotients of
+Gamma functions as one function.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from ..notation import a
+from ..abel.masters import IncompleteBeta, LegendreChi2
+from ..notation import a, r
 from .names import Names
-from .opaque import ArctanGap, DepthOverHeight, Expm1, GammaRatio, Log1p, TanhGap, named
+from .opaque import (
+    ArcStrips,
+    ArctanGap,
+    DepthOverHeight,
+    Expm1,
+    GammaRatio,
+    Log1p,
+    PowerDisplacement,
+    PowerPressure,
+    PowerPunches,
+    TanhGap,
+    named,
+)
 from .signs import cancels, difference, sign
 
 
@@ -48,9 +60,7 @@ class Rewriting(Names):
         }
 
     def with_named_logarithms(self, value: sp.Expr) -> sp.Expr:
-        """The value with ln(X/Y) for X > Y as a named log1p; unchanged where the variant leaves that out."""
-        if "log1p" not in self.variant.rules:
-            return value
+        """The value with ln(X/Y) for X > Y as a named log1p."""
         return value.replace(lambda e: isinstance(e, sp.log), self._logarithm)
 
     def _logarithm(self, value: sp.Expr) -> sp.Expr:
@@ -65,7 +75,7 @@ class Rewriting(Names):
 
     def _gaps(self, value: sp.Expr) -> sp.Expr:
         """c (x - atan x) and c (atanh x - x) instead of their parts."""
-        if "gaps" not in self.variant.rules:
+        if not self.variant.gaps:
             return value
         for angle in [name for name in self.tangent if name in value.free_symbols]:
             slope = value.coeff(angle)
@@ -96,8 +106,6 @@ class Rewriting(Names):
 
     def conjugates(self, value: sp.Expr) -> sp.Expr:
         """Pairs X - Y as (X**2 - Y**2)/(X + Y), where the numerator has one sign."""
-        if "conjugates" not in self.variant.rules:
-            return value
         terms = list(sp.Add.make_args(value))
         for minus in [term for term in terms if sign(term, self.facts) == -1]:
             for plus in [term for term in terms if sign(term, self.facts) == 1]:
@@ -144,3 +152,71 @@ def _ratio(argument: sp.Expr) -> sp.Expr:
     """gamma(x + 1/2)/gamma(x); of half a whole number through the double factorials it stands for."""
     degree = 2 * argument - 1
     return DepthOverHeight(degree) / sp.sqrt(sp.pi) if degree.is_integer else GammaRatio(argument)
+
+
+def arc_integrals(expr: sp.Expr) -> sp.Expr:
+    """A pair chi(x) - chi(y), x and y = (a +- sqrt(a^2 - r^2))/(R + sqrt(R^2 - r^2)).
+
+    It is int_r^a atanh(t/R)/sqrt(t^2 - r^2) dt: with chi'(x) = atanh(x)/x, x = r e^v/(R + sqrt(R^2 - r^2)) and
+    t = r cosh v, both halves of the path add up to atanh(x(v)) + atanh(x(-v)) = atanh(t/R).
+    """
+    found = sorted(expr.atoms(LegendreChi2), key=sp.default_sort_key)
+    if len(found) != 2:
+        return expr
+    tops, bottoms = zip(*(sp.fraction(call.args[0]) for call in found), strict=True)
+    radius, half = (sum(tops) / 2, (tops[0] - tops[1]) / 2)
+    lengths = [term for term in sp.Add.make_args(bottoms[0]) if term.is_Symbol]
+    if bottoms[0] != bottoms[1] or not radius.is_Symbol or len(lengths) != 1:
+        return expr
+    (length,), square = lengths, sp.expand(tops[0] * tops[1])
+    if sp.expand((bottoms[0] - length) ** 2 - length**2 + square) != 0:
+        return expr
+    larger, smaller = found if not half.could_extract_minus_sign() else found[::-1]
+    strips = ArcStrips(sp.sqrt(square), radius, length)
+    opened = sp.expand(expr.subs(larger, strips + smaller))
+    if opened.has(LegendreChi2):
+        return expr
+    # atanh(sqrt(a^2 - r^2)/sqrt(R^2 - r^2)) keeps its digits through the root of the exact difference
+    side = sp.sqrt(length**2 - radius**2)
+    opened = opened.replace(sp.atanh, lambda x: sp.asinh(sp.numer(x) / side) if _leaves(x, side) else sp.atanh(x))
+    return sp.factor_terms(opened)
+
+
+def _leaves(quotient: sp.Expr, side: sp.Expr) -> bool:
+    top, bottom = sp.fraction(quotient)
+    return sp.expand(bottom**2 - top**2 - side**2) == 0
+
+
+def power_integrals(expr: sp.Expr) -> sp.Expr:
+    """Every IncompleteBeta through an integral over the radius of the growing contact.
+
+    With t = r/sqrt(1 - u) resp. t = r sqrt(u) in the definition of B(z; p, q):
+
+        r**(n-1) B(1 - r^2/a^2; 1/2, (1-n)/2) = 2 int_r^a t**(n-1)/sqrt(t^2 - r^2) dt
+        r**n B(a^2/r^2; (n+1)/2, 1/2) = 2 int_0^a t**n/sqrt(r^2 - t^2) dt
+
+    and the second one by parts where a**n asin(a/r) stands against it.
+    """
+    if isinstance(expr, sp.Sum):
+        return sp.Sum(power_integrals(expr.function), *expr.limits)
+    if expr.has(sp.Sum):
+        return expr.func(*(power_integrals(arg) for arg in expr.args))
+    for beta in sorted(expr.atoms(IncompleteBeta), key=sp.default_sort_key):
+        z, p, q = beta.args
+        if p == sp.S.Half:
+            n = sp.expand(1 - 2 * q)
+            return _collected(expr.subs(beta, 2 * (a / r) ** (n - 1) * PowerPressure(r, a, n)))
+        n = sp.expand(2 * p - 1)
+        opposed = expr.subs(beta, 2 * (a / r) ** n * (sp.asin(a / r) - PowerDisplacement(r, a, n)))
+        opposed = _collected(opposed)
+        return (
+            opposed
+            if not opposed.has(sp.asin)
+            else _collected(expr.subs(beta, 2 * (a / r) ** n * PowerPunches(r, a, n)))
+        )
+    return expr
+
+
+def _collected(expr: sp.Expr) -> sp.Expr:
+    terms = [sp.powsimp(sp.expand_power_base(term)) for term in sp.Add.make_args(sp.expand(sp.expand_power_base(expr)))]
+    return sp.factor_terms(sp.Add(*terms))

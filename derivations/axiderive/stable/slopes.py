@@ -18,8 +18,6 @@ from .variants import FULL, Variant
 ROOT = "root"
 RATE = Quantity("slope", "rate", "Rate of growth", d, (a,))
 """What the choice of its form is recorded as: it is no result of its own, but all rules and iterations call it."""
-NEEDED = frozenset(("conjugates", "log1p"))
-"""Rules without which logarithms have no derivative here."""
 
 
 def rate(entries: Mapping[str, Entry]) -> Entry | None:
@@ -46,7 +44,7 @@ def slope_form(depth: sp.Expr, facts: Facts, variant: Variant = FULL) -> Evaluat
     The algebraic part is brought to a form without cancellation: first by writing
     t**2 as root**2 + b**2 over a root, then by clearing the roots from its denominator.
     """
-    work = Rewriting(facts, variant if variant.rules >= NEEDED else FULL)
+    work = Rewriting(facts, variant)
     start = work.with_named_logarithms(work.named(gamma_ratios(depth)))
     kept = work.fixed_differences(start)
     slope = _derivative(work, start.subs(kept))

@@ -1,8 +1,4 @@
-"""Which rules rewrite a formula, and the choices that were measured.
-
-The ways in which a formula may be rewritten: the rules of `forms` all together, or without some of them.
-
-The forms that `axicontact study forms` found better than all rules, frozen.
+"""The ways in which a formula may be rewritten, and the choices among them that were measured and are frozen.
 
 No difference between two machines changes a module, and an engine that writes modules for scenes measures nothing.
 """
@@ -11,20 +7,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-RULES = frozenset(("angles", "conjugates", "gaps", "lengths", "log1p"))
-"""Angles by atan2 and asinh of roots, sums over their conjugates, x - atan(x) and atanh(x) - x as functions, those
-and cubes of a root from its lengths, and logarithms as log1p; a root of an exact difference stands in every form."""
-
-
 BEYOND = ", beyond"
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One way: its rules, and how it writes what they leave."""
+    """One way to write a formula; a root of an exact difference stands in every one.
+
+    By all rules angles are atan2 and asinh of roots, sums stand over their conjugates, and logarithms are log1p.
+    """
 
     name: str
-    rules: frozenset[str] = RULES
+    gaps: bool = True
+    """Whether x - atan(x) and atanh(x) - x are functions of their own."""
     quotients: bool = False
     """Angles as atan of a quotient instead of atan2, acosh as asinh of one instead of log1p."""
     expanded: bool = False
@@ -46,21 +41,10 @@ class Variant:
 
 
 FULL = Variant("all rules", closed=False)
-CLOSED, QUOTIENTS = Variant("all rules, closed"), Variant("angles of quotients", quotients=True)
-VARIANTS = (
-    FULL,
-    CLOSED,
-    QUOTIENTS,
-    *(Variant(f"without {rule}", RULES - {rule}) for rule in sorted(RULES)),
-    Variant("roots alone", frozenset()),
-    Variant("expanded sums", expanded=True),
-    Variant("expanded sums without lengths", RULES - {"lengths"}, expanded=True),
-)
-
+QUOTIENTS = Variant("angles of quotients", quotients=True)
+VARIANTS = (FULL, QUOTIENTS, Variant("without gaps", gaps=False), Variant("expanded sums", expanded=True))
 PLACES = (2.0, 16.0, 128.0)
-SPLITS = tuple(
-    replace(way, name=f"{way.name}{BEYOND} {at:g} b", beyond=at) for way in (CLOSED, QUOTIENTS) for at in PLACES
-)
+SPLITS = tuple(replace(QUOTIENTS, name=f"{QUOTIENTS.name}{BEYOND} {at:g} b", beyond=at) for at in PLACES)
 """A rule next to the break, where a closed form cancels, and that form where the strips of the rule become too long."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -43,6 +44,14 @@ class Cache:
         except (OSError, ValueError, KeyError, TypeError):
             return None
         return value if intact else None
+
+    def made(self, key: str, make: Callable[[], Any]) -> Any:
+        """The stored value of a key, or the one that is made now and stored."""
+        value = self.get(key)
+        if value is None:
+            value = make()
+            self.put(key, value)
+        return value
 
     def put(self, key: str, value: object) -> None:
         """Stores a value under a key, with its checksum; the file is replaced as a whole."""

@@ -1,8 +1,6 @@
-"""The compact index of the catalogue: how it is read, and what `axicontact list` and `axicontact show` print of it.
+"""The compact index of the catalogue, and what `axicontact list` and `axicontact show` print of it.
 
-Reader of the compact index: standard library only, so that `list` and `show` are instant.
-
-What `axicontact list` and `axicontact show` print.
+By the standard library only, so that both are instant.
 """
 
 from __future__ import annotations
@@ -240,6 +238,20 @@ def load() -> Index:
     except ValueError as error:
         message = f"{path} is damaged ({error}); run axicontact build"
         raise NoCatalogueError(message) from error
+
+
+def evidence(folder: Path, key: str) -> dict[str, Any]:
+    """What the evidence in a folder holds of a problem."""
+    path = folder / f"{key}.json"
+    try:
+        record: dict[str, Any] = json.loads(path.read_bytes())
+    except FileNotFoundError as error:
+        message = f"{path} does not exist; run axicontact build in a checkout of the project"
+        raise NoCatalogueError(message) from error
+    except ValueError as error:
+        message = f"{path} is damaged ({error}); run axicontact build"
+        raise NoCatalogueError(message) from error
+    return record
 
 
 TOPICS = ("profiles", "physics", "quantities", "units", "matrix")

@@ -1,16 +1,10 @@
-"""Expressions, entries and profiles as plain data and back.
+"""Profiles, entries and their expressions as plain data and back: what the cache, the evidence and `check` hold.
 
-Profiles and entries as JSON-able records and back: what the cache, the evidence and `check` read and write.
-
-An expression is `{"=": srepr}`, an object `{"@is": class, field: value, ...}`;
-the catalogue's own profiles and quantities are referred to by name.
-
-SymPy expressions as text and back, without `eval`.
-
-The text is `srepr` with the arguments in their stored order.  It is read by a
-walk over Python's own syntax tree that knows only names on a list; heads are
-applied without evaluation, so that the expression returns exactly as it was
-(`2*(a + b)` would otherwise come back multiplied out).
+An expression is `{"=": srepr}`, an object `{"@is": class, field: value, ...}`; the catalogue's own profiles and
+quantities are referred to by name.  The text of an expression is `srepr` with the arguments in their stored order.  It
+is read without `eval`, by a walk over Python's own syntax tree that knows only names on a list; heads are applied
+without evaluation, so that the expression returns exactly as it was (`2*(a + b)` would otherwise come back multiplied
+out).
 """
 
 from __future__ import annotations

@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from .report import Record
+from collections.abc import Sequence
 
 LIMIT = 60.0
-SEED = 17
 TOPICS = {
     "corpus": "63 Abel integrals of contact mechanics: the engine beside SymPy's integrate",
     "error": "error against run time of p(r), F(d), w(r): the emitted functions beside other methods",
@@ -19,6 +14,7 @@ TOPICS = {
     "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
     "forms": "the race of evaluation forms: whether another form than the frozen one keeps its digits and costs less",
 }
+"""What is compared, each in the module of its name."""
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -26,38 +22,21 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     study = commands.add_parser("study", help="comparisons: the engine and its functions beside other ways")
     study.set_defaults(run=_topics)
     topics = study.add_subparsers(metavar="topic")
-    parsers = {name: topics.add_parser(name, help=text) for name, text in TOPICS.items()}
-    add_corpus_arguments(parsers["corpus"])
-    for name, run in (
-        ("corpus", _corpus),
-        ("error", _error),
-        ("speed", _speed),
-        ("maps", _maps),
-        ("extremes", _extremes),
-        ("forms", _forms),
-    ):
-        parsers[name].set_defaults(run=run)
-    for name in ("error", "speed", "maps", "forms"):
-        parsers[name].add_argument("--only", type=_profiles, default=[], metavar="A,B", help="these problems only")
-    parsers["maps"].add_argument("--seed", type=int, default=SEED, help="seed of the points (%(default)s)")
-    for name in ("error", "speed", "maps", "extremes"):
-        add_record_arguments(parsers[name])
-
-
-def add_corpus_arguments(parser: argparse.ArgumentParser) -> None:
-    """Adds the arguments of `axicontact study corpus` to its parser."""
-    parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
-    parser.add_argument("--sympy", action="store_true", help="run SymPy's integrate beside, in processes of its own")
-    parser.add_argument(
-        "--limit", type=_seconds, default=LIMIT, metavar="SECONDS", help="of the processor for each (%(default)g)"
-    )
-
-
-def add_record_arguments(parser: argparse.ArgumentParser) -> None:
-    """Adds --quick, --json and --write to the parser of a study that keeps a record."""
-    parser.add_argument("--quick", action="store_true", help="few points and settings")
-    parser.add_argument("--json", action="store_true", help="for programs")
-    parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")
+    for topic, text in TOPICS.items():
+        parser = topics.add_parser(topic, help=text)
+        parser.set_defaults(run=_measure, topic=topic)
+        if topic == "corpus":
+            parser.set_defaults(run=_corpus)
+            parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
+            parser.add_argument("--sympy", action="store_true", help="run SymPy's integrate beside")
+            limit = "of the processor for each (%(default)g)"
+            parser.add_argument("--limit", type=_seconds, default=LIMIT, metavar="SECONDS", help=limit)
+            continue
+        parser.add_argument("--only", type=_problems, default=[], metavar="A,B", help="these problems only")
+        parser.add_argument("--quick", action="store_true", help="few points and settings")
+        parser.add_argument("--json", action="store_true", help="for programs")
+        if topic != "forms":
+            parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")
 
 
 def _seconds(text: str) -> float:
@@ -71,7 +50,7 @@ def _seconds(text: str) -> float:
     return seconds
 
 
-def _profiles(text: str) -> list[str]:
+def _problems(text: str) -> list[str]:
     return [name.strip() for name in text.split(",") if name.strip()]
 
 
@@ -87,47 +66,9 @@ def _corpus(arguments: argparse.Namespace) -> int:
     return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit)
 
 
-def _error(arguments: argparse.Namespace) -> int:
-    _ready(arguments)
-    from . import error
-    from .problems import EVERY
-
-    return _finish(arguments, error.measure(_names(arguments, tuple(EVERY)), quick=arguments.quick), error.text)
-
-
-def _speed(arguments: argparse.Namespace) -> int:
-    _ready(arguments)
-    from . import speed
-    from .problems import NAMES
-
-    return _finish(arguments, speed.measure(_names(arguments, NAMES), quick=arguments.quick), speed.text)
-
-
-def _maps(arguments: argparse.Namespace) -> int:
-    _ready(arguments)
-    from . import maps
-    from .problems import GRADED, NAMES
-
-    record = maps.measure(_names(arguments, (*NAMES, GRADED)), seed=arguments.seed, quick=arguments.quick)
-    return _finish(arguments, record, maps.text)
-
-
-def _extremes(arguments: argparse.Namespace) -> int:
-    _ready(arguments)
-    from . import extremes
-
-    return _finish(arguments, extremes.measure(quick=arguments.quick), extremes.text)
-
-
-def _forms(arguments: argparse.Namespace) -> int:
-    from . import forms
-
-    print(forms.text(forms.measure(_names(arguments, forms.names()))))
-    return 0
-
-
-def _ready(arguments: argparse.Namespace) -> None:
-    """Refuse before the work: SciPy is missing, or a part of a record would be kept."""
+def _measure(arguments: argparse.Namespace) -> int:
+    """Print the record of a topic and, where asked for, keep it; what cannot be kept is refused before the work."""
+    from importlib import import_module
     from importlib.util import find_spec
 
     from ..exits import ENVIRONMENT, USAGE, CommandError
@@ -135,29 +76,27 @@ def _ready(arguments: argparse.Namespace) -> None:
     if find_spec("scipy") is None:
         message = "the other methods are SciPy's; pip install 'axicontact[test]'"
         raise CommandError(message, ENVIRONMENT)
-    if arguments.write and (arguments.quick or getattr(arguments, "only", [])):
+    write = "write" in arguments and arguments.write
+    if write and (arguments.quick or arguments.only):
         message = "--write keeps whole records; leave out --quick and --only, or --write"
         raise CommandError(message, USAGE)
-
-
-def _names(arguments: argparse.Namespace, known: Sequence[str]) -> list[str]:
-    """The problems asked for, of those that the study knows."""
-    only: list[str] = arguments.only
-    for name in only:
-        if name not in known:
-            from ..store.index import nearest
-
-            raise nearest(name, "problem of the study", known)
-    return only or list(known)
-
-
-def _finish(arguments: argparse.Namespace, record: Record, text: Callable[[Record], str]) -> int:
-    """Print the record and, where asked for, keep it."""
     from .report import store, to_json
 
-    print(to_json(record).rstrip() if arguments.json else text(record))
-    if arguments.write:
+    topic = import_module(f".{arguments.topic}", __package__)
+    record = topic.measure(_names(arguments.only, topic.KNOWN), quick=arguments.quick)
+    print(to_json(record).rstrip() if arguments.json else topic.text(record))
+    if write:
         path = store(record)
         if not arguments.json:
             print(f"wrote {path}")
     return 0
+
+
+def _names(only: Sequence[str], known: Sequence[str]) -> Sequence[str]:
+    """The problems asked for, of those that the study knows."""
+    from ..store.index import nearest
+
+    for name in only:
+        if name not in known:
+            raise nearest(name, "problem of the study", known)
+    return only or known

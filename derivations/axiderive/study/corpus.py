@@ -1,30 +1,19 @@
-"""The corpus of Abel integrals.
+"""The corpus of Abel integrals: what the engine answers, and what SymPy's integrate does beside it.
 
-SymPy's own integrate on one integral of the corpus, in a process that is killed when its time is up.
-
-Times and limits are seconds of the processor, so that they do not depend on
-what else the machine is doing.
-
-The corpus of Abel integrals: what the engine answers, and what SymPy's integrate does beside it.
-
-The integrals are data (tests/data/cas_corpus.json): text of the integrand,
-limits, sample point and a reference value, and the profile whose reduced
-quantities contain the integral.
+The integrals are data (tests/data/cas_corpus.json): text of the integrand, limits, sample point and a reference value,
+and the profile whose reduced quantities contain the integral.  Times and limits are seconds of the processor, so that
+they do not depend on what else the machine is doing.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
-import multiprocessing
 import re
-import signal
 import statistics
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from multiprocessing.connection import Connection
 from typing import Any
 
 import mpmath as mp
@@ -35,77 +24,18 @@ from ..abel.form import Chain, Form, Order
 from ..abel.masters import MASTERS
 from ..abel.moments import outside_kernel
 from ..abel.reduce import Reduced, parse
+from ..build.pool import LimitError, limited
 from ..build.work import project_root
 from ..exits import ENVIRONMENT, FAILED, CommandError
 from ..notation import a
 from ..profiles.profile import Piece
 from ..store.index import nearest
-from . import LIMIT, add_corpus_arguments
-
-DIGITS = 25
-
-
-@dataclass(frozen=True)
-class Attempt:
-    """What came of it: ok, WRONG, unevaluated, timeout or error, and the processor seconds of the call."""
-
-    verdict: str
-    seconds: float
-
-
-def integrate(integral: Integral, limit: float, required: int) -> Attempt:
-    """`sp.integrate(integrand, (v, lo, hi), conds="none")` with positive symbols, given `limit` seconds."""
-    context = multiprocessing.get_context("spawn")
-    receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_attempt, args=(integral, limit, sender), daemon=True)
-    process.start()
-    sender.close()
-    try:
-        return _judge(integral, required, *receiver.recv())
-    except EOFError:
-        process.join()
-        return Attempt("timeout" if process.exitcode == -signal.SIGPROF else "error", limit)
-    finally:
-        process.kill()
-        process.join()
-
-
-def _attempt(integral: Integral, limit: float, sender: Connection) -> None:
-    variable = integral.symbols[integral.variable]
-    limits = (integral.read(text) for text in integral.limits)
-    integrand = integral.read(integral.integrand)
-    signal.setitimer(signal.ITIMER_PROF, limit)  # the default action of its signal is to end the process
-    start = time.process_time()
-    try:
-        result = sp.integrate(integrand, (variable, *limits), conds="none")
-    except (ArithmeticError, AttributeError, NotImplementedError, RecursionError, TypeError, ValueError) as error:
-        sender.send((time.process_time() - start, "error", repr(error)))
-        return
-    elapsed = time.process_time() - start
-    if result.has(sp.Integral):
-        sender.send((elapsed, "unevaluated", ""))
-        return
-    point = {integral.symbols[name]: sp.Rational(text) for name, text in integral.point.items()}
-    number = sp.N(result.subs(point), DIGITS)
-    sender.send((elapsed, "value", (str(sp.re(number)), str(sp.im(number)))))
-
-
-def _judge(integral: Integral, required: int, seconds: float, outcome: str, text: tuple[str, str] | str) -> Attempt:
-    if outcome != "value":
-        return Attempt(outcome, seconds)
-    with mp.workdps(2 * DIGITS):
-        reference = mp.mpf(integral.reference)
-        try:
-            error = abs(mp.mpc(*map(mp.mpf, text)) - reference)
-        except ValueError:  # nan, zoo or a symbol that was left over
-            return Attempt("WRONG", seconds)
-        right = error <= mp.mpf(10) ** -required * abs(reference)
-    return Attempt("ok" if right else "WRONG", seconds)
-
+from . import LIMIT
 
 REQUIRED = 15
 """Digits from which an answer counts as right."""
-WORKING = 50
+WORKING, HELD = 50, 30
+"""Digits that are carried, and that the references have."""
 
 
 @dataclass(frozen=True)
@@ -218,19 +148,49 @@ def value(name: str, expr: sp.Expr) -> mp.mpf:
 
 
 def agreement(name: str, number: mp.mpf) -> float:
-    """Digits in which a number agrees with the reference, at most the 30 that the reference has."""
+    """Digits in which a number agrees with the reference, at most those that the reference has."""
     with mp.workdps(WORKING):
         reference = mp.mpf(corpus()[name].reference)
         error = abs(number - reference) / abs(reference)
-        return 30.0 if error < mp.mpf("1e-30") else float(-mp.log10(error))
+        return float(min(HELD, -mp.log10(error))) if error else float(HELD)
 
 
-def main(argv: Sequence[str] | None = None) -> int:
-    """`study corpus` by itself; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="axicontact study corpus")
-    add_corpus_arguments(parser)
-    arguments = parser.parse_args(argv)
-    return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit)
+@dataclass(frozen=True)
+class Attempt:
+    """What came of it: ok, WRONG, unevaluated, timeout or error, and the processor seconds of the call."""
+
+    verdict: str
+    seconds: float
+
+
+def integrate(integral: Integral, limit: float) -> Attempt:
+    """`sp.integrate(integrand, (v, lo, hi), conds="none")` with positive symbols, in a process of `limit` seconds."""
+    try:
+        return limited(_attempt, integral, seconds=limit)
+    except LimitError:
+        return Attempt("timeout", limit)
+
+
+def _attempt(integral: Integral) -> Attempt:
+    clear_cache()
+    limits = (integral.read(text) for text in integral.limits)
+    integrand = integral.read(integral.integrand)
+    start = time.process_time()
+    try:
+        result = sp.integrate(integrand, (integral.symbols[integral.variable], *limits), conds="none")
+    except Exception:  # of whatever kind: it has no answer
+        return Attempt("error", time.process_time() - start)
+    seconds = time.process_time() - start
+    if result.has(sp.Integral):
+        return Attempt("unevaluated", seconds)
+    point = {integral.symbols[name]: sp.Rational(text) for name, text in integral.point.items()}
+    parts = sp.N(result.subs(point), WORKING).as_real_imag()
+    try:
+        with mp.workdps(WORKING):
+            right = agreement(integral.id, mp.mpc(*(mp.mpf(str(part)) for part in parts))) >= REQUIRED
+    except ValueError:  # nan, zoo or a symbol that was left over
+        right = False
+    return Attempt("ok" if right else "WRONG", seconds)
 
 
 def compare(ids: Sequence[str], *, sympy: bool = False, limit: float = LIMIT) -> int:
@@ -246,7 +206,7 @@ def compare(ids: Sequence[str], *, sympy: bool = False, limit: float = LIMIT) ->
         seconds.append(elapsed)
         row = f"{name:18s} {integrals[name].kind:5s} {elapsed * 1e3:8.1f} ms {digits:5.1f} digits"
         if sympy:
-            peers.append(integrate(integrals[name], limit, REQUIRED))
+            peers.append(integrate(integrals[name], limit))
             row += f"   SymPy {peers[-1].seconds:8.3f} s  {peers[-1].verdict}"
         print(row, flush=True)
     print(f"engine: {right} of {len(seconds)} within {REQUIRED} digits; {_times(seconds)}")

@@ -12,10 +12,8 @@ from dataclasses import asdict
 from typing import Any
 
 from .methods import DIGITS, QUICK, Method, Plan, exact, methods, skipped
-from .problems import EVERY, PARAMETERS, RADIUS
-from .report import Record, relative, rounded, summary, table, versions
-from .subject import Subject, subject
-from .timing import paired
+from .report import Record, paired, relative, rounded, summary, table, versions
+from .subject import EVERY, FURTHER, PARAMETERS, RADIUS, Subject, named, subject
 
 NOTE = (
     "ratio: median over interleaved repeats in one run of (processor time per point of the method)/(of the emitted "
@@ -28,16 +26,21 @@ NOTE = (
 )
 
 
-def measure(names: Sequence[str] = tuple(EVERY), *, quick: bool = False, plan: Plan | None = None) -> Record:
+KNOWN = tuple(EVERY)
+
+
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
     """The record of the study."""
-    plan = plan or (QUICK if quick else Plan())
-    rows, missing = [], []
+    plan = QUICK if quick else Plan()
+    rows: list[Record] = []
+    missing: list[dict[str, str]] = []
     for name in names:
         for suffix in EVERY[name]:
             rows += list(_rows(subject(name), suffix, plan))
             missing += skipped(subject(name), suffix)
-    parameters = _named(PARAMETERS) | {"a": RADIUS}
-    parameters |= {name: _named(subject(name).further) for name in names if subject(name).further}
+    parameters = named(PARAMETERS) | {"a": RADIUS}
+    own = {name: FURTHER.get(subject(name).problem.name) for name in names}
+    parameters |= {name: named(values) for name, values in own.items() if values}
     return {
         "study": "error",
         "note": NOTE,
@@ -53,10 +56,6 @@ def measure(names: Sequence[str] = tuple(EVERY), *, quick: bool = False, plan: P
     }
 
 
-def _named(values: Mapping[Any, Any]) -> Record:
-    return {str(getattr(symbol, "label", symbol)): value for symbol, value in values.items()}
-
-
 def _plain(settings: Mapping[str, Any]) -> Record:
     return {name: list(value) if isinstance(value, tuple) else value for name, value in settings.items()}
 
@@ -65,14 +64,9 @@ def _rows(subject: Subject, suffix: str, plan: Plan) -> Iterator[Record]:
     own: Method | None = None
     for method in methods(subject, suffix, plan):
         own = own or method
-        found = errors(subject, suffix, method)
-        yield {
-            "key": f"{subject.name}.{suffix}",
-            "method": method.name,
-            "setting": method.setting,
-            "ratio": rounded(_ratio(method, own, plan.rounds)),
-            **summary(found),
-        }
+        ratio = paired(method.run, own.run, plan.rounds) * own.count / method.count
+        told = {"key": f"{subject.name}.{suffix}", "method": method.name, "setting": method.setting}
+        yield told | {"ratio": rounded(ratio)} | summary(errors(subject, suffix, method))
 
 
 def errors(subject: Subject, suffix: str, method: Method) -> list[float]:
@@ -82,17 +76,9 @@ def errors(subject: Subject, suffix: str, method: Method) -> list[float]:
     return [relative(values[i], exact(subject, suffix, float(x))) for i, x in pairs]
 
 
-def _ratio(method: Method, own: Method, rounds: int) -> float:
-    """Time per point of a method over that of the emitted function."""
-    return paired(method.run, own.run, rounds) * own.count / method.count
-
-
 def text(record: Record) -> str:
     """One line per method and setting."""
-    head = ("key", "method", "setting", "time/emitted", "worst", "median", "lost")
-    rows = [
-        (row["key"], row["method"], row["setting"], row["ratio"], row["worst"], row["median"], row["lost"])
-        for row in record["rows"]
-    ]
+    columns = ("key", "method", "setting", "ratio", "worst", "median", "lost")
+    rows = [[row[column] for column in columns] for row in record["rows"]]
     notes = sorted({f"{row['method']}: {row['reason']}" for row in record["skipped"]})
-    return "\n".join([table(head, rows), *(f"skipped  {note}" for note in notes)])
+    return "\n".join([table(columns, rows), *(f"skipped  {note}" for note in notes)])

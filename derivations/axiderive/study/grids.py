@@ -14,9 +14,8 @@ from importlib.util import find_spec
 import numpy as np
 from scipy import integrate
 
-from .problems import RADIUS
 from .rivals import punch_pressure
-from .subject import Array, Subject
+from .subject import RADIUS, Array, Subject
 
 a = RADIUS
 WIDTH = 3.0
@@ -62,7 +61,7 @@ def fft_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
     squares = np.linspace(0.0, a * a, count + 1)
     x = np.sqrt(squares)
     rise = np.diff(subject.depth(x)) / squares[1]
-    if subject.edge and not np.isfinite(_silent(subject.rate_scalar, subject.edge)):
+    if subject.edge and not np.isfinite(_silent(subject.rate_math, subject.edge)):
         total = _convolution_of_steps(rise[::-1], squares[1])[::-1]
     else:
         density = np.append(rise[0], subject.rate(x[1:]) / (2 * x[1:]))

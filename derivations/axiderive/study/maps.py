@@ -17,11 +17,11 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import FOUR, Entry
 from .naive import Judged, Point, judged, reference
-from .problems import GRADED, NAMES, PARAMETERS
 from .report import Record, rounded, table, versions
-from .subject import entries
+from .subject import NAMES, OTHER, PARAMETERS, named, subject
 
 DECADES = 12
+SEED = 17
 CELLS, SAMPLES = 24, 3
 QUICK_CELLS, QUICK_SAMPLES = 4, 1
 EXPONENTS = (-3.0, 3.0)
@@ -79,30 +79,26 @@ def axes(entry: Entry) -> tuple[Axis, ...]:
     return tuple(found.values())
 
 
-def measure(
-    names: Sequence[str] = (*NAMES, GRADED),
-    *,
-    seed: int = 17,
-    quick: bool = False,
-    quantities: Sequence[str] = FOUR,
-) -> Record:
+KNOWN = (*NAMES, OTHER)
+
+
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, quantities: Sequence[str] = FOUR) -> Record:
     """The record of the study: one map for each formula that depends on a ratio."""
     cells, samples = (QUICK_CELLS, QUICK_SAMPLES) if quick else (CELLS, SAMPLES)
-    keys = [(name, suffix) for name in names for suffix in quantities if axes(entries(name)[suffix])]
-    settings = {"seed": seed, "cells": cells, "samples": samples, "decades": DECADES, "versions": versions()}
-    parameters = {str(symbol): value for symbol, value in PARAMETERS.items()} | {"a": "0.5 to 2"}
+    keys = [(name, suffix) for name in names for suffix in quantities if axes(subject(name).entries[suffix])]
+    settings = {"seed": SEED, "cells": cells, "samples": samples, "decades": DECADES, "versions": versions()}
     return {
         "study": "maps",
         "note": NOTE,
-        "settings": {**settings, "parameters": parameters},
-        "maps": [_map(name, suffix, seed, cells, samples) for name, suffix in keys],
+        "settings": settings | {"parameters": named(PARAMETERS) | {"a": "0.5 to 2"}},
+        "maps": [_map(name, suffix, cells, samples) for name, suffix in keys],
     }
 
 
-def _map(name: str, suffix: str, seed: int, cells: int, samples: int) -> Record:
-    entry = entries(name)[suffix]
+def _map(name: str, suffix: str, cells: int, samples: int) -> Record:
+    entry = subject(name).entries[suffix]
     own = axes(entry)
-    rng = random.Random(f"{seed} {entry.key}")
+    rng = random.Random(f"{SEED} {entry.key}")
     shape = (cells, cells) if len(own) > 1 else (1, cells)
     places, points, exact = [], [], []
     for i in range(shape[0]):

@@ -1,18 +1,16 @@
-"""Every way to p(r), w(r) and F(d) at every setting.
-
-Arguments at which the methods are compared, and the defining integral there.
-
-Every way to p(r), w(r) and F(d) at every setting, as the study of error against run time runs it.
-
-Methods that have nothing to run for a quantity, with the reason.
-"""
+"""Every way to p(r), w(r), F(d) and a(d) at every setting, where they are compared, and the exact values there."""
 
 from __future__ import annotations
 
+import math
+import sys
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
+from importlib import import_module
 from typing import Any
+from unittest.mock import patch
 
 import mpmath as mp
 import numpy as np
@@ -23,11 +21,10 @@ from ..checks import plane_quadrature
 from ..oracle.definitions import contact
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import number
-from . import graded, grids, rivals, rule
+from . import grids, rivals
 from .naive import naive, per_point, printed
-from .problems import RADIUS, RULED
-from .subject import Array, Subject, emitted
-from .timing import seconds
+from .report import seconds
+from .subject import NAMES, RADIUS, RULED, Array, Subject
 
 DIGITS = 30
 
@@ -57,7 +54,7 @@ def defined(subject: Subject, radius: float, r: float | None = None) -> Callable
         if nt.dgamma in values:
             return partial(_half_space(subject, values).adhesive, a=mp.mpf(radius))
         if subject.graded:
-            depth = number(values[nt.d]) if subject.complete else None
+            depth = number(values[nt.d]) if subject.profile.complete else None
             return partial(_half_space(subject, values).normal, a=mp.mpf(radius), free_depth=depth)
         return contact(subject.profile, values, DIGITS).quantity
 
@@ -77,7 +74,7 @@ def exact(subject: Subject, suffix: str, argument: float) -> mp.mpf:
     with mp.workdps(DIGITS + 20):
         if suffix in ("p", "w"):
             return defined(subject, RADIUS, argument)(suffix)
-        start = rivals.radius(subject, lambda x: float(subject.depth(np.float64(x))) - argument)
+        start = rivals.radius(subject, argument)
         radius, here = mp.mpf(start), defined(subject, start)
         # the depth of that radius misses the argument by its rounding
         missed = mp.mpf(argument) - here("d")
@@ -139,25 +136,23 @@ class Method:
     """Points that a run computes."""
 
 
+DEFINED = {"p": "pressure", "w": "displacement", "Fd": "force", "ad": "radius"}
+"""What the rivals call a quantity."""
+
+
+def brief(subject: Subject) -> bool:
+    """Whether it is one of the many graded and plane contacts that only their own pages show."""
+    return subject.few and (subject.graded or subject.plane)
+
+
 def methods(subject: Subject, suffix: str, plan: Plan) -> Iterator[Method]:
     """The emitted function first, then the others."""
-    setup = _Setup(subject, suffix, replace(plan, **plan.brief) if subject.brief else plan)
-    yield from setup.closed()
-    if subject.few:
-        yield from _few(setup)
-        return
-    if subject.graded:
-        yield from _graded(setup)
-        return
-    match suffix:
-        case "ad":
-            yield from _adhesive(setup)
-        case "p":
-            yield from _pressure(setup)
-        case "w":
-            yield from _displacement(setup)
-        case _:
-            yield from _force(setup)
+    setup = _Setup(subject, suffix, replace(plan, **plan.brief) if brief(subject) else plan)
+    yield from setup.own()
+    yield from setup.rules()
+    yield from setup.scripts()
+    if not (subject.graded or subject.plane):
+        yield from setup.grids()
 
 
 class _Setup:
@@ -167,23 +162,28 @@ class _Setup:
         self.subject, self.suffix, self.plan = subject, suffix, plan
         self.points = arguments(subject, suffix, plan.samples)
         self.many = np.resize(self.points, max(plan.vector, plan.samples))
-        self.few = self.points[:: max(1, plan.samples // plan.slow)][: plan.slow]
+        self.slow = self.points[:: max(1, plan.samples // plan.slow)][: plan.slow]
+        self.field = suffix in ("p", "w")
 
     def over(self, name: str, setting: str, function: Callable[..., Any], x: Array) -> Method:
         """A method that takes any arguments."""
         distinct = min(len(x), len(self.points))
         return Method(name, setting, partial(function, x), x[:distinct], np.arange(distinct), len(x))
 
-    def on_grid(self, name: str, setting: str, function: Callable[[], tuple[Array, Array]]) -> Method:
-        """A method with radii of its own: those next to the points are compared."""
-        nodes, _ = function()
-        pick = np.unique(np.abs(nodes[:, None] - self.points).argmin(axis=0))
-        return Method(name, setting, lambda: function()[1], nodes[pick], pick, len(nodes))
-
     def sized(self, name: str, function: Callable[..., Any], counts: tuple[int, ...], x: Array) -> Iterator[Method]:
         """A method at several numbers of nodes."""
         for count in counts:
-            yield self.over(name, f"N = {count}", partial(_with_count, function, self.subject, count), x)
+            yield self.over(name, f"N = {count}", partial(function, self.subject, count=count), x)
+
+    def gridded(
+        self, name: str, function: Callable[..., Any], counts: tuple[int, ...], setting: str = "N = {0}"
+    ) -> Iterator[Method]:
+        """A method at several numbers of nodes, with radii of its own: those next to the points are compared."""
+        for count in counts:
+            run = partial(function, self.subject, count=count)
+            nodes, _ = run()
+            pick = np.unique(np.abs(nodes[:, None] - self.points).argmin(axis=0))
+            yield Method(name, setting.format(count), partial(_second, run), nodes[pick], pick, len(nodes))
 
     def affordable(self, function: Callable[[Array], Any]) -> Array:
         """The many points, or as many as take the longest time of a call."""
@@ -194,179 +194,120 @@ class _Setup:
         return self.many[:count]
 
     @cached_property
-    def own(self) -> Array:
+    def emitted(self) -> Callable[[Array], Any]:
+        """The function of the catalogue, of what is varied."""
+        return partial(_at_values, self.subject.emitted(self.suffix), self.subject.parameters, self.varied)
+
+    @property
+    def varied(self) -> Any:
+        """The place of a field, else the depth."""
+        return self.subject.across if self.field else nt.d
+
+    @cached_property
+    def most(self) -> Array:
         """The points of the functions of the catalogue."""
-        return self.affordable(self._emitted)
+        return self.affordable(self.emitted)
 
-    def gridded(self, name: str, function: Callable[..., Any], counts: tuple[int, ...]) -> Iterator[Method]:
-        """One method for every number of nodes, with radii of its own."""
-        for count in counts:
-            yield self.on_grid(name, f"N = {count}", partial(function, self.subject, count))
-
-    def closed(self) -> Iterator[Method]:
+    def own(self) -> Iterator[Method]:
         """The emitted function, and where the formula is printed in closed form also its `lambdify`."""
+        yield self.over("emitted", "", self.emitted, self.most)
         entry = self.subject.printed(self.suffix)
-        yield self.over("emitted", "", self._emitted, self.own)
         if printed(entry):
-            x = self.points if per_point(entry) else self.own
             values = naive(entry, self.subject.entries)
-            yield self.over("lambdify", "", partial(_at_values, values, self.subject.values, self._symbol), x)
+            function = partial(_at_values, values, self.subject.values, self.varied)
+            yield self.over("lambdify", "", function, self.points if per_point(entry) else self.most)
 
-    @property
-    def _symbol(self) -> Any:
-        return self.subject.across if self.suffix in ("p", "w") else nt.d
+    def rules(self) -> Iterator[Method]:
+        """The rule of the catalogue, where it has one, and that of Gauss and Jacobi for the definition."""
+        if self.suffix in RULED.get(self.subject.name, ()):
+            for count in self.plan.rule:
+                run = partial(with_nodes, self.emitted, count=count)
+                yield self.over("generated rule", f"N = {count}", run, self.most)
+        function = getattr(rivals, f"jacobi_{DEFINED[self.suffix]}", None)
+        if function:
+            dearest = partial(function, self.subject, count=self.plan.jacobi[-1])
+            x = self.affordable(dearest) if self.field else self.points
+            yield from self.sized("Gauss-Jacobi", function, self.plan.jacobi, x)
 
-    @property
-    def _emitted(self) -> Callable[[Array], Any]:
-        function = emitted(self.subject.entries[self.suffix], self.subject.name)
-        return partial(_at_values, function, self.subject.parameters, self._symbol)
+    def scripts(self) -> Iterator[Method]:
+        """Adaptive quadrature in double precision, and where not both are left out for a page, in many digits."""
+        subject, defined = self.subject, DEFINED[self.suffix]
+        quad = rivals.Script(subject)
+        if self.field:
+            yield self.over("quad", "", getattr(quad, defined), self.points)
+        else:
+            yield self.over("quad and root", "", getattr(quad, defined), self.slow)
+        ways = [("", False), (", substituted", True)] if self.suffix == "p" and not subject.few else [("", False)]
+        if ways[1:]:
+            yield self.over("quad, substituted", "", replace(quad, substituted=True).pressure, self.points)
+        for name, substituted in ways if brief(subject) or not subject.few else ():
+            for digits in self.plan.digits:
+                script = rivals.Digits(subject, substituted, digits)
+                yield self.over(f"mpmath{name}", f"{digits} digits", getattr(script, defined), self.slow)
 
-    def rule(self, function: Callable[..., Any] | None = None) -> Iterator[Method]:
-        """The rule of the catalogue, or, where that has a closed form, the one that it would have."""
-        if self.suffix not in RULED.get(self.subject.name, ()):
-            yield from self.sized("generated rule", function, self.plan.rule, self.many) if function else ()
-            return
-        for count in self.plan.rule:
-            run = partial(rule.with_nodes, self._emitted, count=count)
-            yield self.over("generated rule", f"N = {count}", run, self.own)
+    def grids(self) -> Iterator[Method]:
+        """Tables and grids of the homogeneous half-space."""
+        plan, wide = self.plan, self.subject.name in NAMES
+        match self.suffix:
+            case "p":
+                yield from self.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
+            case "w":
+                yield from self.sized("trapezoid MDR", grids.trapezoid_displacement, plan.trapezoid, self.points)
+            case "Fd":
+                yield from self.sized("trapezoid MDR", grids.trapezoid_force, plan.table, self.many)
+            case _:
+                yield from self.sized("table", rivals.table_radius, plan.table, self.many)
+        if wide and self.field:
+            function = grids.fft_pressure if self.suffix == "p" else grids.fft_displacement
+            yield from self.gridded("FFT MDR", function, plan.fft)
+        if wide and self.suffix == "p" and not grids.no_boundary_elements():
+            force = float(defined(self.subject, RADIUS)("F"))
+            yield from self.gridded("BEM", partial(grids.boundary_elements, force=force), plan.bem, "{0} x {0}")
 
-    def digits(self, function: Callable[..., Any], name: str = "mpmath") -> Iterator[Method]:
-        """One method for every number of digits, at few points because each takes long."""
-        for digits in self.plan.digits:
-            run = partial(_with_count, function, self.subject, digits)
-            yield self.over(name, f"{digits} digits", run, self.few)
+
+def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Array:
+    """A function of the catalogue, every rule of it in one interval of `count` nodes, at each point by itself."""
+    integrals, weights = (import_module(f"axicontact._runtime.{name}") for name in ("integrals", "graded.rules"))
+    whole, weighted = integrals.integral, weights.weighted
+
+    def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
+        return whole(integrand, stop, count)
+
+    def fixed_weighted(smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, **more: Array) -> Array:
+        return weighted(smooth, stop, power, count, **more)
+
+    changes = {"integral": (whole, fixed), "weighted": (weighted, fixed_weighted)}
+    with ExitStack() as changed:
+        for module in [module for key, module in sys.modules.items() if key.startswith("axicontact.")]:
+            for name, (before, after) in changes.items():
+                if getattr(module, name, None) is before:
+                    changed.enter_context(patch.object(module, name, after))
+        for name in ("FEW", "LEAST"):  # from these numbers of points on they would be put in groups, and interpolated
+            changed.enter_context(patch.object(integrals, name, math.inf))
+        return function(x)
 
 
-def _with_count(function: Callable[..., Any], subject: Subject, count: int, x: Array) -> Any:
-    return function(subject, x, count)
+def _second(function: Callable[[], tuple[Array, Array]]) -> Array:
+    return function()[1]
 
 
 def _at_values(function: Callable[..., Any], values: dict[Any, Any], symbol: Any, x: Array) -> Any:
     return function({**values, symbol: x})
 
 
-def _pressure(setup: _Setup) -> Iterator[Method]:
-    subject, plan = setup.subject, setup.plan
-    yield from setup.rule(rule.pressure)
-    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
-    for suffix, substituted in (("", False), (", substituted", True)):
-        quad = partial(rivals.quad_pressure, subject, substituted=substituted)
-        yield setup.over(f"quad{suffix}", "", quad, setup.points)
-        yield from setup.digits(partial(rivals.mpmath_pressure, substituted=substituted), f"mpmath{suffix}")
-    yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
-    yield from setup.gridded("FFT MDR", grids.fft_pressure, plan.fft)
-    if not grids.no_boundary_elements():
-        force = float(defined(subject, RADIUS)("F"))
-        for count in plan.bem:
-            yield setup.on_grid("BEM", f"{count} x {count}", partial(grids.boundary_elements, subject, force, count))
-
-
-def _displacement(setup: _Setup) -> Iterator[Method]:
-    subject, plan = setup.subject, setup.plan
-    yield from setup.rule(rule.displacement)
-    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
-    yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
-    yield from setup.sized("trapezoid MDR", grids.trapezoid_displacement, plan.trapezoid, setup.points)
-    yield from setup.gridded("FFT MDR", grids.fft_displacement, plan.fft)
-    yield from setup.digits(rivals.mpmath_displacement)
-
-
-def _force(setup: _Setup) -> Iterator[Method]:
-    subject, plan = setup.subject, setup.plan
-    yield from setup.sized("Gauss-Jacobi", rivals.jacobi_force, plan.jacobi, setup.points)
-    yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
-    yield from setup.sized("trapezoid MDR", grids.trapezoid_force, plan.table, setup.many)
-    yield from setup.digits(rivals.mpmath_force)
-
-
-def _few(setup: _Setup) -> Iterator[Method]:
-    """What the page of a profile shows beside its own functions: one way of each kind."""
-    subject, plan = setup.subject, setup.plan
-    yield from setup.rule()
-    match setup.suffix:
-        case "w" if subject.graded:
-            many = setup.affordable(partial(graded.jacobi_displacement, subject, count=plan.jacobi[-1]))
-            yield from setup.sized("Gauss-Jacobi", graded.jacobi_displacement, plan.jacobi, many)
-            yield setup.over("quad", "", partial(graded.quad_displacement, subject, weighted=False), setup.points)
-            yield from setup.digits(graded.mpmath_displacement)
-        case "p":
-            many = setup.affordable(partial(rivals.jacobi_pressure, subject, count=plan.jacobi[-1]))
-            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, many)
-            yield setup.over("quad", "", partial(rivals.quad_pressure, subject, substituted=False), setup.points)
-            if subject.brief:
-                yield from setup.digits(graded.mpmath_pressure)
-            else:
-                yield from setup.gridded("trapezoid MDR", grids.trapezoid_pressure, plan.trapezoid)
-        case "w":
-            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_displacement, plan.jacobi, setup.many)
-            yield setup.over("quad", "", partial(rivals.quad_displacement, subject), setup.points)
-            yield from setup.sized("trapezoid MDR", grids.trapezoid_displacement, plan.trapezoid, setup.points)
-        case _:
-            yield from setup.sized("Gauss-Jacobi", rivals.jacobi_force, plan.jacobi, setup.points)
-            yield setup.over("quad and root", "", partial(rivals.quad_force, subject), setup.few)
-            yield from setup.sized("trapezoid MDR", grids.trapezoid_force, plan.table, setup.many)
-
-
-def _adhesive(setup: _Setup) -> Iterator[Method]:
-    subject, plan = setup.subject, setup.plan
-    yield setup.over("quad and root", "", partial(rivals.quad_radius, subject), setup.few)
-    yield from setup.sized("table", rivals.table_radius, plan.table, setup.many)
-    yield from setup.digits(rivals.mpmath_radius)
-
-
-def _graded(setup: _Setup) -> Iterator[Method]:
-    subject, plan, few = setup.subject, setup.plan, setup.few
-    if setup.suffix == "Fd":
-        yield from setup.sized("Gauss-Jacobi", graded.jacobi_force, plan.jacobi, setup.points)
-        yield setup.over("quad and root", "", partial(graded.quad_force, subject), few)
-        yield from setup.digits(graded.mpmath_force)
-        return
-    yield from setup.rule()
-    if setup.suffix == "p":
-        yield from setup.sized("Gauss-Jacobi", rivals.jacobi_pressure, plan.jacobi, setup.many)
-        yield setup.over("quad", "", partial(rivals.quad_pressure, subject, substituted=False), setup.points)
-        yield setup.over("quad, weighted", "", partial(graded.quad_weighted_pressure, subject), setup.points)
-        yield from setup.digits(graded.mpmath_pressure)
-        return
-    yield from setup.sized("Gauss-Jacobi", graded.jacobi_displacement, plan.jacobi, setup.many)
-    for suffix, weighted in (("", False), (", weighted", True)):
-        quad = partial(graded.quad_displacement, subject, weighted=weighted)
-        yield setup.over(f"quad{suffix}", "", quad, setup.points)
-    yield from setup.digits(graded.mpmath_displacement)
-
-
 def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
-    """One record for each; of a problem that is measured beside a few ways, among these."""
-    reasons = (
-        _of_few(subject, suffix) if subject.few else _on_grids(subject, suffix) | _boundary_elements(subject, suffix)
-    )
-    key = f"{subject.name}.{suffix}"
-    return [{"key": key, "method": method, "reason": reason} for method, reason in reasons.items()]
-
-
-def _of_few(subject: Subject, suffix: str) -> dict[str, str]:
-    if printed(subject.printed(suffix)):
-        return {}
-    return {"lambdify": "no closed form in standard functions was found"}
-
-
-def _on_grids(subject: Subject, suffix: str) -> dict[str, str]:
-    if subject.graded:
-        closed = {"generated rule": "depth and force are closed: no rule is generated"} if suffix == "Fd" else {}
-        return closed | dict.fromkeys(
-            ("trapezoid MDR", "FFT MDR"), "their weights are those of the homogeneous half-space"
-        )
-    if suffix == "ad":
-        return {"FFT MDR": "a convolution gives fields, not a(d)"}
-    if suffix == "Fd":
-        closed = {"generated rule": "depth and force are closed: no rule is generated"}
-        return closed | {"FFT MDR": "a convolution gives fields, not F(d)"}
-    return {}
-
-
-def _boundary_elements(subject: Subject, suffix: str) -> dict[str, str]:
-    if subject.graded:
-        return {"BEM": "its half-space is homogeneous"}
-    if suffix != "p":
-        return {"BEM": "its pressures are compared"}
-    return {"BEM": grids.no_boundary_elements()} if grids.no_boundary_elements() else {}
+    """What has nothing to run for a quantity, with the reason; of a problem beside few ways, among these."""
+    found = {}
+    if not printed(subject.printed(suffix)):
+        found["lambdify"] = "no closed form in standard functions was found"
+    if not subject.few:
+        if suffix not in RULED.get(subject.name, ()):
+            found["generated rule"] = "the function is closed: no rule is generated"
+        if subject.graded:
+            found |= dict.fromkeys(("trapezoid MDR", "FFT MDR", "BEM"), "its half-space is homogeneous")
+        else:
+            if suffix not in ("p", "w"):
+                found["FFT MDR"] = "a convolution gives fields"
+            if suffix != "p" or grids.no_boundary_elements():
+                found["BEM"] = grids.no_boundary_elements() if suffix == "p" else "its pressures are compared"
+    return [{"key": f"{subject.name}.{suffix}", "method": name, "reason": reason} for name, reason in found.items()]

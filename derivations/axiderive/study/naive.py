@@ -1,9 +1,4 @@
-"""The printed formula as a first script has it, and its errors beside the emitted function's.
-
-The printed closed form handed to sympy.lambdify, as a first script does it, with scipy.special.
-
-Emitted and naive values at points in double precision, against Arb enclosures of the same closed form.
-"""
+"""The printed formula as a first script has it, by lambdify with SciPy, and its errors beside the emitted one's."""
 
 from __future__ import annotations
 
@@ -22,9 +17,10 @@ from .. import notation as nt
 from ..abel.masters import C0
 from ..checks.quadrature import inverse
 from ..entry import Entry
-from ..oracle.balls import NotAvailableError, enclose_value
+from ..oracle.rules import middle
+from ..stable.reference import UnknownError, of_contact
 from .report import relative
-from .subject import FUNCTIONS, Array, Function, emitted, entries
+from .subject import FUNCTIONS, Array, Function, subject
 
 Values = dict[sp.Symbol, Any]
 
@@ -118,46 +114,28 @@ class Judged:
 
 
 def reference(problem: str, suffix: str, point: Point) -> mp.mpf | None:
-    """The exact value, or None where no region holds the point, no enclosure is found, or no double is normal."""
-    known = entries(problem)
-    entry = known[suffix]
+    """The exact value, or None where no region holds the point, no enclosure is found, or no double is normal.
+
+    That of an inverse belongs to the double that is its argument, near the radius of the point.
+    """
+    known = subject(problem).entries
     try:
-        if entry.status == "root":
-            value = _value_at_root(known, suffix, point)
-        else:
-            value = enclose_value(_region(entry, point), _exact(point), DIGITS)
-    except (LookupError, NotAvailableError):
+        with mp.workdps(3 * DIGITS):
+            if known[suffix].status == "root":
+                value = inverse(known, suffix, {symbol: mp.mpf(x) for symbol, x in point.items()}, DIGITS)
+            else:
+                value = middle(of_contact(known, suffix, point))
+    except UnknownError:
         return None
     return value if sys.float_info.min <= abs(value) <= sys.float_info.max else None
 
 
-def _exact(point: Point) -> dict[Any, Any]:
-    return {symbol: sp.Rational(value) for symbol, value in point.items()}
-
-
-def _region(entry: Entry, point: Point) -> sp.Expr:
-    """The formula that holds at the point; doubles are compared as they are."""
-    for case in entry.cases:
-        sizes = [point[x] for x in case.chain if x in point]
-        if all(low < high for low, high in zip(sizes, sizes[1:], strict=False)):
-            return case.expr
-    message = f"{entry.key}: no region holds the point"
-    raise LookupError(message)
-
-
-def _value_at_root(known: dict[str, Entry], suffix: str, point: Point) -> mp.mpf:
-    """The inverse, near the radius of the point, at the double that is its argument."""
-    with mp.workdps(3 * DIGITS):
-        exact = {symbol: mp.mpf(value) for symbol, value in point.items()}
-        return inverse(known, suffix, exact, DIGITS)
-
-
 def judged(problem: str, suffix: str, points: Sequence[Point], exact: Sequence[mp.mpf]) -> dict[str, list[Judged]]:
     """The emitted and the naive values: of many points with arrays, of one point with numbers."""
-    known = entries(problem)
-    entry = known[suffix]
+    own = subject(problem)
+    entry = own.entries[suffix]
     found = {}
-    for name, function in (("emitted", emitted(entry, problem)), ("naive", naive(entry, known))):
+    for name, function in (("emitted", own.emitted(suffix)), ("naive", naive(entry, own.entries))):
         iterated = name == "naive" and entry.status == "root"  # one set of numbers at a time
         alone = len(points) == 1 or iterated
         values = [_value(function, point) for point in points] if alone else _values(function, points)

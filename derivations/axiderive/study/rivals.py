@@ -1,11 +1,9 @@
-"""Other ways to the same numbers.
+"""Other ways to the same numbers, each written from its definition, on every half-space.
 
-Other ways to the radius of an adhesive contact at a given depth: g by quadrature less the retraction (11.63).
-
-Other ways to the same numbers, each written from its definition: quadrature rules, scripts, digits.
-
-Pressure (11.23), displacement (11.26) and F(d) from (11.29), (11.20); with the
-edge term of (11.107) where the depth is free.
+Pressure (11.23), (11.53) from g'(t); displacement (11.26), (11.56) as that of flat punches of the depth g'(t) dt; depth
+and force (11.29), (11.20), (11.51) as moments of f'(s); the radius under adhesion by the retraction (11.63).  With the
+edge term of (11.107) where the depth is free.  A rule of Gauss and Jacobi takes a singularity into its weight; a script
+gives the integrals to adaptive quadrature from break to break, in double precision or in many digits.
 """
 
 from __future__ import annotations
@@ -13,15 +11,16 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable
-from functools import cache
+from dataclasses import dataclass
+from functools import cache, partial
+from typing import Any, ClassVar
 
 import mpmath as mp
 import numpy as np
 from scipy import integrate, optimize, special
 
 from .. import notation as nt
-from .problems import RADIUS
-from .subject import Array, Subject
+from .subject import RADIUS, Array, Subject
 
 a = RADIUS
 
@@ -38,200 +37,234 @@ def punch_pressure(subject: Subject, r: Array) -> Array:
     return subject.excess * subject.modulus / np.pi * ((a - r) * (a + r)) ** subject.power if subject.excess else 0.0
 
 
-def punch_displacement(subject: Subject, r: Array) -> Array:
-    """Displacement at r > a of the excess depth of a complete contact, as of a flat punch; 0 without one."""
-    return subject.excess * 2 / np.pi * np.arcsin(a / r) if subject.excess else 0.0
+def beside_punch(k: float, share: Array) -> Array:
+    """Displacement over the depth of a flat punch whose radius has this share of that of the place."""
+    return special.betainc((1 + k) / 2, (1 - k) / 2, share**2) if k else 2 / np.pi * np.arcsin(share)
 
 
 def jacobi_pressure(subject: Subject, r: Array, count: int) -> Array:
     """In t**2, whose distance from the lower limit carries the power (k - 1)/2; a break is such a limit."""
-    return subject.modulus / np.pi * sum(
-        _jacobi_pressure(subject, r, low, high, count) for low, high in spans(subject, a)
-    ) + punch_pressure(subject, r)
-
-
-def _jacobi_pressure(subject: Subject, r: Array, start: float, end: float, count: int) -> Array:
-    low = np.clip(r, start, end)
-    width, total, power = (end - low) * (end + low), 0.0, subject.power
-    for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
-        past = width * node
-        t = np.sqrt(low * low + past)
-        kernel = (past / (past + (low - r) * (low + r))) ** -power
-        total = total + weight * subject.rate(t) / (2 * t) * kernel
-    return width ** (1 + power) * total
+    total, power = 0.0, subject.power
+    for start, end in subject.spans():
+        low = np.clip(r, start, end)
+        width = (end - low) * (end + low)
+        for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
+            past = width * node
+            t = np.sqrt(low * low + past)
+            kernel = (past / (past + (low - r) * (low + r))) ** -power
+            total = total + width ** (1 + power) * weight * subject.rate(t) / (2 * t) * kernel
+    return subject.modulus / np.pi * total + punch_pressure(subject, r)
 
 
 def jacobi_displacement(subject: Subject, r: Array, count: int) -> Array:
-    """In t - b, with the power -1/2 that g' may have at a break; no singularity without one."""
-    total = 0.0
-    for low, high in spans(subject, a):
-        power = -0.5 if low else 0.0
+    """In t - b, with the power that g' may have at a break, else with that of the displacement of small punches."""
+    total, k = subject.excess * beside_punch(subject.exponent, a / r), subject.exponent
+    for low, high in subject.spans():
+        power = subject.power if low else k
         for node, weight in zip(*jacobi(count, power, 0.0), strict=True):
             t = low + (high - low) * node
-            total = total + (high - low) * weight * node**-power * float(subject.rate(t)) * np.arcsin(t / r)
-    return 2 / np.pi * total + punch_displacement(subject, r)
+            rate = (high - low) * weight * node**-power * float(subject.rate(t))
+            total = total + rate * beside_punch(k, t / r)
+    return total
 
 
 def jacobi_force(subject: Subject, d: Array, count: int) -> Array:
-    """Depth and force over the profile with the power -1/2 at r = a; the radius by brentq."""
+    """Depth and force over the profile with the power (k - 1)/2 at r = a; the radius by brentq."""
 
     def moment(x: float, power: int) -> float:
-        return sum(_jacobi_moment(subject, x, power, low, high, count) for low, high in spans(subject, x))
+        total = 0.0
+        for low, high in subject.spans(x):
+            singular = subject.power if high == x else 0.0
+            nodes, weights = jacobi(count, 0.0, singular)
+            s = low + (high - low) * nodes
+            scale = (high - low) ** (1 + singular) * (x - s if high < x else 1.0) ** (subject.power - singular)
+            total += float(np.sum(scale * weights * subject.slope(s) * s**power * (x + s) ** subject.power))
+        return total
 
-    def force(depth: float) -> float:
-        return 2 * subject.modulus * moment(radius(subject, lambda x: x * moment(x, 0) - depth), 2)
-
-    return np.array([force(float(depth)) for depth in d])
-
-
-def _jacobi_moment(subject: Subject, x: float, power: int, low: float, high: float, count: int) -> float:
-    """Integral of f'(s) s**power/sqrt(x**2 - s**2) from one break to the next, or to x."""
-    nodes, weights = jacobi(count, 0.0, -0.5 if high == x else 0.0)
-    s = low + (high - low) * nodes
-    scale = math.sqrt(x - low) if high == x else (high - low) / np.sqrt(x - s)
-    return float(np.sum(scale * weights * subject.slope(s) * s**power / np.sqrt(x + s)))
+    return np.array([_force(subject, moment, root(subject, _gap(subject, moment, x))) for x in map(float, d)])
 
 
-def quad_pressure(subject: Subject, r: Array, *, substituted: bool) -> Array:
-    """The integral (11.23), (11.53) given to scipy.integrate.quad as it stands; from break to break.
-
-    On the homogeneous half-space also `substituted`, in t = r cosh(v).
-    """
-    power = subject.power
-
-    def span(r: float, low: float, high: float) -> float:
-        if substituted:
-            ends = math.acosh(low / r), math.acosh(high / r)
-            return quad(lambda v: subject.rate_scalar(r * math.cosh(v)), *ends)
-        return quad(lambda t: subject.rate_scalar(t) * ((t - r) * (t + r)) ** power, low, high)
-
-    def one(r: float) -> float:
-        return sum(span(r, max(r, low), high) for low, high in spans(subject, a) if high > r)
-
-    return subject.modulus / np.pi * np.array([one(float(x)) for x in r]) + punch_pressure(subject, r)
+Moment = Callable[[Any, int], Any]
+"""int f'(s) s**power (x**2 - s**2)**((k - 1)/2) ds of a radius x."""
 
 
-def quad_displacement(subject: Subject, r: Array) -> Array:
-    """Displacement at radii r > a by scipy's quad over g', from break to break."""
-
-    def one(r: float) -> float:
-        return sum(quad(lambda t: subject.rate_scalar(t) * math.asin(t / r), *span) for span in spans(subject, a))
-
-    return 2 / np.pi * np.array([one(float(x)) for x in r]) + punch_displacement(subject, r)
+def _gap(subject: Subject, moment: Moment, depth: Any) -> Callable[[Any], Any]:
+    """How far the depth of a contact is above the given one."""
+    return lambda x: x ** (1 - subject.exponent) * moment(x, 0) - depth
 
 
-def quad_force(subject: Subject, d: Array) -> Array:
-    """The script without closed forms: g by quad, its root by brentq, F by quad over g."""
-    b = subject.edge
-
-    def depth(x: float) -> float:
-        return sum(
-            x * quad(lambda u: float(subject.slope(x * math.sin(u))), math.asin(low / x), math.asin(high / x))
-            for low, high in spans(subject, x)
-        )
-
-    def force(given: float) -> float:
-        reached = radius(subject, lambda x: depth(x) - given)
-        parts = [quad(lambda t: given - depth(t), *span, tolerance=1e-10) for span in spans(subject, reached)]
-        return 2 * subject.modulus * (given * b + sum(parts))
-
-    return np.array([force(float(x)) for x in d])
+def _force(subject: Subject, moment: Moment, x: Any) -> Any:
+    """The force on a contact of the radius x."""
+    return 2 * subject.modulus / (1 + subject.exponent) * moment(x, 2)
 
 
-def mpmath_pressure(subject: Subject, r: Array, digits: int, *, substituted: bool) -> list[mp.mpf]:
-    """The integral (11.23) given to mpmath.quad from the break on, as it stands or in t = r cosh(v)."""
-
-    def rate(t: mp.mpf, low: mp.mpf) -> mp.mpf:
-        # rounding takes the first nodes to a break or below it
-        return subject.rate_mp(t) if t > low or low > subject.edge else mp.mpf(0)
-
-    def one(r: mp.mpf) -> mp.mpf:
-        low = max(r, mp.mpf(subject.edge))
-        if substituted:
-            return mp.quad(lambda v: rate(r * mp.cosh(v), low), [mp.acosh(low / r), mp.acosh(a / r)])
-        return mp.quad(lambda t: subject.rate_mp(t) / mp.sqrt(t * t - r * r), [low, a])
-
-    with mp.workdps(digits):
-        return [subject.modulus * one(mp.mpf(float(x))) / mp.pi for x in r]
-
-
-def mpmath_displacement(subject: Subject, r: Array, digits: int) -> list[mp.mpf]:
-    """Displacement at radii r > a by mpmath's quadrature at this many digits."""
-    with mp.workdps(digits):
-        radii = [mp.mpf(float(x)) for x in r]
-        return [
-            2 * mp.quad(lambda t, r=r: subject.rate_mp(t) * mp.asin(t / r), [subject.edge, a]) / mp.pi for r in radii
-        ]
-
-
-def mpmath_force(subject: Subject, d: Array, digits: int) -> list[mp.mpf]:
-    """Depth and force by mpmath.quad over the angle, the radius by its secants."""
-
-    def moment(x: mp.mpf, power: int) -> mp.mpf:
-        ends = [mp.asin(subject.edge / x), mp.pi / 2]
-        return mp.quad(lambda u: subject.slope_mp(x * mp.sin(u)) * (x * mp.sin(u)) ** power, ends)
-
-    def force(depth: mp.mpf) -> mp.mpf:
-        # a start from double precision, as for any iteration with many digits
-        start = mp.mpf(radius(subject, lambda x: float(subject.depth(np.float64(x)) - float(depth))))
-        nearby = start * (1 + mp.mpf(10) ** (-min(digits, 15) // 2))
-        root = mp.findroot(lambda x: x * moment(x, 0) / depth - 1, (start, nearby), tol=mp.eps**1.5, verify=False)
-        return 2 * subject.modulus * moment(root, 2)
-
-    with mp.workdps(digits):
-        return [force(mp.mpf(float(x))) for x in d]
-
-
-def spans(subject: Subject, end: float) -> list[tuple[float, float]]:
-    """From break to break up to a radius."""
-    return [(low, min(high, end)) for low, high in subject.spans if low < end]
-
-
-def radius(subject: Subject, gap: Callable[[float], float]) -> float:
-    """The root between the edge and the largest radius, by brentq."""
+def root(subject: Subject, gap: Callable[[float], float]) -> float:
+    """The radius between the edge and the largest one, by brentq."""
     low = subject.edge * (1 + 1e-14) if subject.edge else 1e-9 * a
     return float(optimize.brentq(gap, low, subject.largest * (1 - 1e-9), xtol=1e-300, rtol=1e-14))
 
 
-def quad(integrand: Callable[[float], float], low: float, high: float, tolerance: float = 1e-13) -> float:
-    """scipy.integrate.quad without its warnings."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # its error estimate; what the error is, the study measures
-        value, _ = integrate.quad(integrand, low, high, epsabs=0.0, epsrel=tolerance, limit=200)
-    return float(value)
-
-
-def quad_radius(subject: Subject, d: Array) -> Array:
-    """g by quad, the radius by brentq."""
-
-    def depth(x: float) -> float:
-        free = x * quad(lambda u: float(subject.slope(x * math.sin(u))), 0.0, math.pi / 2)
-        return free - math.sqrt(2 * math.pi * x * subject.values[nt.dgamma] / subject.modulus)
-
-    def one(given: float) -> float:
-        return radius(subject, lambda x: depth(x) - given)
-
-    return np.array([one(float(x)) for x in d])
+def radius(subject: Subject, depth: float) -> float:
+    """The radius of the contact of that depth, by its formula."""
+    return root(subject, lambda x: float(subject.depth(np.float64(x))) - depth)
 
 
 def table_radius(subject: Subject, d: Array, count: int) -> Array:
     """A table of d(a) on a uniform grid from a/2 on, read by linear interpolation."""
-    x = np.linspace(RADIUS / 2, RADIUS, count + 1)
+    x = np.linspace(a / 2, a, count + 1)
     return np.interp(d, subject.depth(x), x)
 
 
-def mpmath_radius(subject: Subject, d: Array, digits: int) -> list[mp.mpf]:
-    """Contact radius with adhesion at each depth: mpmath's quadrature and secant method at this many digits."""
-    with mp.workdps(digits):
-        dgamma, modulus = (mp.mpf(x) for x in (subject.values[nt.dgamma], subject.modulus))
+@dataclass(frozen=True)
+class Script:
+    """Quantities by adaptive quadrature, point by point in the functions of `math`, by scipy's quad and brentq."""
 
-        def depth(x: mp.mpf) -> mp.mpf:
-            free = x * mp.quad(lambda u: subject.slope_mp(x * mp.sin(u)), [0, mp.pi / 2])
-            return free - mp.sqrt(2 * mp.pi * x * dgamma / modulus)
+    subject: Subject
+    substituted: bool = False
+    """Whether the integral of the pressure is taken in t = r cosh(v)."""
+    functions: ClassVar[Any] = math
+    number: ClassVar[Any] = float
 
-        def one(given: mp.mpf) -> mp.mpf:
-            start = mp.mpf(radius(subject, lambda x: float(subject.depth(np.float64(x)) - float(given))))
-            nearby = start * (1 + mp.mpf(10) ** (-min(digits, 15) // 2))
-            return mp.findroot(lambda x: depth(x) / given - 1, (start, nearby), tol=mp.eps**1.5, verify=False)
+    def pressure(self, r: Array) -> Array:
+        """p at the radii r < a."""
+        return self.over(r, self._pressure)
 
-        return [one(mp.mpf(float(x))) for x in d]
+    def displacement(self, r: Array) -> Array:
+        """w at the radii r > a."""
+        return self.over(r, self._displacement)
+
+    def force(self, d: Array) -> Array:
+        """F at the depths d."""
+        return self.over(d, lambda d: _force(self.subject, self._moment, self.root(self._gap(d), d)))
+
+    def radius(self, d: Array) -> Array:
+        """The radius with adhesion at the depths d."""
+        work, lib = self.subject.values[nt.dgamma] / self.subject.modulus, self.functions
+
+        def one(d: Any) -> Any:
+            gap = self._gap(d)
+            return self.root(lambda x: gap(x) - lib.sqrt(2 * lib.pi * work * x), d)
+
+        return self.over(d, one)
+
+    def over(self, x: Array, one: Callable[[Any], Any]) -> Any:
+        """A quantity at every point."""
+        return np.array([one(float(value)) for value in x])
+
+    def quad(self, integrand: Callable[[Any], Any], low: Any, high: Any) -> Any:
+        """An integral between two numbers."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # its error estimate; what the error is, the study measures
+            value, _ = integrate.quad(integrand, low, high, epsabs=0.0, epsrel=1e-13, limit=200)
+        return float(value)
+
+    def root(self, gap: Callable[[Any], Any], depth: Any) -> Any:
+        """The radius at which a gap vanishes, where the depth is the given one."""
+        return root(self.subject, gap)
+
+    def excess(self) -> Any:
+        """The depth beyond that of the profile."""
+        return self.subject.excess
+
+    def rate(self, t: Any) -> Any:
+        """g'(t)."""
+        return self.subject.rate_math(t)
+
+    def slope(self, s: Any) -> Any:
+        """f'(s)."""
+        return self.subject.slope_math(s)
+
+    def beside_punch(self, share: Any) -> Any:
+        """What `beside_punch` says."""
+        return beside_punch(self.subject.exponent, share)
+
+    def _gap(self, depth: Any) -> Callable[[Any], Any]:
+        return _gap(self.subject, self._moment, depth)
+
+    def _pressure(self, r: Any) -> Any:
+        """From break to break, as it stands in u = t - low, where no node falls below r."""
+        lib, power, total = self.functions, self.number(self.subject.power), self.number(0)
+
+        def over_angle(v: Any) -> Any:
+            return self._risen(r * lib.cosh(v), low) * (r * lib.sinh(v)) ** (2 * power + 1)
+
+        def over_rest(u: Any) -> Any:
+            return self._risen(low + u, low) * ((u + (low - r)) * (u + low + r)) ** power
+
+        for start, end in self._spans():
+            low = max(r, start)
+            if end > r and self.substituted:
+                total += self.quad(over_angle, lib.acosh(low / r), lib.acosh(end / r))
+            elif end > r:
+                total += self.quad(over_rest, 0, end - low)
+        if self.subject.profile.complete:
+            total += self.excess() * ((a - r) * (a + r)) ** power
+        return self.subject.modulus * total / lib.pi
+
+    def _displacement(self, r: Any) -> Any:
+        total = self.excess() * self.beside_punch(a / r) if self.subject.profile.complete else self.number(0)
+
+        def flat(low: Any, t: Any) -> Any:
+            return self._risen(t, low) * self.beside_punch(t / r)
+
+        for low, high in self._spans():
+            total += self.quad(partial(flat, low), low, high)
+        return total
+
+    def _moment(self, x: Any, power: int) -> Any:
+        """Over the angle y with s = x cos(y)."""
+        k, lib = self.number(self.subject.exponent), self.functions
+
+        def integrand(y: Any) -> Any:
+            s = x * abs(lib.cos(y))  # rounding takes the last nodes beyond pi/2
+            return self.slope(s) * s**power * (x * lib.sin(y)) ** k
+
+        return sum(self.quad(integrand, lib.acos(high / x), lib.acos(low / x)) for low, high in self._spans(x))
+
+    def _spans(self, end: Any = a) -> list[tuple[Any, Any]]:
+        return [(self.number(low), self.number(high)) for low, high in self.subject.spans(end)]
+
+    def _risen(self, t: Any, low: Any) -> Any:
+        """g'(t), which may be infinite at the break below: rounding takes the first nodes there."""
+        return self.rate(t) if t > low else 0
+
+
+@dataclass(frozen=True)
+class Digits(Script):
+    """The same in so many digits, by mpmath's quadrature and secants."""
+
+    digits: int = mp.mp.dps
+    functions: ClassVar[Any] = mp
+    number: ClassVar[Any] = mp.mpf
+
+    def over(self, x: Array, one: Callable[[Any], Any]) -> list[mp.mpf]:
+        """A quantity at every point."""
+        with mp.workdps(self.digits):
+            return [one(mp.mpf(float(value))) for value in x]
+
+    def quad(self, integrand: Callable[[Any], Any], low: Any, high: Any) -> Any:
+        """An integral between two numbers."""
+        return mp.quad(integrand, [low, high])
+
+    def root(self, gap: Callable[[Any], Any], depth: Any) -> Any:
+        """From the radius in double precision, as for any iteration with many digits."""
+        start = mp.mpf(radius(self.subject, float(depth)))
+        nearby = start * (1 + mp.mpf(10) ** (-min(self.digits, 15) // 2))
+        return mp.findroot(lambda x: gap(x) / depth, (start, nearby), tol=mp.eps**1.5, verify=False)
+
+    def excess(self) -> Any:
+        """The depth beyond that of the profile."""
+        return mp.mpf(self.subject.freed) - self.subject.depth_mp(mp.mpf(a))
+
+    def rate(self, t: Any) -> Any:
+        """g'(t)."""
+        return self.subject.rate_mp(t)
+
+    def slope(self, s: Any) -> Any:
+        """f'(s)."""
+        return self.subject.slope_mp(s)
+
+    def beside_punch(self, share: Any) -> Any:
+        """What `beside_punch` says."""
+        k = mp.mpf(self.subject.exponent)
+        return mp.betainc((1 + k) / 2, (1 - k) / 2, 0, share**2, regularized=True) if k else 2 * mp.asin(share) / mp.pi

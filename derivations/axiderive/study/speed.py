@@ -20,13 +20,10 @@ import sympy as sp
 from ..code.programs.graph import Lengths, trace
 from ..code.programs.plain import LARGE, SMALL, TRUSTED, Lines
 from ..entry import FOUR, Entry
-from ..physics import systems
 from .methods import arguments
 from .naive import naive
-from .problems import NAMES, PARAMETERS, RADIUS
-from .report import Record, rounded, table, versions
-from .subject import Subject, subject
-from .timing import paired
+from .report import Record, paired, rounded, table, versions
+from .subject import NAMES, PARAMETERS, RADIUS, Subject, subject
 
 POINTS = 24
 SIZES = (10_000, 1_000_000)
@@ -52,7 +49,10 @@ NOTE = (
 )
 
 
-def measure(names: Sequence[str] = NAMES, *, quick: bool = False) -> Record:
+KNOWN = NAMES
+
+
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
     """The record of the study."""
     rounds, sizes, largest = (1, (100, 200), 1000) if quick else (ROUNDS, SIZES, LARGEST)
     rows = [row for name in names for row in _rows(subject(name), rounds, sizes, largest)]
@@ -67,8 +67,7 @@ def measure(names: Sequence[str] = NAMES, *, quick: bool = False) -> Record:
 
 
 def _rows(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> Iterator[Record]:
-    found = systems.problem(subject.name)
-    module = import_module(f"{found.system.package}.{found.name}")
+    module = import_module(f"{subject.problem.system.package}.{subject.problem.name}")
     for suffix in FOUR:
         entry = subject.entries[suffix]
         field = entry.quantity.arguments[0]

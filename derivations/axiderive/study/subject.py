@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from importlib import import_module
@@ -29,11 +30,52 @@ from ..physics import systems
 from ..physics.complete import edge_depth
 from ..physics.medium import GRADED, HOMOGENEOUS
 from ..physics.plane import Superposition
-from ..profiles.profile import Piece as ProfilePiece
+from ..profiles import COMPACT_NAMES
 from ..profiles.profile import Profile
-from .problems import FURTHER, NAMES, OTHERS, PARAMETERS, RADIUS, RULED
 
 Array = Any
+Function = Callable[..., Any]
+
+NAMES = ("cone", "paraboloid", "rounded_punch", "truncated_cone", "sphere", "power_law")
+"""Normal contacts that are measured beside every other way, whether a rule evaluates them or not."""
+QUANTITIES = ("p", "Fd", "w")
+OTHER, ADHESIVE = "power_law.fgm", ("paraboloid.adh", "cone.adh")
+OTHERS = {OTHER: QUANTITIES, **dict.fromkeys(ADHESIVE, ("ad",))}
+"""On a graded half-space, and with adhesion: the quantities of their own."""
+NORMAL = {
+    **dict.fromkeys(("power_law", "polynomial", "hyperboloid", "truncated_cone", "truncated_paraboloid"), ("p", "w")),
+    **dict.fromkeys(("rounded_cone", "capped_paraboloid", "rounded_punch", "rounded_curved_punch"), ("p", "w")),
+    **dict.fromkeys(("sphere", "ellipsoid"), ("w",)),
+    **dict.fromkeys(("sphere_tipped_cone", "gaussian"), ("p", "w", "Fd")),
+    **dict.fromkeys(("wavy_paraboloid", "concave_power"), ("p", "w")),
+}
+"""Normal contacts and their quantities that the catalogue evaluates by a rule, in the order of the handbook."""
+RULED = {
+    **NORMAL,
+    **{f"{name}.fgm": ("p", "w") for name in (*COMPACT_NAMES, "capped_cylinder", "concave_power")},
+    **{f"{name}.fgm": ("w",) for name in ("concave_paraboloid", "concave_quartic")},
+    **{f"plane.{name}": ("p",) for name in ("power_law", "rounded_wedge", "rounded_punch", "concave_power")},
+}
+"""The same with the graded and the plane contacts."""
+EVERY = dict.fromkeys(NAMES, QUANTITIES) | {name: RULED[name] for name in NORMAL if name not in NAMES} | OTHERS
+EVERY |= {name: RULED[name] for name in RULED if name not in EVERY}
+"""The quantities of each problem whose error is measured against run time."""
+RADIUS = 2.0
+PARAMETERS = {
+    nt.theta: 0.35, nt.b: 1.0, nt.R: 3.0, nt.A: 0.5, nt.n: 2.7, nt.E_star: 1.0, nt.H: 1.0, nt.k: 0.4, nt.dgamma: 0.01,
+    nt.P: 0.5,
+}  # fmt: skip
+FURTHER: dict[str, dict[Any, Any]] = {
+    "capped_cylinder": {nt.d: 1.5},
+    "capped_paraboloid": {nt.R1: 6.0, nt.R2: 3.0},
+    **dict.fromkeys(("concave_power", "concave_paraboloid", "concave_quartic"), {nt.h: 0.1, nt.d: 0.5}),
+    "ellipsoid": {nt.h: 2.0, nt.b: 3.0},
+    "gaussian": {nt.h: 0.5, nt.s: 2.0},
+    "polynomial": {nt.coefficients: (0.02, 0.1, 0.03)},
+    "rounded_curved_punch": {nt.R1: 6.0, nt.R2: 3.0},
+    "wavy_paraboloid": {nt.h: 0.01, nt.wavelength: 1.0},
+}
+"""What single profiles have beside these."""
 
 
 @np.vectorize(otypes=[float])
@@ -85,9 +127,6 @@ FUNCTIONS: dict[str, Any] = {
 """By the names that SymPy prints."""
 
 
-Function = Callable[..., Any]
-
-
 @dataclass(frozen=True)
 class Piece:
     """The expression that holds from `low` to `high`."""
@@ -108,12 +147,12 @@ class Given:
     @property
     def rate(self) -> Given:
         """The derivative."""
-        pieces = tuple(Piece(one.low, one.high, sp.diff(one.expr, self.variable)) for one in self.pieces)
-        return Given(pieces, self.variable, self.values)
+        pieces = tuple(replace(one, expr=sp.diff(one.expr, self.variable)) for one in self.pieces)
+        return replace(self, pieces=pieces)
 
     def numpy(self) -> Function:
         """Of an array; each expression sees its own range only."""
-        functions = [self._bound(one.expr, [FUNCTIONS, "numpy"]) for one in self.pieces]
+        functions = self._bound([FUNCTIONS, "numpy"], float)
         if len(functions) == 1 and not self.pieces[0].low:
             return lambda x: functions[0](x) + 0.0 * x  # a constant broadcasts
 
@@ -128,70 +167,33 @@ class Given:
 
     def math(self) -> Function:
         """Of a float above the first break."""
-        return self._scalar([FUNCTIONS, "math"], float)
+        return self._scalar(self._bound([FUNCTIONS, "math"], float))
 
     def mpmath(self) -> Function:
         """Of a number of mpmath above the first break."""
-        return self._scalar([{master.__name__: master.numeric for master in MASTERS}, "mpmath"], mp.mpf)
+        return self._scalar(self._bound([{master.__name__: master.numeric for master in MASTERS}, "mpmath"], mp.mpf))
 
-    def _scalar(self, modules: Any, number: Callable[[float], Any]) -> Function:
-        functions = [self._bound(one.expr, modules, number) for one in self.pieces]
-        if len(functions) == 1:
-            return functions[0]
-        ends = [one.high for one in self.pieces]
+    def _scalar(self, functions: list[Function]) -> Function:
+        *ends, _ = (one.high for one in self.pieces)
+        return lambda x: functions[bisect_left(ends, x)](x)
 
-        def chosen(x: Any) -> Any:
-            for end, function in zip(ends, functions, strict=True):
-                if x <= end:
-                    return function(x)
-            return math.nan
-
-        return chosen
-
-    def _bound(self, expr: sp.Expr, modules: Any, number: Callable[[float], Any] = float) -> Function:
-        parameters = sorted(expr.free_symbols - {self.variable}, key=str)
-        function = sp.lambdify((self.variable, *parameters), expr, modules)
-        values = [self.values[symbol] for symbol in parameters]
-        if number is float:
-            return lambda x: function(x, *values)
-        return lambda x: function(x, *map(number, values))  # at the digits in force
+    def _bound(self, modules: Any, number: Callable[[float], Any]) -> list[Function]:
+        """The expressions at the values of their parameters, as numbers of that kind."""
+        names = sorted(self.values.keys() & {s for one in self.pieces for s in one.expr.free_symbols}, key=str)
+        values = [number(self.values[symbol]) for symbol in names]
+        bare = [sp.lambdify((self.variable, *names), one.expr, modules) for one in self.pieces]
+        return [lambda x, function=function: function(x, *values) for function in bare]
 
 
-def joined(pieces: list[Piece]) -> tuple[Piece, ...]:
+def joined(pieces: Iterable[Piece]) -> tuple[Piece, ...]:
     """In ascending order, neighbours of one expression as one, empty ones left out."""
     found: list[Piece] = []
     for one in sorted((one for one in pieces if one.low < one.high), key=lambda one: one.low):
         if found and found[-1].expr == one.expr:
-            found[-1] = Piece(found[-1].low, one.high, one.expr)
+            found[-1] = replace(found[-1], high=one.high)
         else:
             found.append(one)
     return tuple(found)
-
-
-@cache
-def entries(problem: str) -> dict[str, Entry]:
-    """The entries of a problem by suffix."""
-    return systems.problem(problem).derive()
-
-
-def emitted(entry: Entry, problem: str) -> Function:
-    """The function of the catalogue, called with the values of its symbols.
-
-    Raises
-    ------
-    ImportError
-        If the catalogue has no such module yet.
-    """
-    found = systems.problem(problem)
-    function = getattr(import_module(f"{found.system.package}.{found.name}"), entry.quantity.function)
-    fields = entry.quantity.arguments
-    names = [symbol for symbol in entry.parameters if symbol not in fields]
-
-    def call(values: dict[sp.Symbol, Array]) -> Array:
-        keywords = {str(getattr(symbol, "label", symbol)): values[symbol] for symbol in names}
-        return function(*(values[symbol] for symbol in fields), **keywords)
-
-    return call
 
 
 @dataclass(frozen=True)
@@ -200,27 +202,45 @@ class Subject:
 
     name: str
 
+    @cached_property
+    def problem(self) -> systems.Problem:
+        """What it is for the engine."""
+        return systems.problem(self.name)
+
     @property
     def profile(self) -> Profile:
         """The profile of the problem."""
-        return systems.problem(self.name).profile
+        return self.problem.profile
 
-    @property
+    @cached_property
     def entries(self) -> dict[str, Entry]:
         """The entries of the problem by suffix."""
-        return entries(self.name)
+        return self.problem.derive()
 
-    @property
-    def further(self) -> dict[Any, Any]:
-        """The values of its profile alone."""
-        return FURTHER.get(systems.problem(self.name).name, {})
+    def emitted(self, suffix: str) -> Function:
+        """The function of the catalogue, called with the values of its symbols.
+
+        Raises
+        ------
+        ImportError
+            If the catalogue has no such module yet.
+        """
+        quantity, own = self.entries[suffix].quantity, self.problem
+        function = getattr(import_module(f"{own.system.package}.{own.name}"), quantity.function)
+        names = [symbol for symbol in self.entries[suffix].parameters if symbol not in quantity.arguments]
+
+        def call(values: Mapping[sp.Symbol, Array]) -> Array:
+            return function(*(values[symbol] for symbol in quantity.arguments), **named({s: values[s] for s in names}))
+
+        return call
 
     @cached_property
     def parameters(self) -> dict[Any, Any]:
         """The values of what the emitted functions are called with."""
-        known = PARAMETERS | self.further | {nt.a: RADIUS}
+        known = PARAMETERS | FURTHER.get(self.problem.name, {}) | {nt.a: RADIUS}
+        free = nt.P if self.plane else nt.d
         given = {symbol: known[symbol] for symbol in self.entries["p" if self.plane else "F"].parameters}
-        return given | {nt.a: RADIUS} | ({self.free: known[self.free]} if self.complete else {})
+        return given | {nt.a: RADIUS} | ({free: known[free]} if self.profile.complete else {})
 
     @cached_property
     def values(self) -> dict[Any, Any]:
@@ -242,34 +262,19 @@ class Subject:
         return self.name in RULED and self.name not in (*NAMES, *OTHERS)
 
     @property
-    def brief(self) -> bool:
-        """Of these the graded and the plane ones, which are many."""
-        return self.few and (self.graded or self.plane)
-
-    @property
     def plane(self) -> bool:
         """Whether it is a plane contact."""
-        return systems.problem(self.name).system.pool.strip
+        return self.problem.system.pool.strip
+
+    @property
+    def graded(self) -> bool:
+        """Whether the half-space is graded."""
+        return self.problem.system.medium.graded
 
     @property
     def across(self) -> sp.Symbol:
         """The place at which a field is asked for, r or x."""
         return nt.x if self.plane else nt.r
-
-    @property
-    def graded(self) -> bool:
-        """Whether the half-space is graded."""
-        return nt.k in self.values
-
-    @property
-    def complete(self) -> bool:
-        """The radius is that of the body and the depth is free, or the load of a strip."""
-        return self.profile.complete
-
-    @property
-    def free(self) -> sp.Symbol:
-        """What a complete contact is loaded by: the depth d, or the line load P in the plane."""
-        return nt.P if self.plane else nt.d
 
     @property
     def exponent(self) -> float:
@@ -289,25 +294,21 @@ class Subject:
     @property
     def edge(self) -> float:
         """Radius b of the flat face where the contact starts, 0 without one."""
-        return self.spans[0][0]
+        return self._depth.pieces[0].low
 
-    @cached_property
-    def spans(self) -> list[tuple[float, float]]:
-        """Radii between which g(t) has one expression."""
-        return [(one.low, one.high) for one in self._depth.pieces]
+    def spans(self, end: float = RADIUS) -> list[tuple[float, float]]:
+        """Radii between which g(t) has one expression, from break to break up to a radius."""
+        return [(one.low, min(one.high, end)) for one in self._depth.pieces if one.low < end]
 
     @cached_property
     def excess(self) -> float:
         """Depth beyond that of the profile, d - g(a): of a complete contact; of a strip the load over E*."""
-        return float(self._freed - self.depth(np.float64(RADIUS))) if self.complete else 0.0
-
-    def excess_mp(self) -> mp.mpf:
-        """The same at the digits in force."""
-        return mp.mpf(self._freed) - self.depth_mp(mp.mpf(RADIUS)) if self.complete else mp.mpf(0)
+        return float(self.freed - self.depth(np.float64(RADIUS))) if self.profile.complete else 0.0
 
     @property
-    def _freed(self) -> float:
-        return float(self.values[self.free] / (self.modulus if self.plane else 1.0))
+    def freed(self) -> float:
+        """The depth of a complete contact; of a strip the load over E*."""
+        return float(self.values[nt.P] / self.modulus if self.plane else self.values[nt.d])
 
     @cached_property
     def largest(self) -> float:
@@ -315,12 +316,12 @@ class Subject:
         bounds = [self.profile.largest] if self.profile.largest is not None else []
         chain = self.profile.chain
         bounds += chain[chain.index(nt.a) + 1 :] if nt.a in chain else []
-        return min((float(sp.sympify(bound).subs(self.values)) for bound in bounds), default=100.0 * RADIUS)
+        return min(map(self._size, bounds), default=100.0 * RADIUS)
 
     @cached_property
     def height(self) -> Function:
         """f(r)."""
-        return self._given(self.profile.pieces).numpy()
+        return self._shape.numpy()
 
     @cached_property
     def slope(self) -> Function:
@@ -328,14 +329,24 @@ class Subject:
         return self._slope.numpy()
 
     @cached_property
+    def slope_math(self) -> Function:
+        """f'(r) beyond a flat face, in the functions of `math`."""
+        return self._slope.math()
+
+    @cached_property
     def slope_mp(self) -> Function:
-        """f'(r) of a number of mpmath."""
+        """f'(r) beyond a flat face, of a number of mpmath."""
         return self._slope.mpmath()
 
     @cached_property
     def depth(self) -> Function:
-        """g(t), zero below the edge."""
+        """g(t), zero below the edge; P(t)/E_star in the plane."""
         return self._depth.numpy()
+
+    @cached_property
+    def depth_mp(self) -> Function:
+        """g(t) beyond the edge, of a number of mpmath."""
+        return self._depth.mpmath()
 
     @cached_property
     def rate(self) -> Function:
@@ -343,7 +354,7 @@ class Subject:
         return self._depth.rate.numpy()
 
     @cached_property
-    def rate_scalar(self) -> Function:
+    def rate_math(self) -> Function:
         """g'(t) beyond the edge, in the functions of `math`."""
         return self._depth.rate.math()
 
@@ -353,13 +364,14 @@ class Subject:
         return self._depth.rate.mpmath()
 
     @cached_property
-    def depth_mp(self) -> Function:
-        """g(t) beyond the edge, of a number of mpmath; P(t)/E_star in the plane."""
-        return self._depth.mpmath()
+    def _shape(self) -> Given:
+        ends = [0.0, *map(self._size, self.profile.breaks), math.inf]
+        exprs = [concrete(one.expr, self.values) for one in self.profile.pieces]
+        return Given(tuple(map(Piece, ends, ends[1:], exprs)), self.across, self.values)
 
-    @cached_property
+    @property
     def _slope(self) -> Given:
-        return self._given([one for one in self.profile.pieces if one.expr != 0]).rate
+        return replace(self._shape, pieces=tuple(one for one in self._shape.pieces if one.expr != 0)).rate
 
     @cached_property
     def _depth(self) -> Given:
@@ -367,13 +379,13 @@ class Subject:
 
         In a plane contact P(t)/E* has its place.
         """
-        if self.complete:
+        if self.profile.complete:
             (face,) = self.profile.pieces
             power = sp.cancel(self.across * sp.diff(face.expr, self.across) / face.expr)
             whole = self._at_edge() * (nt.t / nt.a) ** power
             return Given((Piece(0.0, math.inf, whole),), nt.t, self.values)
-        pieces = [self._case(case) for case in self.entries["P" if self.plane else "d"].cases]
-        return Given(joined(pieces), nt.a, self.values)
+        pieces = map(self._case, self.entries["P" if self.plane else "d"].cases)
+        return Given(joined(pieces), nt.a, {s: value for s, value in self.values.items() if s != nt.a})
 
     def _at_edge(self) -> sp.Expr:
         """g(a) of a face between sharp edges."""
@@ -382,23 +394,18 @@ class Subject:
         return edge_depth(self.profile, GRADED if self.graded else HOMOGENEOUS)
 
     def _case(self, case: Case) -> Piece:
+        sizes = [0.0 if symbol == nt.a else self._size(symbol) for symbol in case.chain]
         place = case.chain.index(nt.a)
-        low = self._size(case.chain[place - 1]) if place else 0.0
-        high = self._size(case.chain[place + 1]) if place + 1 < len(case.chain) else math.inf
-        return Piece(low, high, concrete(case.expr / nt.E_star if self.plane else case.expr, self.values))
-
-    def _given(self, members: Sequence[ProfilePiece]) -> Given:
-        """The pieces of the profile, from the first of these on."""
-        ends = [0.0, *map(self._size, self.profile.breaks), math.inf]
-        offset = len(self.profile.pieces) - len(members)
-        pieces = [
-            Piece(ends[offset + i], ends[offset + i + 1], concrete(one.expr, self.values))
-            for i, one in enumerate(members)
-        ]
-        return Given(tuple(pieces), self.across, self.values)
+        expr = concrete(case.expr / nt.E_star if self.plane else case.expr, self.values)
+        return Piece(sizes[place - 1] if place else 0.0, [*sizes, math.inf][place + 1], expr)
 
     def _size(self, length: sp.Expr) -> float:
         return float(sp.sympify(length).subs(self.values))
+
+
+def named(values: Mapping[Any, Any]) -> dict[str, Any]:
+    """The values of symbols by what the functions of the catalogue call them."""
+    return {str(getattr(symbol, "label", symbol)): value for symbol, value in values.items()}
 
 
 @cache

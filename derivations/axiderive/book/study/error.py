@@ -15,29 +15,44 @@ WIDTH, HEIGHT = 43.0, 30.0
 NAMES = "run time over that of the function", "worst relative error"
 """What the axes measure."""
 LOWEST = -16
-WORDS = {
-    "emitted": "the function of this catalogue",
-    "lambdify": "the printed formula through NumPy",
-    "generated rule": "a generated rule of $N$ nodes",
-    "Gauss-Jacobi": "Gauss--Jacobi rule for the defining integral",
-    "quad": "adaptive quadrature in double precision",
-    "mpmath": "adaptive quadrature in many digits",
-    "quad, substituted": "adaptive quadrature, singularities substituted away",
-    "mpmath, substituted": "the same in many digits",
-    "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
-    "FFT MDR": "dimensionality reduction on a grid by FFT",
-    "quad and root": "adaptive quadrature and root finding",
-    "quad, weighted": "adaptive quadrature, singular weight",
-    "table": "interpolation in a table",
-    "BEM": "boundary elements",
-}
+
+
+@dataclass(frozen=True)
+class Words:
+    """A method: below the panels of the study, below those of a profile's page, and in a sentence there."""
+
+    study: str
+    page: str = ""
+    sentence: str = ""
+
+
+PRINTED = "the printed formula through NumPy"
+DIGITS = "mpmath"
+"""Shown on the page of a profile where it is the only other way: of a contact that is drawn there alone."""
+ADAPTIVE = "adaptive quadrature"
+ROOTED = f"{ADAPTIVE} and root finding"
+METHODS = {
+    "emitted": Words("the function of this catalogue", "the function of the catalogue"),
+    "lambdify": Words(PRINTED, PRINTED, PRINTED),
+    "generated rule": Words("a generated rule of $N$ nodes", "its rule at every point, {} nodes"),
+    "Gauss-Jacobi": Words("Gauss--Jacobi rule for the defining integral",
+                          "Gauss--Jacobi rule for the integral, {} nodes", "the Gauss--Jacobi rule of {} nodes"),
+    "quad": Words(f"{ADAPTIVE} in double precision", ADAPTIVE, ADAPTIVE),
+    DIGITS: Words(f"{ADAPTIVE} in many digits", f"{ADAPTIVE} in {{}} digits", f"{ADAPTIVE} in {{}} digits"),
+    "quad, substituted": Words(f"{ADAPTIVE}, singularities substituted away"),
+    "mpmath, substituted": Words("the same in many digits"),
+    "trapezoid MDR": Words("dimensionality reduction by the trapezoidal rule", "trapezoidal rule, {} intervals",
+                           "the trapezoidal rule on {} intervals"),
+    "FFT MDR": Words("dimensionality reduction on a grid by FFT"),
+    "quad and root": Words(ROOTED, ROOTED, f"{ADAPTIVE} with root finding"),
+    "quad, weighted": Words(f"{ADAPTIVE}, singular weight"),
+    "table": Words("interpolation in a table"),
+    "BEM": Words("boundary elements"),
+}  # fmt: skip
 OWN = ("emitted", "generated rule")
 """Methods of the catalogue, drawn in colour."""
-
-FEW = frozenset(("emitted", "lambdify", "generated rule", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR"))
+FEW = frozenset(name for name, words in METHODS.items() if words.page and name != DIGITS)
 """Methods that the page of a profile shows."""
-DIGITS = "mpmath"
-"""Shown as well where it is the only other one: of a contact that is drawn on the page of its profile alone."""
 FLOOR = 2.0**-53
 """Errors below the rounding of a double count as that."""
 
@@ -167,7 +182,11 @@ def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width:
     step = max(1, math.ceil((last - first) / 5))
     return Figure(
         panels,
-        tuple((letter, WORDS.get(method) or escaped(method)) for method, letter in letters.items() if method in shown),
+        tuple(
+            (letter, METHODS.get(method, Words(escaped(method))).study)
+            for method, letter in letters.items()
+            if method in shown
+        ),
         tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
         tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
         width,

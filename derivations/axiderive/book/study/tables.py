@@ -16,16 +16,12 @@ def speed(record: Mapping[str, Any], keys: frozenset[str]) -> dict[str, Any]:
     return {
         "sizes": [_power(size) for size in settings["sizes"]],
         "largest": _power(settings["largest"]),
-        "rows": [row | {"known": row["key"] in keys, "arrays": list(map(_ratio, row["arrays"]))} | _ends(row)
-                 for row in record["rows"]],
+        "rows": [row | {"known": row["key"] in keys, "arrays": list(map(_ratio, row["arrays"]))}
+                 | {name: _ratio(row.get(name)) for name in ("scalar", "steps", "copy")} for row in record["rows"]],
         "fresh": f"{record['fresh']:.2g}",
         "imports": [f"{100 * row['ratio']:.2g}" for row in record["imports"]],
         "modules": [row["module"] for row in record["imports"]],
     }  # fmt: skip
-
-
-def _ends(row: Mapping[str, Any]) -> dict[str, str]:
-    return {"scalar": _ratio(row["scalar"]), "steps": _ratio(row.get("steps")), "copy": _ratio(row["copy"])}
 
 
 def _ratio(x: float | None) -> str:

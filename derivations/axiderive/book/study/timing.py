@@ -14,7 +14,7 @@ from ...entry import COMPACT
 from ...physics.plane_quantities import PLANE
 from ...physics.systems import problem
 from ..evidence import power_of_ten
-from .error import DIGITS, FEW, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
+from .error import DIGITS, FEW, METHODS, Figure, Plots, drawn, lettered, plots, problem_of, widely_measured
 
 WIDTH, HEIGHT = 43.0, 27.0
 """Millimetres of a frame, as high as those of the other plots of a page."""
@@ -22,26 +22,6 @@ GOAL = 1e-12
 """The error for which the fastest other way is named."""
 REACHED = 1e-14
 """The error for which the nodes of the rule are counted."""
-OTHERS = ("lambdify", "Gauss-Jacobi", "quad", "quad and root", "trapezoid MDR", DIGITS)
-KEY = {
-    "emitted": "the function of the catalogue",
-    "lambdify": "the printed formula through NumPy",
-    "generated rule": "its rule at every point, {} nodes",
-    "Gauss-Jacobi": "Gauss--Jacobi rule for the integral, {} nodes",
-    "quad": "adaptive quadrature",
-    "quad and root": "adaptive quadrature and root finding",
-    "trapezoid MDR": "trapezoidal rule, {} intervals",
-    DIGITS: "adaptive quadrature in {} digits",
-}
-NAMED = {
-    "lambdify": "the printed formula through NumPy",
-    "Gauss-Jacobi": "the Gauss--Jacobi rule of {} nodes",
-    "quad": "adaptive quadrature",
-    "quad and root": "adaptive quadrature with root finding",
-    "trapezoid MDR": "the trapezoidal rule on {} intervals",
-    DIGITS: "adaptive quadrature in {} digits",
-}
-
 GRADED = "graded half-space"
 
 Row = Mapping[str, Any]
@@ -69,15 +49,15 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
     everything = plots(record)
     wide = widely_measured(everything)
     found: dict[str, Plots] = {}
-    for key in keys:
-        if key in everything:
-            own = everything[key].items()
-            shown = {method: points for method, points in own if _on_page(method, problem_of(key) in wide)}
-            found.setdefault(problem_of(key), {})[key] = shown
+    for key in (key for key in keys if key in everything):
+        page = FEW if problem_of(key) in wide else FEW | {DIGITS}
+        shown = {method: points for method, points in everything[key].items() if method in page}
+        found.setdefault(problem_of(key), {})[key] = shown
     if not found:
         return None
     letters = lettered(everything)
-    members = {method for contact in found.values() for plot in contact.values() for method in plot}
+    drawn_ones = {method for contact in found.values() for plot in contact.values() for method in plot}
+    members = {method: letter for method, letter in letters.items() if method in drawn_ones}
     rows = [row for row in record["rows"] if row["method"] in found.get(problem_of(row["key"]), {}).get(row["key"], {})]
     strips = tuple(
         Strip(
@@ -87,12 +67,8 @@ def timing(record: Mapping[str, Any], keys: Sequence[str]) -> Timing | None:
         )
         for key, contact in found.items()
     )
-    meanings = tuple((letters[one], KEY[one].format(_settings(one, rows))) for one in letters if one in members)
-    return Timing(strips, meanings)
-
-
-def _on_page(method: str, wide: bool) -> bool:
-    return method in FEW or (method == DIGITS and not wide)
+    meanings = [(letter, METHODS[one].page.format(_settings(one, rows))) for one, letter in members.items()]
+    return Timing(strips, tuple(meanings))
 
 
 def _settings(method: str, rows: Sequence[Row]) -> str:
@@ -114,12 +90,12 @@ def _sentence(rows: Sequence[Row]) -> str:
     enough = [_count(row) for row in rows if row["method"] == "generated rule" and _reaches(row, REACHED)]
     if enough:
         text += rf"; {min(enough)} nodes of the rule reach ${_power(REACHED)}$"
-    others = [row for row in rows if row["method"] in OTHERS and _reaches(row, GOAL)]
+    others = [row for row in rows if METHODS[row["method"]].sentence and _reaches(row, GOAL)]
     goal = _power(GOAL)
     if not others:
         return rf"{text}. No other way shown reaches ${goal}$."
     best = min(others, key=lambda row: row["ratio"])
-    name = NAMED[best["method"]].format(_whole(_count(best)) if best["setting"] else "")
+    name = METHODS[best["method"]].sentence.format(_whole(_count(best)) if best["setting"] else "")
     return rf"{text}. The fastest other way to ${goal}$, {name}, takes ${_times(best['ratio'])}$ {_compared(best)}."
 
 

@@ -37,20 +37,19 @@ class Lumped(Regimes):
             return self.functions.add(name, ("a",), [f"return np.where(a > 0.0, {value}, 0.0)"])
         if len(forms) > 1 and suffix != "pm":
             if self.scale("tip")[0] == "tanh":
-                inner = self._joined(name, self._of_lengths(suffix, forms), ("a", ROOT))
+                inner = self._joined(name, self._of_lengths(forms), ("a", ROOT))
                 return self.functions.add(name, ("a",), [f"return {inner.call('a', self._reach())}"])
             self._beyond(name, forms["beyond"])
         if not self.rooted or suffix == "pm":
-            return self._joined(name, self._of_lengths(suffix, forms))
+            return self._joined(name, self._of_lengths(forms))
         inner = self._joined(name, forms, ("a", ROOT))
-        lengths = self._of_lengths(suffix, forms)
+        lengths = self._of_lengths(forms)
         if lengths != forms or any(form.value.has(ArctanGap) for form in forms.values()):
             return self._joined(name, lengths)
         return self._from_radius(name, inner)
 
-    def _of_lengths(self, suffix: str, forms: dict[str, EvaluationForm]) -> dict[str, EvaluationForm]:
-        wanted = "lengths" in self.functions.variant(self.entries[suffix]).rules
-        return {key: of_lengths(form) for key, form in forms.items()} if wanted else forms
+    def _of_lengths(self, forms: dict[str, EvaluationForm]) -> dict[str, EvaluationForm]:
+        return {key: of_lengths(form) for key, form in forms.items()}
 
     def _joined(self, name: str, forms: dict[str, EvaluationForm], given: tuple[str, ...] = ("a",)) -> Function:
         """The regimes on either side of the break; with its root given, under a name of its own."""
