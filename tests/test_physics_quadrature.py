@@ -6,7 +6,7 @@ Each check must also fail: an entry with a changed factor, exponent or sign is n
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import lru_cache
 
 import mpmath as mp
@@ -85,7 +85,7 @@ def test_entry_is_its_definition(physics, name, suffix):
     evidence = check(physics, name, suffix, points=2)
     assert evidence.passed, evidence
     assert evidence.count >= 1
-    json.dumps(evidence.as_dict())
+    json.dumps(asdict(evidence))
 
 
 MUTANTS = [

@@ -18,7 +18,7 @@ from flint import acb
 from .. import notation as nt
 from ..entry import FOUR, Case, Entry
 from ..oracle.balls import Ball, NotAvailableError, enclose, integral, point, shrinking
-from ..oracle.evaluate import at_precision, case_at
+from ..oracle.evaluate import case_at, evaluated
 from ..oracle.evidence import Evidence, agreed, not_available, point_text
 from ..oracle.sampling import Point, fields, points
 from ..oracle.shape import Values, concrete
@@ -124,7 +124,7 @@ def _over_angle(profile: Profile, values: Values, weight: Callable[[acb, acb], a
     a, total, lo = known[nt.a], acb(0), acb(0)
     for slope, upper in _slopes(profile):
         end = known[nt.a] if upper is None else Ball(known, False)(upper)
-        last = upper is None or bool(at_precision(upper, values) >= at_precision(nt.a, values))
+        last = upper is None or bool(evaluated(upper, values) >= evaluated(nt.a, values))
         hi = acb.pi() / 2 if last else (end / ((a - end) * (a + end)).sqrt()).atan()
         plain = concrete(slope, values)
 
@@ -165,13 +165,13 @@ def _pressure(profile: Profile, entries: Entries, values: Values) -> acb:
     """int_r^a g'(t)/sqrt(t**2 - r**2) dt, in pieces without a root at either end."""
     known = point(values)
     r, a = known[nt.r], known[nt.a]
-    crossed = [b for b in profile.breaks if at_precision(b, values) < at_precision(nt.a, values)]
+    crossed = [b for b in profile.breaks if evaluated(b, values) < evaluated(nt.a, values)]
     depth = case_at(entries["d"], values).expr
     if not crossed:
         return _plain(depth, known, r, a, values)
     (b,) = crossed
     ball_b = Ball(known, False)(b)
-    total, inside = acb(0), bool(at_precision(nt.r, values) < at_precision(b, values))
+    total, inside = acb(0), bool(evaluated(nt.r, values) < evaluated(b, values))
     if inside and not profile.truncated:
         inner = _inner(entries["d"], b, values)
         total = _plain(inner.expr, known, r, ball_b, values)

@@ -14,9 +14,9 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..oracle.definitions import stationary
-from ..oracle.evaluate import at_precision, evaluate, holds
+from ..oracle.evaluate import evaluate, evaluated, holds
 from ..oracle.evidence import Evidence, judge, residual
-from ..oracle.graded import Graded
+from ..oracle.integrals import Graded
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number, shape
 from ..profiles.profile import Profile
@@ -69,7 +69,7 @@ def _ring(case: Case, values: Values, a: Number) -> Number:
     starts = [a * i / 40 for i in range(1, 40)]
 
     def gap(x: Number) -> Number:
-        return at_precision(case.expr.lhs - case.expr.rhs, {**values, nt.r_zero: x})
+        return evaluated(case.expr.lhs - case.expr.rhs, {**values, nt.r_zero: x})
 
     for lo, hi in zip(starts, starts[1:], strict=False):
         if gap(lo) * gap(hi) < 0:

@@ -15,9 +15,9 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import FOUR, Case, Entry
 from ..oracle.balls import NotAvailableError, enclose_value
-from ..oracle.evaluate import at_precision, case_at, decades, evaluate, evaluate_case, holds
+from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated, holds
 from ..oracle.evidence import Evidence, judge, not_available, residual
-from ..oracle.integrals import GUARD, panels_no_longer_than
+from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import Values, border, fields, points
 from ..oracle.shape import Number, shape
@@ -99,9 +99,9 @@ def check_edge(profile: Profile, entries: Entries, *, digits: int, seed: int) ->
         inner = case.chain[position]
         values = border(profile, case.chain, position, gap, seed, fields(profile, entry))
         with mp.workdps(2 * digits):
-            edge = at_precision(inner, values)
+            edge = evaluated(inner, values)
             depth = (
-                at_precision(nt.d, values)
+                evaluated(nt.d, values)
                 if nt.d in values
                 else evaluate(case_at(entries["d"], values).expr, values, digits)
             )
@@ -115,10 +115,10 @@ def check_profile_from_depth(profile: Profile, entries: Entries, *, digits: int,
     rows: Rows = []
     for values in _at_cases(profile, entries["d"], seed, each=1):
         with mp.workdps(2 * digits + GUARD):  # 1 - x**2/2 next to the edge keeps half of the digits of x
-            a = at_precision(nt.a, values)
+            a = evaluated(nt.a, values)
 
             def depth(t: Number, case: Case | None, at: Values = values) -> Number:
-                return at_precision(case.expr, {**at, nt.a: t}) if case else mp.mpf(0)
+                return evaluated(case.expr, {**at, nt.a: t}) if case else mp.mpf(0)
 
             total = over_contact(entries["d"], values, depth, digits)
             rows.append((values, residual(2 * total / mp.pi, shape(profile, values).height(a))))
@@ -143,7 +143,7 @@ def check_force_of_pressure(profile: Profile, entries: Entries, *, digits: int, 
 def carried(whole: Case, entry: Entry, values: Values, digits: int) -> Number:
     """Residual of 2 pi int p r dr, or tau for p, against the force in a region."""
     with mp.workdps(2 * digits + GUARD):
-        edge = at_precision(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
+        edge = evaluated(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
 
         def summand(r: Number, region: Case | None) -> Number:
             if region is None:
@@ -170,9 +170,9 @@ def over_contact(
     variable: sp.Symbol = nt.a,
 ) -> Number:
     """int_0^(pi/2) integrand(edge sin(u), case there) du, split where the case changes; such ends may be singular."""
-    end = edge if edge is not None else at_precision(nt.a, values)
+    end = edge if edge is not None else evaluated(nt.a, values)
     face = shape(entry.profile, values)
-    lengths = {at_precision(x, values) for case in entry.cases for x in case.chain if not x.has(variable)}
+    lengths = {evaluated(x, values) for case in entry.cases for x in case.chain if not x.has(variable)}
     ends = [mp.mpf(0), *(mp.asin(s / end) for s in sorted(lengths) if s < end), mp.pi / 2]
     extra = [mp.mpmathify(z) for piece in face.stretches for z in piece.singular if not _among(z, lengths)]
     angles = [mp.asin(z / end) for z in (*lengths, *extra)]
@@ -190,8 +190,7 @@ def over_contact(
                 return integrand(end * mp.sin(origin + x), region) if abs(x) > negligible else mp.mpf(0)
 
             nearby = (0j, *(complex(z - origin) for z in singular if abs(z - origin) > mp.eps ** mp.mpf("0.6")))
-            cuts = panels_no_longer_than(longest, start, stop)
-            total += mp.fsum(integrate(f, x, y, nearby, digits) for x, y in itertools.pairwise(cuts))
+            total += integrate(f, start, stop, nearby, digits, longest=longest)
     return total
 
 
@@ -222,6 +221,6 @@ def _exchanged(lo: sp.Expr, hi: sp.Expr, values: Values) -> Values:
     """The point on the other side: the symbol of the pair moved across."""
     symbol, other, ratio = (lo, hi, 1) if lo.is_Symbol else (hi, lo, -1)
     with mp.workdps(400):
-        low, high = at_precision(lo, values), at_precision(hi, values)
+        low, high = evaluated(lo, values), evaluated(hi, values)
         moved = high * (high / low) if ratio == 1 else low * (low / high)
     return {**values, symbol: moved}

@@ -9,7 +9,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import FOUR, Entry
-from ..oracle.evaluate import at_precision, case_at, evaluate, evaluate_case
+from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluated
 from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.sampling import Values, fields, points
 from ..oracle.shape import Number
@@ -65,4 +65,4 @@ def _parameters(profile: Profile, limit: Limit, target: Profile, values: Values)
     (coefficient,) = (sp.cancel(reached / reached.subs(nt.r, 1)),)
     ratio = target.pieces[-1].expr / coefficient
     solved = min(sp.solve(ratio - size, own[0]), key=sp.count_ops)
-    return {own[0]: at_precision(solved, {size: at_precision(reached.subs(nt.r, 1), values)})}
+    return {own[0]: evaluated(solved, {size: evaluated(reached.subs(nt.r, 1), values)})}

@@ -8,7 +8,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.balls import NotAvailableError, enclose_value
-from ..oracle.evaluate import at_precision, case_at, evaluate
+from ..oracle.evaluate import case_at, evaluate, evaluated
 from ..oracle.evidence import Evidence, Outcome, judge, residual
 from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
@@ -42,9 +42,7 @@ def slip(profile: Profile, entries: Entries, plain: Entries, *, digits: int = 50
         for point in drawn_points(profile, entries, "us", tangential.PHYSICS, 1, seed):
             values = dict(point.values)
             with mp.workdps(3 * digits):
-                least = (
-                    TINY**3 if floor is None else at_precision(floor, values) * (1 + mp.mpf(10) ** (-2 * digits - 10))
-                )
+                least = TINY**3 if floor is None else evaluated(floor, values) * (1 + mp.mpf(10) ** (-2 * digits - 10))
                 values[nt.c] = least * values[nt.a] if floor is None else least
                 got = evaluate(case_at(entries[suffix], values).expr, values, digits)
                 other = plain if source == "F" else entries
@@ -151,7 +149,7 @@ def reciprocity(load: Profile, entries: Entries, *, digits: int = 50, seed: int 
 
             def carried(r: Number, at: Values = values) -> Number:
                 at = {**at, nt.r: r}
-                return at_precision(case_at(entry, at).expr, at)
+                return evaluated(case_at(entry, at).expr, at)
 
             def sunk(u: Number, a: Number = a, inner: bool = True) -> Number:
                 """w r dr/sqrt(4 a**2 - r**2) in r = a sin(u) inside, r = a + u outside up to the middle of the ring."""

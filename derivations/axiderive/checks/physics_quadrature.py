@@ -15,12 +15,11 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry, Quantity
-from ..oracle import load_quadrature
 from ..oracle.balls import NotAvailableError
 from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluate_integral
 from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.half_space import HalfSpace
-from ..oracle.integrals import GUARD
+from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, shape
 from ..physics import Physics, adhesive, normal, tangential
@@ -129,7 +128,7 @@ def check(
 ) -> Evidence:
     """Compare one entry with its definition."""
     if isinstance(profile, Load):
-        return load_quadrature.check(profile, entries, suffix, digits=digits, points=points, seed=seed)
+        return _of_load(profile, entries, suffix, digits, points, seed)
     if physics.laws:
         return viscoelastic_quadrature.check(profile, entries, suffix, points=points, seed=seed)
     entry = entries[suffix]
@@ -152,6 +151,32 @@ def check(
         extremes=sum(point.extreme for point in drawn),
         digits=working,
         required=working - (NESTED_LOST if nested else LOST),
+    )
+
+
+LOADED = tuple(sp.Rational(x) for x in ("-9/10", "-3/5", "-1/4", "3/10", "1", "27/10"))
+
+
+def _of_load(load: Load, entries: Entries, suffix: str, digits: int, count: int, seed: int) -> Evidence:
+    entry = entries[suffix]
+    drawn = [point for case in entry.cases for point in points(load, case.chain, count, seed, (nt.E_star,))]
+    rows: list[tuple[Values, Number]] = []
+    with mp.workdps(digits + GUARD):
+        for i, point in enumerate(drawn):
+            values = point.values
+            if nt.sigma in values:
+                values[nt.sigma] = LOADED[i % len(LOADED)]
+            s = number(sp.sympify(load.exponent).xreplace(values))
+            got = evaluate(case_at(entry, values).expr, values, digits)
+            rows.append((values, residual(got, under_load(values, s, digits))))
+    return judge(
+        entry.key,
+        "mpmath quadrature of (11.104) and (11.105)",
+        rows,
+        seed=seed,
+        extremes=sum(point.extreme for point in drawn),
+        digits=digits,
+        required=digits - LOST,
     )
 
 
@@ -187,28 +212,12 @@ def _residual(
 
 def _pressed(here: HalfSpace, entries: Entries, suffix: str, a: Number, digits: int) -> Number:
     values, quantity = here.values, entries[suffix].quantity
-    radius, free_depth = contact(here, a)
+    radius, free_depth = here.contact(a)
     if not quantity.inverts:
         return residual(formula_value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
     known = {**values, quantity.arguments[0]: here.normal(quantity.inverts, radius, free_depth)}
     wanted = radius if quantity.symbol == nt.a else here.normal(str(quantity.symbol), radius, free_depth)
     return residual(inverse(entries, suffix, known, digits), wanted)
-
-
-def contact(here: HalfSpace, a: Number) -> tuple[Number, Number | None]:
-    """Contact radius and free depth; at a small depth a convex face of a complete contact is partly out of contact."""
-    if here.profile.compact:
-        return a, None
-    depth, full = here.at(nt.d), here.depth(a)
-    if depth >= full:
-        return a, depth
-    start = a * mp.sqrt(depth / full)
-    tolerance = mp.mpf(10) ** (-2 * here.digits)
-
-    def gap(x: Number) -> Number:
-        return here.depth(x) / depth - 1
-
-    return mp.findroot(gap, (start, start * mp.mpf("1.001")), solver="secant", tol=tolerance, verify=False), None
 
 
 def formula_value(entry: Entry, values: Values, digits: int) -> Number:

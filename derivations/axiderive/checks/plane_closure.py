@@ -20,9 +20,9 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle import ball_rules
 from ..oracle import plane as integrals
-from ..oracle.evaluate import at_precision, case_at
+from ..oracle import rules
+from ..oracle.evaluate import case_at, evaluated
 from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.rules import integrate, middle
 from ..oracle.sampling import Point, points
@@ -50,18 +50,18 @@ class Pressed:
 
     def at(self, s: Number, expr: sp.Expr) -> Number:
         """The value of an expression at x = s, at the working precision."""
-        return at_precision(expr, {**self.values, nt.x: s})
+        return evaluated(expr, {**self.values, nt.x: s})
 
     def formula(self, expr: sp.Expr) -> Callable[[Number], Number]:
         """The pressure as a function of the place, by Arb where it has all functions."""
-        if ball_rules.foreign(expr):
+        if rules.foreign(expr):
             return lambda s: self.at(s, expr)
         symbols = [symbol for symbol in numeric_symbols(self.values) if symbol != nt.x and expr.has(symbol)]
-        inside = ball_rules.bound(expr, nt.x, {symbol: number(self.values[symbol]) for symbol in symbols})
+        inside = rules.bound(expr, nt.x, {symbol: number(self.values[symbol]) for symbol in symbols})
 
         def pressure(s: Number) -> Number:
-            with ball_rules.at_working_precision():
-                return middle(inside(ball_rules.ball(s)))
+            with rules.at_working_precision():
+                return middle(inside(rules.ball(s)))
 
         return pressure
 
@@ -187,7 +187,7 @@ def _eccentric(profile: Profile, count: int, seed: int) -> list[Point]:
 def _moment(entries: Mapping[str, Entry], values: Values, digits: int) -> Number:
     """Load and moment of the pressure over the width that the entry gives, at the loaded edge."""
     a, side = number(values[nt.a]), mp.sign(number(values[nt.e]))
-    half = at_precision(case_at(entries["cw"], values).expr, values) / 2
+    half = evaluated(case_at(entries["cw"], values).expr, values) / 2
     middle = side * (a - half)
     over = Pressed(values, middle, half, ((middle - half, middle + half, case_at(entries["p"], values).expr),), False)
     force, moment = over.integral(lambda s, p: p, [], digits), over.integral(lambda s, p: s * p, [], digits)
@@ -197,7 +197,7 @@ def _moment(entries: Mapping[str, Entry], values: Values, digits: int) -> Number
 
 def _load(profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int) -> Number:
     total = pressed(profile, entries["p"], values).integral(lambda s, p: p, [], digits)
-    wanted = number(values[nt.P]) if nt.P in values else at_precision(case_at(entries["P"], values).expr, values)
+    wanted = number(values[nt.P]) if nt.P in values else evaluated(case_at(entries["P"], values).expr, values)
     return residual(total, wanted)
 
 
@@ -205,16 +205,16 @@ def _inside(profile: Profile, entries: Mapping[str, Entry], values: Values, digi
     x = number(values[nt.x])
     got = pressed(profile, entries["p"], values).slope(x, digits) / number(values[nt.E_star])
     if "phi" in entries:
-        return residual(got, at_precision(case_at(entries["phi"], values).expr, values))
+        return residual(got, evaluated(case_at(entries["phi"], values).expr, values))
     face = integrals.face(profile, values)
     pieces = face.pieces(x * (1 - mp.mpf(10) ** -digits), x, face.slopes)
     wanted = face.at(pieces[0][2], nt.x, x) if pieces else mp.mpf(0)
     # the slope of the profile near its tip is a small difference: it is measured by the mean pressure
     total = values[nt.P] if profile.complete else case_at(entries["P"], values).expr
-    scale = at_precision(total / (values[nt.a] * values[nt.E_star]), values)
+    scale = evaluated(total / (values[nt.a] * values[nt.E_star]), values)
     return abs(got + wanted if profile.compact else got - wanted) / max(abs(wanted), scale)
 
 
 def _outside(profile: Profile, entries: Mapping[str, Entry], values: Values, digits: int) -> Number:
     got = pressed(profile, entries["p"], values).slope(number(values[nt.x]), digits) / number(values[nt.E_star])
-    return residual(got, at_precision(case_at(entries["s"], values).expr, values))
+    return residual(got, evaluated(case_at(entries["s"], values).expr, values))

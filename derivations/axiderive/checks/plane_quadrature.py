@@ -10,7 +10,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Case, Entry
 from ..oracle import plane as integrals
-from ..oracle.evaluate import at_precision, case_at, evaluate, holds
+from ..oracle.evaluate import case_at, evaluate, evaluated, holds
 from ..oracle.evidence import Evidence, judge, not_available, residual
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number
@@ -110,7 +110,7 @@ def _threshold_residual(
     x_0 = zero_distance(case_at(entries["xz"], values), values)
     top = _level(face, a, x_0, digits)
     if suffix == "Pmin":
-        least = at_precision(entries["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
+        least = evaluated(entries["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
         return residual(least / number(values[nt.E_star]), top)
     step = a * mp.mpf(10) ** -3 * (1 - x_0 / a)
     if _level(face, a, x_0 + step, digits) >= top or (x_0 > 0 and _level(face, a, x_0 - step, digits) >= top):
@@ -127,12 +127,12 @@ def _threshold_residual(
 def zero_distance(case: Case, values: Values) -> Number:
     """x_0 in closed form, or the root of its equation, below the place where the right side is infinite."""
     if not isinstance(case.expr, sp.Eq):
-        return at_precision(case.expr, values)
+        return evaluated(case.expr, values)
     top, bottom = sp.fraction(case.expr.rhs)
     expr = (case.expr.lhs * bottom - top) * (nt.x_zero / nt.a) ** (nt.n - 1)
 
     def gap(x: Number) -> Number:
-        return at_precision(expr, {**values, nt.x_zero: x})
+        return evaluated(expr, {**values, nt.x_zero: x})
 
     a, n = number(values[nt.a]), number(values[nt.n])
     lo, hi = a * mp.mpf(10) ** -3, a * mp.sqrt((n - 1) / n)

@@ -14,9 +14,10 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..oracle.definitions import Contact, contact, greatest, ring
-from ..oracle.evaluate import at_precision, case_at, evaluate, evaluate_case, holds
+from ..oracle.definitions import greatest, ring
+from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluated, holds
 from ..oracle.evidence import Evidence, judge, residual
+from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import Point, fields, points
 from ..oracle.shape import Number, Values, shape
@@ -82,11 +83,12 @@ def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, d
     if quantity.member:
         return _peak_residual(profile, entries, suffix, values, digits)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
-    here = contact(profile, values, digits + (20 if quantity.inverts else 0))
+    here = HalfSpace(profile, values, digits + (20 if quantity.inverts else 0), False)
+    radius, free_depth = here.contact(here.at(nt.a))
     if not quantity.inverts:
-        return residual(value(entries[suffix], values, digits), here.quantity(suffix))
-    known = {**values, quantity.arguments[0]: here.quantity(quantity.inverts)}
-    wanted = here.radius if quantity.symbol == nt.a else here.quantity(str(quantity.symbol))
+        return residual(value(entries[suffix], values, digits), here.normal(suffix, radius, free_depth))
+    known = {**values, quantity.arguments[0]: here.normal(quantity.inverts, radius, free_depth)}
+    wanted = radius if quantity.symbol == nt.a else here.normal(str(quantity.symbol), radius, free_depth)
     return residual(inverse(entries, suffix, known, digits), wanted)
 
 
@@ -116,13 +118,13 @@ def root(case: Case, unknown: sp.Symbol, known: Values, digits: int, beyond: tup
 
     The brackets only say which root; that the equation has its root at the known point is what the residual measures.
     """
-    here = at_precision(unknown, known)
-    borders = [at_precision(x, known) for x in (*case.chain, *beyond) if x != unknown]
+    here = evaluated(unknown, known)
+    borders = [evaluated(x, known) for x in (*case.chain, *beyond) if x != unknown]
     reach = min([abs(border - here) for border in borders] + [here]) / 1000
 
     def gap(x: Number) -> Number:
         at = {**known, unknown: x}
-        return at_precision(case.expr.lhs, at) / at_precision(case.expr.rhs, at) - 1
+        return evaluated(case.expr.lhs, at) / evaluated(case.expr.rhs, at) - 1
 
     with mp.extradps(2 * GUARD):
         tolerance = mp.mpf(10) ** (-2 * digits)
@@ -136,7 +138,7 @@ def _ring(
     profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
 ) -> tuple[Number, Number]:
     values = dict(items)
-    return ring(shape(profile, values), at_precision(nt.a, values), digits)
+    return ring(shape(profile, values), evaluated(nt.a, values), digits)
 
 
 def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
@@ -147,11 +149,11 @@ def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Valu
         bracket = Case((*profile.breaks, nt.r_peak, nt.a), equation)
         found = root(bracket, nt.r_peak, {**values, nt.r_peak: place}, digits)
     else:
-        found = at_precision(equation, values)
+        found = evaluated(equation, values)
     if suffix == "rp":
         return residual(found, place) if place else abs(found)
     got = evaluate(case_at(entries["pp"], values).expr, {**values, nt.r_peak: found}, digits)
-    return residual(got, at_precision(nt.E_star, values) * height)
+    return residual(got, evaluated(nt.E_star, values) * height)
 
 
 @lru_cache(maxsize=8)
@@ -159,7 +161,7 @@ def _greatest(
     profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
 ) -> tuple[Number, Number]:
     values = dict(items)
-    return greatest(shape(profile, values), at_precision(nt.a, values), digits)
+    return greatest(shape(profile, values), evaluated(nt.a, values), digits)
 
 
 def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
@@ -170,11 +172,11 @@ def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values:
     if isinstance(equation, sp.Eq):
         found = root(Case((sp.S.Zero, nt.r_zero, nt.a), equation), nt.r_zero, {**values, nt.r_zero: radius}, digits)
     else:
-        found = at_precision(equation, values)
+        found = evaluated(equation, values)
     if suffix == "rz":
         return residual(found, radius) if radius else abs(found)
     got = evaluate(case_at(entries[suffix], values).expr, {**values, nt.r_zero: found}, digits)
     if suffix == "dmin":
         return residual(got, depth)
-    at_depth: Contact = contact(profile, {**values, nt.d: depth}, digits)
-    return residual(got, at_depth.quantity("F"))
+    here = HalfSpace(profile, {**values, nt.d: depth}, digits, False)
+    return residual(got, here.force(*here.contact(here.at(nt.a))))

@@ -134,10 +134,8 @@ def _elastic(profile: Profile, values: Values, digits: int) -> HalfSpace:
 
 def _step(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, values: Values, digits: int) -> Number:
     """The depth is there at once and the elastic force relaxes with E(t)."""
-    from .physics_quadrature import contact
-
     here, own, t = _elastic(profile, values, digits + 10), material(law, values), number(values[nt.time])
-    a, free_depth = contact(here, number(values[nt.a]))
+    a, free_depth = here.contact(number(values[nt.a]))
     depth = here.normal("d", a, free_depth)
     wanted = own.relaxation(t) * here.force(a, free_depth)
     known = {**values, nt.d: depth}

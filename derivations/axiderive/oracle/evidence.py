@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import mpmath as mp
@@ -36,10 +36,6 @@ class Evidence:
     def passed(self) -> bool:
         """Whether the outcome is "passed"; false also where nothing could be compared."""
         return self.outcome == "passed"
-
-    def as_dict(self) -> dict[str, Any]:
-        """All fields by name, as plain data."""
-        return asdict(self)
 
 
 def point_text(values: Values) -> dict[str, str]:

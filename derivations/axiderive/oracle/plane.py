@@ -16,7 +16,7 @@ import sympy as sp
 from ..notation import C, E_star, a, n, x
 from ..physics.plane import derive
 from ..profiles.profile import Piece, Profile
-from .evaluate import at_precision
+from .evaluate import evaluated
 from .rules import integrate
 from .shape import Number, Values, number
 
@@ -36,7 +36,7 @@ class Face:
 
     def at(self, expr: sp.Expr, symbol: sp.Symbol, point: Number) -> Number:
         """The value of an expression with the point for the symbol, at the working precision."""
-        return at_precision(expr, {**self.values, symbol: point})
+        return evaluated(expr, {**self.values, symbol: point})
 
     def pieces(self, lo: Number, hi: Number, exprs: Iterable[sp.Expr]) -> list[tuple[Number, Number, sp.Expr]]:
         """Pieces of lo < t < hi with the expression that holds there."""
@@ -70,7 +70,7 @@ def face(profile: Profile, values: Values) -> Face:
     pure = unbounded(profile)
     if pure is not profile:
         (piece,) = profile.pieces
-        values = {**values, C: at_precision(-piece.expr.subs(x, 1), {**values, x: sp.S.One})}
+        values = {**values, C: evaluated(-piece.expr.subs(x, 1), {**values, x: sp.S.One})}
     loads = {sum(case.below(b, a) for b in pure.breaks): case.expr / E_star for case in derive(pure)["P"].cases}
     return Face(
         values,

@@ -11,7 +11,8 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..letters import name_of
-from ..oracle.values import Values, evaluated
+from ..oracle.evaluate import evaluated
+from ..oracle.values import Values
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .cases import BLOCK, CERAMIC
