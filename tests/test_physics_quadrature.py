@@ -16,9 +16,10 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.checks import physics_quadrature, units
+from axiderive.checks import quadrature, units
 from axiderive.checks.checks import check_problem
-from axiderive.checks.viscoelastic_quadrature import material
+from axiderive.checks.comparison import Comparison
+from axiderive.checks.viscoelastic import material
 from axiderive.entry import Case, Entry
 from axiderive.physics import systems
 from axiderive.profiles.profile import Profile
@@ -47,7 +48,7 @@ def derived(physics: str, name: str) -> tuple[Profile, dict[str, Entry]]:
 def check(physics: str, name: str, suffix: str, changed: Entry | None = None, **options: int):
     profile, entries = derived(physics, name)
     entries = entries if changed is None else {**entries, suffix: changed}
-    return physics_quadrature.check(profile, entries, suffix, SYSTEMS[physics].physics, **options)
+    return quadrature.check(Comparison(profile, entries, SYSTEMS[physics].physics, **options), suffix)
 
 
 QUICK = [

@@ -10,11 +10,12 @@ from selected import few
 from stored_book import suffixes
 
 from axiderive import notation as nt
-from axiderive.checks import plane_closure, plane_quadrature, units
+from axiderive.checks import strips, units
+from axiderive.checks.comparison import Comparison
 from axiderive.entry import Case
 from axiderive.oracle.evaluate import case_at, evaluate, evaluated
 from axiderive.oracle.sampling import points
-from axiderive.physics.plane import derive
+from axiderive.physics.plane import PHYSICS, derive
 from axiderive.profiles import plane as profiles
 from axiderive.proof.rules import plane as proof
 
@@ -98,14 +99,18 @@ INTEGRALS = [k for k in all_keys() if k[0] != "eccentric_punch"]
     ("name", "suffix"), few(INTEGRALS, [k for k in INTEGRALS if k[0] == "wedge" or k == ("rounded_punch", "P")])
 )
 def test_defining_integral(name, suffix):
-    evidence = plane_quadrature.check(profiles.load(name), entries(name), suffix, digits=46, points=5, seed=3)
+    evidence = strips.check(
+        Comparison(profiles.load(name), entries(name), PHYSICS, digits=46, points=5, seed=3), suffix
+    )
     assert evidence.passed, evidence
     assert evidence.required >= 36
 
 
 @pytest.mark.parametrize("name", few(profiles.NAMES, ["wedge", "parabola"]))
 def test_pressure_closes_the_integral_equation(name):
-    for evidence in plane_closure.check_profile(profiles.load(name), entries(name), digits=26, points=2, seed=5):
+    for evidence in strips.closure(
+        Comparison(profiles.load(name), entries(name), PHYSICS, digits=26, points=2, seed=5)
+    ):
         assert evidence.passed, evidence
 
 
@@ -173,7 +178,7 @@ def test_least_load_keeps_the_contact_closed(n):
     """Under P_min the pressure touches zero at x_0 and nowhere else; under a little less it is negative there."""
     values = {nt.a: Q(2), nt.h: Q(1, 7), nt.n: n, nt.E_star: Q(3)}
     place = case_at(entries("concave_power")["xz"], values)
-    x_0 = plane_quadrature.zero_distance(place, values)
+    x_0 = strips.zero_distance(place, values)
     least = evaluated(entries("concave_power")["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
     pressure = entries("concave_power")["p"].cases[0].expr
 

@@ -11,6 +11,7 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
+from axiderive.checks.comparison import Comparison
 from axiderive.checks.quadrature import check
 from axiderive.entry import Entry
 from axiderive.oracle import rules
@@ -85,7 +86,7 @@ def test_every_entry_agrees_with_its_definition(name: str) -> None:
     for suffix in entries:
         if f"{name}.{suffix}" in SLOW:
             continue
-        evidence = check(profile, entries, suffix, points=3, seed=1)
+        evidence = check(Comparison(profile, entries, points=3, seed=1), suffix)
         assert evidence.passed, evidence
         assert evidence.digits >= DIGITS - 10
 
@@ -128,7 +129,7 @@ def test_a_wrong_formula_fails(name: str, suffix: str, mutation: str) -> None:
         )
     else:
         entries[suffix] = wrong(entries[suffix], MUTATIONS[mutation])
-    evidence = check(profile, entries, suffix, points=3, seed=1)
+    evidence = check(Comparison(profile, entries, points=3, seed=1), suffix)
     assert evidence.outcome == "failed"
     assert evidence.worst_point
 
@@ -141,7 +142,7 @@ def test_swapped_regions_fail() -> None:
     swapped = (replace(inside, expr=outside.expr), replace(outside, expr=inside.expr))
     entries["p"] = replace(entries["p"], cases=swapped)
     with pytest.raises(ArithmeticError):
-        check(profile, entries, "p", points=3, seed=1)
+        check(Comparison(profile, entries, points=3, seed=1), "p")
 
 
 def test_precision_doubling_is_not_fooled() -> None:

@@ -19,8 +19,8 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..checks import plane_quadrature
 from ..oracle.half_space import HalfSpace
+from ..oracle.plane import defined as plane_defined
 from . import graded, grids, rivals, rule
 from .naive import naive, per_point, printed
 from .problems import RADIUS, RULED
@@ -51,7 +51,7 @@ def defined(subject: Subject, radius: float, r: float | None = None) -> Callable
     values = _values(subject, radius) | ({} if r is None else {subject.across: sp.Rational(r)})
     with mp.workdps(DIGITS + 20):
         if subject.plane:
-            return lambda suffix: plane_quadrature.defined(subject.profile, suffix, values, DIGITS)
+            return lambda suffix: plane_defined(subject.profile, suffix, values, DIGITS)
         here = _half_space(subject, values)
         if nt.dgamma in values:
             return partial(here.adhesive, a=mp.mpf(radius))

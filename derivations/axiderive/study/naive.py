@@ -20,7 +20,7 @@ from scipy import optimize
 
 from .. import notation as nt
 from ..abel.masters import C0
-from ..checks.quadrature import inverse
+from ..checks.comparison import inverse
 from ..entry import Entry
 from ..oracle.balls import NotAvailableError, enclose_value
 from .report import relative

@@ -15,12 +15,12 @@ import numpy as np
 import sympy as sp
 
 from ... import notation as nt
-from ...checks.plane_quadrature import defined
 from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
 from ...oracle.integrals import GUARD
+from ...oracle.plane import defined
 from ...oracle.shape import number
 from .. import interface
 from .contact import DIGITS, Contact, short
