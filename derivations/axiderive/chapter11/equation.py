@@ -1,8 +1,6 @@
-"""What the chapter's equations are made of.
+"""What the chapter's equations are made of: random parameters of a check, seeded, in a chosen system of units.
 
-Random parameters of a check, seeded, in a chosen system of units.
-
-What the chapter's equations are made of: the formula as printed, the check, the comparison of two sides.
+The formula as printed, the check, and the comparison of two sides.
 """
 
 from __future__ import annotations

@@ -16,8 +16,7 @@ import mpmath as mp
 from .equation import NUMBER, REGISTRY, Draw, Equation, Formula
 
 SECTIONS = (
-    "flat_punch", "normal", "adhesive", "graded_punch", "graded", "graded_adhesive",
-    "tangential", "special_functions", "foppl_schubert",
+    "flat_punch", "normal", "adhesive", "graded_punch", "tangential", "special_functions", "foppl_schubert",
 )  # fmt: skip
 GUARD = 20
 """Digits carried beyond those demanded."""
