@@ -13,7 +13,7 @@ from ..figures.given import axes_of
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.sketch_given import load_sketch, tilted_sketch
-from ..oracle.values import Numbers, StripNumbers, sketch_values
+from ..figures.values import Numbers, StripNumbers, sketch_values
 from ..physics.systems import ROUND, SYSTEMS, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load

@@ -9,12 +9,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.values import Numbers, Values
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .axes import Axes, axes
 from .drawing import Rows
 from .labels import HIGHEST
+from .values import Numbers, Values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")

@@ -17,12 +17,12 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.evaluate import evaluated
-from ..oracle.values import Numbers, StripNumbers, sketch_values
 from ..print.formula import Printer
 from ..profiles.profile import Profile
 from .axes import Axes, Mark, Shown, axes
 from .drawing import Rows
 from .labels import HIGHEST
+from .values import Numbers, StripNumbers, sketch_values
 
 TOP = HIGHEST * 1.06
 RATIOS = ("0.25", "0.5", "0.8")

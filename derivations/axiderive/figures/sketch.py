@@ -8,10 +8,10 @@ import sympy as sp
 
 from .. import notation as nt
 from ..oracle.evaluate import evaluated
-from ..oracle.values import Numbers
 from ..profiles.profile import Profile
 from .drawing import Drawing, Rows
 from .section import ARROW, FLOOR, WIDTH, angle, coordinates, dimension, displacement, indenter, load, mirrored, section
+from .values import Numbers
 
 RADIUS = 1.75
 DEEPEST = 1.3

@@ -11,13 +11,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.values import REACH, Numbers, Values, sketch_values
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import section
 from .drawing import Drawing, Rows
 from .given import DIGITS, Strip
 from .section import ARROW, FLOOR, WIDTH
+from .values import REACH, Numbers, Values, sketch_values
 
 RADIUS = 1.7
 """The loaded circle, in units of the picture."""

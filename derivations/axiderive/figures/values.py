@@ -13,9 +13,9 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
+from ..oracle.evaluate import case_at, evaluated
+from ..oracle.shape import coefficient
 from ..profiles.profile import Profile
-from .evaluate import case_at, evaluated
-from .shape import coefficient
 
 Values = dict[Any, Any]
 DIGITS = 25
