@@ -9,7 +9,7 @@ import mpmath as mp
 
 from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Draw, Formula, PowerSum, Residual, equation
 from .graded_punch import medium
-from .quadrature import derivative, panels, pressure, singular, total_force
+from .quadrature import area_force, derivative, panels, singular
 
 ZERO = mp.mpf(0)
 
@@ -122,7 +122,7 @@ def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]
     def spring(x: Any) -> Any:
         return formula(x, m.h_N, m.E_star, m.c0, m.k) * (g(a) - g(abs(x)))
 
-    yield Residual(total_force(lambda r: pressure(g, r, a, m.H, m.k), a), panels(spring, -a, a, (ZERO,)), FORCE)
+    yield Residual(area_force(g, a, m.H, m.k), panels(spring, -a, a, (ZERO,)), FORCE)
 
 
 @equation(

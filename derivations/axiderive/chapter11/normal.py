@@ -10,6 +10,7 @@ import mpmath as mp
 from .equation import FORCE, LENGTH, STIFFNESS, STRESS, Draw, Formula, PowerSum, Residual, chain, equation
 from .graded_punch import Medium, exponent, medium
 from .quadrature import (
+    area_force,
     around,
     even_pressure,
     graded_centre,
@@ -19,7 +20,6 @@ from .quadrature import (
     pressure,
     rings,
     singular,
-    total_force,
     weighted,
 )  # fmt: skip
 from .round_trip import catalogue_depths, graded_catalogue_depths, graded_catalogue_pressures
@@ -125,8 +125,7 @@ def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
 def check_force_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The closed pressure of random powers, integrated over the area, beside the integral of the stiffness 2 E* x."""
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
-    left = total_force(lambda r: pressure(g, r, a, E_star), a)
-    yield Residual(left, formula(lambda x: 2 * E_star * x, g.slope, a), FORCE)
+    yield Residual(area_force(g, a, E_star), formula(lambda x: 2 * E_star * x, g.slope, a), FORCE)
 
 
 @equation(18, differential_stiffness, "its integral over dg is a difference of forces; flat punch by ring kernels")
@@ -135,10 +134,8 @@ def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Resid
     g, E_star = draw.power_sum(), draw.stress()
     first = draw.length()
     last = first * draw.number(1.2, 2)
-    before = total_force(lambda r: pressure(g, r, first, E_star), first)
-    after = total_force(lambda r: pressure(g, r, last, E_star), last)
     summed = singular(lambda x: formula(x, E_star) * g.slope(x), first, last)
-    yield Residual(after - before, summed, FORCE)
+    yield Residual(area_force(g, last, E_star) - area_force(g, first, E_star), summed, FORCE)
     depth = rings(lambda r: E_star / mp.sqrt(first**2 - r**2), ZERO, first, E_star)
     yield Residual(2 * mp.pi * E_star * first / depth, formula(first, E_star), STIFFNESS)
 
@@ -147,15 +144,14 @@ def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Resid
 def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The closed pressure of random powers, integrated over the area, beside the force from g'."""
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
-    yield Residual(total_force(lambda r: pressure(g, r, a, E_star), a), formula(g.slope, a, E_star), FORCE)
+    yield Residual(area_force(g, a, E_star), formula(g.slope, a, E_star), FORCE)
 
 
 @equation(20, force_by_parts, "closed pressure integrated over the area against the three forms")
 def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The closed pressure of random powers, integrated over the area, beside each of the three forms."""
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
-    left = total_force(lambda r: pressure(g, r, a, E_star), a)
-    yield from chain(left, formula(g, g(a), a, E_star), FORCE)
+    yield from chain(area_force(g, a, E_star), formula(g, g(a), a, E_star), FORCE)
 
 
 @equation(21, pressure_increment, "its integral over dg is a difference of closed pressures")
@@ -358,10 +354,6 @@ def _depth_by_quadrature(f: PowerSum, k: Any = ZERO) -> PowerSum:
     return f.times(unit)
 
 
-def _area_force(g: PowerSum, a: Any, m: Medium) -> Any:
-    return total_force(lambda r: pressure(g, r, a, m.H, m.k), a)
-
-
 @equation(48, depth_of_radius, "displacement of the centre by quadrature of (11.34) is g(a), smooth g")
 def check_graded_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Displacement of the centre under the closed pressure of an even g, by quadrature of (11.34), beside g(a)."""
@@ -374,25 +366,27 @@ def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Difference of two forces, each a pressure over its area, beside each form integrated between the two radii."""
     g, first, m = _contact(draw)
     last = first * draw.number(1.2, 2)
-    left = _area_force(g, last, m) - _area_force(g, first, m)
+    left = area_force(g, last, m.H, m.k) - area_force(g, first, m.H, m.k)
     dx = draw.length()
-    for i in (0, 1):
-        side = singular(lambda x, i=i: formula(x, g.slope(x) * dx, g.slope, dx, m)[i] / dx, first, last)
-        yield Residual(left, side, FORCE)
+
+    def summed(i: int) -> Any:
+        return singular(lambda x: formula(x, g.slope(x) * dx, g.slope, dx, m)[i] / dx, first, last)
+
+    yield from chain(left, (summed(0), summed(1)), FORCE)
 
 
 @equation(50, graded_force_from_slope, "closed pressure of random powers integrated over the area")
 def check_graded_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The closed pressure of random powers, integrated over the area, beside the force from g'."""
     g, a, m = _contact(draw)
-    yield Residual(_area_force(g, a, m), formula(g.slope, a, m), FORCE)
+    yield Residual(area_force(g, a, m.H, m.k), formula(g.slope, a, m), FORCE)
 
 
 @equation(51, graded_force_by_parts, "closed pressure integrated over the area against both forms")
 def check_graded_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The closed pressure of random powers, integrated over the area, beside both forms."""
     g, a, m = _contact(draw)
-    yield from chain(_area_force(g, a, m), formula(g, g(a), a, m.foundation, m), FORCE)
+    yield from chain(area_force(g, a, m.H, m.k), formula(g, g(a), a, m.foundation, m), FORCE)
 
 
 @equation(52, graded_pressure_increment, "its integral is a difference of closed pressures")
@@ -402,9 +396,11 @@ def check_graded_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Re
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
     left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
     dx = draw.length()
-    for i in (0, 1):
-        side = singular(lambda x, i=i: formula(r, x, g.slope(x) * dx, g.slope, dx, m)[i] / dx, first, last)
-        yield Residual(left, side, STRESS)
+
+    def summed(i: int) -> Any:
+        return singular(lambda x: formula(r, x, g.slope(x) * dx, g.slope, dx, m)[i] / dx, first, last)
+
+    yield from chain(left, (summed(0), summed(1)), STRESS)
 
 
 @equation(

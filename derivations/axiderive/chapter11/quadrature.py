@@ -220,6 +220,11 @@ def total_force(p: Function, a: Any, edge: float = 0.5) -> Any:
     return 2 * mp.pi * singular(lambda r: p(r) * r, mp.mpf(0), a, edge)
 
 
+def area_force(g: PowerSum, a: Any, E_star: Any, k: Any = 0) -> Any:
+    """The closed pressure of the depth g, integrated over the area."""
+    return total_force(lambda r: pressure(g, r, a, E_star, k), a)
+
+
 def derivative(f: Function, x: Any, reach: Any, order: int = 1) -> Any:
     """f'(x), or f''(x), by Cauchy's integral over a circle of radius `reach`, inside which f is analytic."""
     count = int(mp.mp.dps * 3.4)

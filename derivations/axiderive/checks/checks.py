@@ -6,15 +6,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ..entry import Entry
-from ..oracle.evidence import Evidence
 from ..physics import materials, normal, plane
 from ..physics.medium import HOMOGENEOUS
 from ..physics.systems import Problem, System, on
 from ..profiles.loads import Load
 from ..proof.certificate import homogeneous_statements
-from ..proof.rules import materials as constants
 from . import enclosure, identities, limits, quadrature, strips, superposed, units
-from .comparison import Comparison
+from . import materials as constants
+from .comparison import Comparison, Evidence
 
 BALL_DIGITS = 10
 """Digits by which enclosures may be wider than the quadrature is exact."""
@@ -41,7 +40,7 @@ def _normal(own: Comparison) -> list[Evidence]:
 
 
 def _constants(own: Comparison) -> list[Evidence]:
-    return [constants.check(dict(own.entries), suffix, seed=own.seed) for suffix in own.entries]
+    return [constants.check(replace(own, digits=40, points=6), suffix) for suffix in own.entries]
 
 
 OWN: dict[System | None, Callable[[Comparison], list[Evidence]]] = {

@@ -1,11 +1,15 @@
-"""What every check is made with: the entries of a profile, the points at which they are compared, and their values."""
+"""What every check is made with, and what it leaves behind.
+
+The entries of a profile, the points at which they are compared, and their values; evidence as plain data for JSON.
+"""
 
 from __future__ import annotations
 
 import itertools
 import random
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any, Literal
 
 import mpmath as mp
 import sympy as sp
@@ -14,11 +18,10 @@ from .. import notation as nt
 from ..entry import Case, Entry
 from ..oracle.balls import NotAvailableError
 from ..oracle.evaluate import case_at, evaluate, evaluate_case, evaluate_integral, evaluated
-from ..oracle.evidence import Evidence, judge
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import Point, points
-from ..oracle.shape import Number, Values, number, shape
+from ..oracle.shape import Number, Values, number, numeric_symbols, shape
 from ..physics import Physics, adhesive, normal, tangential
 from ..profiles.profile import Profile
 
@@ -39,6 +42,58 @@ FIELDS = {
 """What is drawn of the material."""
 
 
+Outcome = Literal["passed", "failed", "not available"]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """The result of comparing one entry with something independent of it, at `count` points drawn from `seed`."""
+
+    key: str
+    compared: str
+    outcome: Outcome
+    seed: int = 0
+    count: int = 0
+    extremes: int = 0
+    """How many of the points have a ratio of lengths of 1e-9 or 1 - 1e-9."""
+    worst: str = ""
+    """Largest relative residual."""
+    digits: int = 0
+    """Digits on which both sides agree at every point."""
+    required: int = 0
+    worst_point: dict[str, str] = field(default_factory=dict)
+    reason: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the outcome is "passed"; false also where nothing could be compared."""
+        return self.outcome == "passed"
+
+
+def point_text(values: Values) -> dict[str, str]:
+    """The values of a point as text by the names of their symbols, numbers of mpmath to 20 digits."""
+    return {str(s): _text(values[s]) for s in numeric_symbols(values)}
+
+
+def _text(value: Any) -> str:
+    return mp.nstr(value, 20) if isinstance(value, mp.mpf) else str(value)
+
+
+def residual(got: Number, want: Number) -> Number:
+    """Relative difference; absolute where the wanted value is zero."""
+    return abs(got - want) / abs(want) if want else abs(got)
+
+
+def agreed(worst: Number, working: int) -> int:
+    """Whole digits of agreement, never more than were carried."""
+    return working if worst == 0 else max(0, min(working, int(mp.floor(-mp.log10(worst)))))
+
+
+def not_available(key: str, compared: str, reason: str) -> Evidence:
+    """Evidence that nothing could be compared, with the reason."""
+    return Evidence(key, compared, "not available", reason=reason)
+
+
 @dataclass(frozen=True)
 class Comparison:
     """The entries of one profile under one physics; they are compared to `digits` digits at points from a seed."""
@@ -53,12 +108,22 @@ class Comparison:
     def judge(
         self, suffix: str, compared: str, rows: Rows, *, extremes: int = 0, digits: int = 0, lost: int = LOST
     ) -> Evidence:
-        """Evidence for an entry, with these digits or those of the comparison."""
+        """Evidence for an entry from the residuals, with these digits or those of the comparison."""
         working = digits or self.digits
-        return judge(
-            self.entries[suffix].key, compared, rows,
-            seed=self.seed, extremes=extremes, digits=working, required=working - lost,
-        )  # fmt: skip
+        point, worst = max(rows, key=lambda row: row[1])
+        reached = agreed(worst, working)
+        return Evidence(
+            key=self.entries[suffix].key,
+            compared=compared,
+            outcome="passed" if reached >= working - lost else "failed",
+            seed=self.seed,
+            count=len(rows),
+            extremes=extremes,
+            worst=mp.nstr(worst, 2),
+            digits=reached,
+            required=working - lost,
+            worst_point=point_text(point),
+        )
 
     def graded(self, suffix: str) -> bool:
         """Whether an entry knows of an exponent of grading."""

@@ -19,11 +19,10 @@ from .. import notation as nt
 from ..entry import FOUR, Entry
 from ..oracle.balls import Ball, NotAvailableError, enclose, integral, point, shrinking
 from ..oracle.evaluate import case_at, evaluated
-from ..oracle.evidence import Evidence, agreed, not_available, point_text
 from ..oracle.sampling import Point, fields, points
 from ..oracle.shape import Values, concrete
 from ..profiles.profile import Profile
-from .comparison import Comparison, Entries
+from .comparison import Comparison, Entries, Evidence, agreed, not_available, point_text
 
 COMPARED = "overlapping Arb enclosures of the result and of its defining integral"
 ENCLOSED = (*FOUR, "pm")

@@ -16,12 +16,11 @@ from ..abel.masters import C0
 from ..entry import FOUR, Case, Entry
 from ..oracle.balls import NotAvailableError, enclose_value
 from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated, holds
-from ..oracle.evidence import Evidence, not_available, residual
 from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import border, fields, points
 from ..oracle.shape import Number, Values, shape
-from .comparison import Comparison, Rows
+from .comparison import Comparison, Evidence, Rows, not_available, residual
 from .limits import simpler
 
 EACH = 2

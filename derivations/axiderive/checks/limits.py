@@ -11,7 +11,6 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import FOUR, Entry
 from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated
-from ..oracle.evidence import Evidence, not_available, residual
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import fields
 from ..oracle.shape import Number, Values
@@ -22,7 +21,7 @@ from ..proof.algebra.domain import NotProvedError
 from ..proof.rules.compact import Compact
 from ..proof.rules.complete import Complete
 from ..proof.rules.graded import homogeneous_limit
-from .comparison import Comparison, Entries, Rows, formula_value
+from .comparison import Comparison, Entries, Evidence, Rows, formula_value, not_available, residual
 
 INHERITED = (*FOUR, "pm")
 FEW = 2

@@ -14,7 +14,6 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.evaluate import case_at, evaluate, evaluate_case
-from ..oracle.evidence import Evidence, residual
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import points
@@ -23,7 +22,7 @@ from ..physics import Physics, adhesive, normal, tangential
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import rings, viscoelastic
-from .comparison import LOST, Comparison, Rows, formula_value, inverse, root
+from .comparison import LOST, Comparison, Evidence, Rows, formula_value, inverse, residual, root
 
 NESTED = 46
 """Digits of a pressure on the graded half-space, which is an integral of integrals."""

@@ -16,13 +16,12 @@ from .. import notation as nt
 from ..entry import Case
 from ..oracle.definitions import greatest, ring, stationary
 from ..oracle.evaluate import case_at, evaluate, evaluated, holds
-from ..oracle.evidence import Evidence, residual
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Shape, Values, number, shape
 from ..profiles.profile import Profile
-from .comparison import Comparison, Rows, root
+from .comparison import Comparison, Evidence, Rows, residual, root
 
 Search = Callable[[Shape, Number, int], tuple[Number, Number]]
 DEFINED = "mpmath quadrature of the defining integral"

@@ -24,11 +24,10 @@ from .. import notation as nt
 from ..entry import Case
 from ..oracle import rules
 from ..oracle.evaluate import case_at, evaluate, evaluated, holds
-from ..oracle.evidence import Evidence, not_available, residual
 from ..oracle.plane import GUARD, Strip, defined, strip
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, numeric_symbols
-from .comparison import Comparison, Rows, inverse, root
+from .comparison import Comparison, Evidence, Rows, inverse, not_available, residual, root
 
 TILTED = "the pressure of the eccentric punch is no integral; its closure is checked"
 CLOSURE_DIGITS, CLOSURE_POINTS = 40, 4

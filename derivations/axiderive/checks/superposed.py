@@ -14,14 +14,13 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import FOUR, Entry
 from ..oracle.evaluate import case_at, evaluate, evaluated
-from ..oracle.evidence import Evidence, Outcome, not_available, residual
 from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number, shape
 from ..physics import Physics, adhesive, tangential, viscoelastic
 from ..profiles.loads import Load
-from .comparison import Comparison, Entries, Rows
+from .comparison import Comparison, Entries, Evidence, Outcome, Rows, not_available, residual
 from .identities import traction_carried
 
 KNOWN = {  # Johnson, Kendall & Roberts 1971, Maugis & Barquins 1981; graded: Chen et al. 2009

@@ -18,13 +18,12 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.evaluate import case_at, evaluate
-from ..oracle.evidence import Evidence, residual
 from ..oracle.half_space import HalfSpace
 from ..oracle.rules import integrate
 from ..oracle.shape import Number, Values, number
 from ..physics import normal
 from ..profiles.profile import Profile
-from .comparison import Comparison, Entries, Rows, root
+from .comparison import Comparison, Entries, Evidence, Rows, residual, root
 
 LOST = 8
 ALPHAS = (sp.Rational(1, 5), sp.Rational(1, 2), sp.Rational(2, 5))
