@@ -27,12 +27,8 @@ def check(own: Comparison, suffix: str) -> Evidence:
             values = _point(entry, draw)
             got = evaluate(entry.cases[0].expr, values, own.digits)
             rows.append((values, residual(got, _wanted(entry, values, own.digits))))
-    loaded = "point force on the graded half-space" if _graded(entry) else "waves of load on two half-spaces"
+    loaded = "point force on the graded half-space" if nt.k in entry.parameters else "waves of load on two half-spaces"
     return own.judge(suffix, f"{loaded}, equations of equilibrium", rows, lost=LOST)
-
-
-def _graded(entry: Entry) -> bool:
-    return nt.k in entry.parameters
 
 
 def _point(entry: Entry, draw: random.Random) -> Values:
@@ -45,11 +41,13 @@ def _point(entry: Entry, draw: random.Random) -> Values:
             values[symbol] = sp.Rational(draw.choice((-1, 1)) * draw.randint(1, 999), 1000)
         else:
             values[symbol] = sp.Rational(draw.randint(1, 9999), 1000)
-    return values | {symbol: expr.subs(values) for symbol, expr in entry.profile.abbreviations if _graded(entry)}
+    if nt.k in entry.parameters:
+        values |= {symbol: expr.subs(values) for symbol, expr in entry.profile.abbreviations}
+    return values
 
 
 def _wanted(entry: Entry, values: Values, digits: int) -> Number:
-    if not _graded(entry):
+    if nt.k not in entry.parameters:
         bodies = [(number(values[E]), number(values[nu])) for E, nu in ((nt.young_1, nt.nu_1), (nt.young_2, nt.nu_2))]
         return 1 / mp.fsum(body_compliance(entry.suffix, E, nu, digits + 5) for E, nu in bodies)
     factor = h_N(number(values[nt.k]), number(values[nt.nu]), digits + 5)
