@@ -23,7 +23,7 @@ from test_mutations import flipped_sign, power_of_face, swapped_symbols, wrong_e
 from axiderive import notation as nt
 from axiderive.abel.masters import StruveL
 from axiderive.entry import Case, Entry, Primitive
-from axiderive.oracle.evaluate import at_precision
+from axiderive.oracle.evaluate import evaluated
 from axiderive.oracle.shape import coefficient, concrete
 from axiderive.physics import systems
 from axiderive.store.records import entry_record, profile_record
@@ -1037,7 +1037,7 @@ def _said(entry: Entry, values: Mapping[sp.Symbol, sp.Expr]) -> list[Any] | None
 
 
 def _holds(case: Case, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    members = [at_precision(sp.sympify(member), values) for member in case.chain]
+    members = [evaluated(sp.sympify(member), values) for member in case.chain]
     return all(low < high for low, high in zip(members, members[1:], strict=False))
 
 
@@ -1051,7 +1051,7 @@ def _real(expr: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> Any:
     inner += [node for node in expr.atoms(sp.Pow) if not node.exp.is_Integer and not node.base.is_Symbol]
     try:
         for node in (*inner, expr):
-            value = mp.mpmathify(at_precision(node, values))
+            value = mp.mpmathify(evaluated(node, values))
             if not mp.isfinite(value) or abs(mp.im(value)) > FAR * abs(value):
                 return None
     except Exception:  # a pole, a function that no real number is in the range of, or one that nothing evaluates

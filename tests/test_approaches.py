@@ -14,7 +14,7 @@ from stored_book import KEYS, stored
 
 from axiderive import notation as nt
 from axiderive.entry import Case, Entry
-from axiderive.oracle.evaluate import at_precision, case_at, evaluate
+from axiderive.oracle.evaluate import case_at, evaluate, evaluated
 from axiderive.physics.systems import problem
 from axiderive.readback.claims import Claim
 from axiderive.readback.printed import Printed, named
@@ -59,7 +59,7 @@ def _names(key: str, values: dict[Any, Any]) -> dict[str, Any]:
             env[f"{name}'()"] = lambda radius, s=suffix: mp.diff(lambda x: _at(entries[s], {**values, nt.a: x}), radius)
     if "d" in entries and len(entries["d"].cases) == 1:  # for the integral over g'(t)/t
         slope = sp.diff(entries["d"].cases[0].expr, nt.a)
-        env["g'()"] = lambda radius: at_precision(slope, {**values, nt.a: radius})
+        env["g'()"] = lambda radius: evaluated(slope, {**values, nt.a: radius})
     return env
 
 

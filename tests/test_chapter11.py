@@ -17,7 +17,7 @@ from selected import few
 from stored_book import CATALOGUE
 
 from axiderive import cli
-from axiderive.chapter11 import runner
+from axiderive.chapter11 import equation as chapter
 from axiderive.chapter11.equation import Draw, Formula
 from axiderive.chapter11.errata import REMARKS, agreement
 from axiderive.chapter11.first_principles import Step, steps
@@ -38,65 +38,65 @@ SECTIONS = {
 }
 
 
-def assert_verdicts(rows: tuple[runner.Row, ...]) -> None:
+def assert_verdicts(rows: tuple[chapter.Row, ...]) -> None:
     wrong = [row for row in rows if row.verdict != ("misprint" if row.number in MISPRINTED else "OK")]
-    assert not wrong, "\n" + runner.table(wrong)
+    assert not wrong, "\n" + chapter.table(wrong)
     assert min(row.digits() for row in rows) >= DIGITS
 
 
 def test_every_equation_has_a_check() -> None:
-    assert list(runner.equations()) == list(range(1, 111))
-    assert {n for n, equation in runner.equations().items() if equation.corrected} == MISPRINTED
+    assert list(chapter.equations()) == list(range(1, 111))
+    assert {n for n, equation in chapter.equations().items() if equation.corrected} == MISPRINTED
 
 
 @pytest.mark.parametrize("section", few(SECTIONS, ["adhesive", "graded adhesive"]))
 def test_section(section: str) -> None:
-    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=1, draws=1))
+    assert_verdicts(chapter.run(SECTIONS[section], DIGITS, seed=1, draws=1))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("section", SECTIONS)
 def test_section_with_other_draws(section: str) -> None:
     """Two that neither the build nor the plain run draws."""
-    assert_verdicts(runner.run(SECTIONS[section], DIGITS, seed=2, draws=2))
+    assert_verdicts(chapter.run(SECTIONS[section], DIGITS, seed=2, draws=2))
 
 
 def test_more_digits_are_reached_on_demand() -> None:
     """The rules of quadrature scale with the precision."""
-    rows = runner.run([4, 24, 42, 68, 83], digits=55, seed=3, draws=1)
-    assert all(row.verdict == "OK" for row in rows), "\n" + runner.table(rows)
+    rows = chapter.run([4, 24, 42, 68, 83], digits=55, seed=3, draws=1)
+    assert all(row.verdict == "OK" for row in rows), "\n" + chapter.table(rows)
 
 
 def test_rows_do_not_depend_on_the_number_of_processes() -> None:
     numbers = [5, 88, 102]
-    assert runner.run(numbers, draws=1, jobs=2) == runner.run(numbers, draws=1)
+    assert chapter.run(numbers, draws=1, jobs=2) == chapter.run(numbers, draws=1)
 
 
 def test_only_misprinted_rows_bear_the_word() -> None:
-    rows = runner.run([5, 64, 66, 87, 88, 102, 103], draws=1)
-    lines = runner.table(rows).splitlines()[1:]
+    rows = chapter.run([5, 64, 66, 87, 88, 102, 103], draws=1)
+    lines = chapter.table(rows).splitlines()[1:]
     assert [row.number for row, line in zip(rows, lines, strict=True) if "misprint" in line] == [66, 88, 102]
 
 
 def test_command_prints_the_table(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    rows = runner.run([5, 66], draws=1)
-    monkeypatch.setattr(runner, "stream", lambda **options: iter(rows))
+    rows = chapter.run([5, 66], draws=1)
+    monkeypatch.setattr(chapter, "stream", lambda **options: iter(rows))
     assert cli.main(["check", "chapter"]) == 0
     printed = capsys.readouterr().out
-    assert runner.table(rows) in printed
+    assert chapter.table(rows) in printed
     assert "2 equations, 1 to be corrected, 0 failures" in printed
-    monkeypatch.setattr(runner, "stream", lambda **options: iter([replace(rows[0], verdict="fails")]))
+    monkeypatch.setattr(chapter, "stream", lambda **options: iter([replace(rows[0], verdict="fails")]))
     assert cli.main(["check", "chapter"]) == 1
 
 
 def test_an_unknown_number_is_refused() -> None:
     with pytest.raises(ValueError, match=r"no equation \(11\.111\)"):
-        runner.run([111])
+        chapter.run([111])
 
 
 def test_a_correction_of_a_correct_equation_fails() -> None:
-    equation = runner.equations()[5]
-    assert runner.check(replace(equation, corrected=equation.formula), draws=1).verdict == "fails"
+    equation = chapter.equations()[5]
+    assert chapter.check(replace(equation, corrected=equation.formula), draws=1).verdict == "fails"
 
 
 def test_errata_are_the_misprints_and_the_remarks() -> None:
@@ -175,13 +175,13 @@ def mutants(formula: Formula) -> Iterator[tuple[str, Formula]]:
 
 def survives(number: int, formula: Formula) -> bool:
     """Whether the check of an equation takes another formula for right."""
-    equation = runner.equations()[number]
+    equation = chapter.equations()[number]
     try:
-        with mp.workdps(DIGITS + runner.GUARD):
+        with mp.workdps(DIGITS + chapter.GUARD):
             values = equation.check(Draw("altered", first=False), formula)
             if any(x.relative() > mp.mpf(10) ** -DIGITS for x in values):
                 return False
-        return runner.evaluate(equation, formula, DIGITS, seed=6, draws=1).digits() >= DIGITS
+        return chapter.evaluate(equation, formula, DIGITS, seed=6, draws=1).digits() >= DIGITS
     except (ArithmeticError, AttributeError, TypeError, ValueError):
         return False  # a root of a negative number, a division by zero
 
@@ -194,7 +194,7 @@ CHEAP = (
 
 @pytest.mark.parametrize("number", CHEAP)
 def test_altered_equation_is_flagged(number: int) -> None:
-    equation = runner.equations()[number]
+    equation = chapter.equations()[number]
     survivors = [text for text, formula in mutants(equation.corrected or equation.formula) if survives(number, formula)]
     assert not survivors, "\n\n".join(survivors)
 

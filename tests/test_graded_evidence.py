@@ -13,7 +13,9 @@ import sympy as sp
 from test_identities import SEED, TWICE, changed, failed
 
 from axiderive import notation as nt
-from axiderive.checks import graded_threshold, homogeneous, physics_identities, resultants, viscoelastic_quadrature
+from axiderive.checks import identities, limits, rings
+from axiderive.checks import viscoelastic as convolution
+from axiderive.checks.comparison import Comparison
 from axiderive.entry import Entry
 from axiderive.physics import adhesive, complete, normal, systems, viscoelastic
 from axiderive.physics.medium import GRADED, HOMOGENEOUS
@@ -26,7 +28,7 @@ from axiderive.proof.rules import graded
 def at_zero(name: str, entries: dict[str, Entry]):
     profile = load(name)
     below = certificate.homogeneous_statements(profile)
-    return homogeneous.check_profile(profile, entries, normal.derive(profile), below, normal.PHYSICS, seed=SEED)
+    return limits.homogeneous(Comparison(profile, entries, seed=SEED), normal.derive(profile), below)
 
 
 @pytest.mark.parametrize(("name", "integrals"), [("cone", ""), ("capped_paraboloid", "p w")])
@@ -61,8 +63,9 @@ def test_an_equation_of_another_half_space_is_noticed() -> None:
 def test_a_wrong_stiffness_is_noticed() -> None:
     profile = load("capped_paraboloid")
     entries = normal.derive(profile, GRADED)
-    assert physics_identities.stiffness(profile, entries, seed=SEED).passed
-    assert not physics_identities.stiffness(profile, changed(entries, "d", lambda x: x * TWICE), seed=SEED).passed
+    assert identities.stiffness(Comparison(profile, entries, seed=SEED)).passed
+    wrong = changed(entries, "d", lambda x: x * TWICE)
+    assert not identities.stiffness(Comparison(profile, wrong, seed=SEED)).passed
 
 
 @pytest.mark.parametrize(("name", "physics"), [("cone", normal), ("concave_quartic", normal), ("cone", adhesive)])
@@ -70,19 +73,19 @@ def test_a_pressure_that_does_not_carry_the_force_is_noticed(name: str, physics:
     """At two exponents; a wrong power of the edge, a wrong factor and a wrong force are told from rounding."""
     profile = load(name)
     entries = physics.derive(profile, GRADED)
-    right = resultants.pressure(profile, entries["F"], entries["p"], physics.PHYSICS, seed=SEED)
+    right = identities.pressure_carried(Comparison(profile, entries, physics.PHYSICS, seed=SEED))
     assert right.passed
     assert right.digits >= 40
     assert right.count == 2
     near_k = nt.k + sp.Rational(1, 10**25)
     for suffix, change in (("F", lambda x: x * TWICE), ("p", lambda x: x.subs(nt.k, near_k))):
         other = changed(entries, suffix, change)
-        assert not resultants.pressure(profile, other["F"], other["p"], physics.PHYSICS, seed=SEED).passed
+        assert not identities.pressure_carried(Comparison(profile, other, physics.PHYSICS, seed=SEED)).passed
 
 
 def test_a_sum_over_a_pressure_that_is_an_integral_is_said_to_be_missing() -> None:
     entries = normal.derive(load("gaussian"), GRADED)
-    check = resultants.pressure(load("gaussian"), entries["F"], entries["p"], normal.PHYSICS, seed=SEED)
+    check = identities.pressure_carried(Comparison(load("gaussian"), entries, seed=SEED))
     assert check.outcome == "not available"
     assert "itself an integral" in check.reason
 
@@ -91,7 +94,7 @@ def test_a_sum_over_a_pressure_that_is_an_integral_is_said_to_be_missing() -> No
 def test_the_ring_is_known_to_most_of_the_digits(name: str) -> None:
     profile = load(name)
     entries = normal.derive(profile, GRADED)
-    right = graded_threshold.check(profile, entries, "rz", seed=SEED)
+    right = rings.check(Comparison(profile, entries, seed=SEED), "rz")
     assert right.passed
     assert right.digits >= 40
     near = sp.Rational(1, 10**30)
@@ -102,16 +105,17 @@ def test_the_ring_is_known_to_most_of_the_digits(name: str) -> None:
         return nt.a * near if expr == 0 else expr
 
     wrong = changed(entries, "rz", moved)
-    assert not graded_threshold.check(profile, wrong, "rz", seed=SEED).passed
+    assert not rings.check(Comparison(profile, wrong, seed=SEED), "rz").passed
 
 
 def test_convolutions_are_checked_to_forty_digits() -> None:
     profile = load("cone")
     entries = viscoelastic.derive(profile)
     for suffix in ("ramp_sls", "load_pc"):
-        assert viscoelastic_quadrature.check(profile, entries, suffix, seed=SEED).required >= 40
+        right = Comparison(profile, entries, viscoelastic.PHYSICS, points=2, seed=SEED)
+        assert convolution.check(right, suffix).required >= 40
         wrong = changed(entries, suffix, lambda x: x * (1 + sp.Rational(1, 10**38)))
-        assert not viscoelastic_quadrature.check(profile, wrong, suffix, seed=SEED).passed
+        assert not convolution.check(replace(right, entries=wrong), suffix).passed
 
 
 @pytest.mark.parametrize("medium", [HOMOGENEOUS, GRADED], ids=["homogeneous", "graded"])

@@ -20,7 +20,7 @@ from axiderive.book.references import WORKS, label
 from axiderive.build import pdf
 from axiderive.entry import Entry
 from axiderive.figures.sketch import DEEPEST, RADIUS, sketch
-from axiderive.oracle.values import Numbers, sketch_values
+from axiderive.figures.values import Numbers, sketch_values
 from axiderive.physics.medium import GRADED, HOMOGENEOUS
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems

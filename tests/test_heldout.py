@@ -12,7 +12,7 @@ import sympy as sp
 from axiderive.abel.masters import MASTERS
 from axiderive.entry import Entry
 from axiderive.notation import E_star, a, r
-from axiderive.oracle import integrals
+from axiderive.oracle.integrals import GUARD, Homogeneous
 from axiderive.oracle.shape import shape
 from axiderive.physics.normal import derive
 from axiderive.profiles.profile import Piece, Profile, Sketch
@@ -59,16 +59,17 @@ def evaluated(expr: sp.Expr, values: dict[sp.Symbol, sp.Rational]) -> mp.mpf:
 
 def defined(suffix: str, profile: Profile, values: dict[sp.Symbol, sp.Rational]) -> mp.mpf:
     """The quantity as its defining integral, with E* = 1."""
-    face, radius, place = shape(profile, values), *(mp.mpf(int(x.p)) / int(x.q) for x in (values[a], values[r]))
+    face = Homogeneous(shape(profile, values), mp.mpf(0), DIGITS)
+    radius, place = (mp.mpf(int(x.p)) / int(x.q) for x in (values[a], values[r]))
     match suffix:
         case "d":
-            return integrals.depth(face, radius, DIGITS)
+            return face.depth(radius)
         case "F":
-            return integrals.force(face, radius, DIGITS)
+            return face.force(radius)
         case "p":
-            return integrals.pressure(face, radius, place, DIGITS)
+            return face.pressure(radius, place)
         case _:
-            return integrals.displacement(face, radius, place, DIGITS)
+            return face.displacement(radius, place)
 
 
 def random_point(chain: tuple[sp.Symbol, ...], source: random.Random) -> dict[sp.Symbol, sp.Rational]:
@@ -85,7 +86,7 @@ def check(seed: int) -> None:
         assert entries[suffix].status == "closed"
         for case in entries[suffix].cases:
             values = random_point(case.chain, source)
-            with mp.workdps(DIGITS + integrals.GUARD):
+            with mp.workdps(DIGITS + GUARD):
                 exact = defined(suffix, profile, values)
                 error = abs(evaluated(case.expr.subs(E_star, 1), values) - exact) / abs(exact)
             assert error < mp.mpf("1e-25"), (suffix, case.chain, values)

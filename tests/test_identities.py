@@ -9,7 +9,8 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
-from axiderive.checks import adhesive_identities, identities, limits, physics_identities
+from axiderive.checks import identities, limits, superposed
+from axiderive.checks.comparison import Comparison
 from axiderive.entry import Entry
 from axiderive.physics import adhesive, loads, normal, tangential, viscoelastic
 from axiderive.physics.medium import GRADED, HOMOGENEOUS
@@ -24,7 +25,7 @@ SEED = 1
 def test_identities_hold(name: str) -> None:
     profile = load(name)
     entries = derive(profile)
-    evidence = identities.check_profile(profile, entries, seed=SEED)
+    evidence = identities.check_profile(Comparison(profile, entries, seed=SEED))
     assert {one.compared for one in evidence} >= {"F = 2 pi int p r dr", "w(a) = d - f(a)"}
     assert {one.key for one in evidence} <= {entry.key for entry in entries.values()}
     for one in evidence:
@@ -43,19 +44,19 @@ def scaled(entry: Entry) -> Entry:
 @pytest.mark.parametrize(
     ("check", "suffix", "name"),
     [
-        (identities.check_stiffness, "F", "rounded_punch"),
-        (identities.check_force_of_pressure, "p", "cone"),
-        pytest.param(identities.check_force_of_pressure, "p", "rounded_punch", marks=pytest.mark.slow),
-        (identities.check_edge, "w", "rounded_punch"),
-        (identities.check_profile_from_depth, "d", "rounded_punch"),
+        (identities.stiffness, "F", "rounded_punch"),
+        (identities.force_of_pressure, "p", "cone"),
+        pytest.param(identities.force_of_pressure, "p", "rounded_punch", marks=pytest.mark.slow),
+        (identities.edge, "w", "rounded_punch"),
+        (identities.profile_from_depth, "d", "rounded_punch"),
     ],
 )
 def test_each_identity_notices_a_wrong_factor(check, suffix: str, name: str) -> None:
     profile = load(name)
     entries = derive(profile)
-    assert check(profile, entries, digits=50, seed=SEED).passed
+    assert check(Comparison(profile, entries, seed=SEED)).passed
     entries[suffix] = scaled(entries[suffix])
-    evidence = check(profile, entries, digits=50, seed=SEED)
+    evidence = check(Comparison(profile, entries, seed=SEED))
     assert evidence.outcome == "failed"
     assert 35 <= evidence.digits <= 37
 
@@ -65,17 +66,17 @@ def test_a_step_between_cases_is_noticed() -> None:
     entry = derive(profile)["d"]
     inner, outer = entry.cases
     stepped = replace(entry, cases=(inner, replace(outer, expr=outer.expr + nt.b * sp.Rational(1, 10**30))))
-    assert identities.check_continuity(profile, entry, digits=50, seed=SEED).passed
-    assert identities.check_continuity(profile, stepped, digits=50, seed=SEED).outcome == "failed"
+    assert identities.continuity(Comparison(profile, {"d": entry}, seed=SEED), "d").passed
+    assert identities.continuity(Comparison(profile, {"d": stepped}, seed=SEED), "d").outcome == "failed"
 
 
 def test_a_limit_to_the_wrong_profile_is_noticed() -> None:
     profile = load("truncated_cone")
     target = load("cone")
     (limit,) = profile.limits
-    entry, simpler = derive(profile)["F"], derive(target)["F"]
-    assert limits.check_limit(profile, entry, limit, target, simpler, digits=50, seed=SEED).passed
-    wrong = limits.check_limit(profile, entry, limit, target, scaled(simpler), digits=50, seed=SEED)
+    own, simpler = Comparison(profile, derive(profile), seed=SEED), derive(target)["F"]
+    assert limits.to_limit(own, "F", limit, target, simpler).passed
+    wrong = limits.to_limit(own, "F", limit, target, scaled(simpler))
     assert wrong.outcome == "failed"
 
 
@@ -99,9 +100,9 @@ def test_a_retraction_of_twice_the_energy_is_noticed_by_the_crack(medium) -> Non
     """Consistent in all entries, so that neither stationarity nor the limit without adhesion is violated."""
     profile = load("paraboloid")
     plain, entries = normal.derive(profile, medium), adhesive.derive(profile, medium)
-    assert failed(adhesive_identities.check_profile(profile, entries, plain, seed=SEED)) == set()
+    assert failed(superposed.adhesion(Comparison(profile, entries, adhesive.PHYSICS, seed=SEED), plain)) == set()
     more = changed(entries, "Dl d F p w ac Fc dc am Fm dm", lambda x: x.subs(nt.dgamma, 2 * nt.dgamma))
-    found = failed(adhesive_identities.check_profile(profile, more, plain, seed=SEED))
+    found = failed(superposed.adhesion(Comparison(profile, more, adhesive.PHYSICS, seed=SEED), plain))
     assert {compared.split(",")[0].split(" -")[0] for _, compared in found} >= {"work of closing the crack"}
     assert not any("da = 0" in compared or "symbolically" in compared for _, compared in found)
     assert any(compared.startswith("known value") for _, compared in found)
@@ -117,7 +118,8 @@ def test_a_wrong_pull_off_is_noticed(suffix: str, compared: str) -> None:
     def wrong(expr: sp.Expr) -> sp.Expr:
         return sp.Eq(expr.lhs * TWICE, expr.rhs) if isinstance(expr, sp.Eq) else expr * TWICE
 
-    found = failed(adhesive_identities.check_profile(profile, changed(entries, suffix, wrong), plain, seed=SEED))
+    own = Comparison(profile, changed(entries, suffix, wrong), adhesive.PHYSICS, seed=SEED)
+    found = failed(superposed.adhesion(own, plain))
     assert (entries[suffix].key, compared) in found
 
 
@@ -128,17 +130,18 @@ TWICE = 1 + sp.Rational(1, 10**30)
 def test_a_wrong_partial_slip_is_noticed(suffix: str) -> None:
     profile = load("paraboloid")
     plain, entries = normal.derive(profile), tangential.derive(profile)
-    assert failed(physics_identities.slip(profile, entries, plain, seed=SEED)) == set()
+    assert failed(superposed.slip(Comparison(profile, entries, tangential.PHYSICS, seed=SEED), plain)) == set()
     wrong = changed(entries, suffix, lambda x: x * (1 + sp.Rational(1, 10**15)))
-    assert failed(physics_identities.slip(profile, wrong, plain, seed=SEED))
+    assert failed(superposed.slip(Comparison(profile, wrong, tangential.PHYSICS, seed=SEED), plain))
 
 
 def test_another_elastic_limit_is_noticed() -> None:
     profile = load("cone")
     plain, entries = normal.derive(profile), viscoelastic.derive(profile)
-    assert failed(physics_identities.elastic(profile, entries, plain, seed=SEED)) == set()
+    assert failed(superposed.elastic(Comparison(profile, entries, viscoelastic.PHYSICS, seed=SEED), plain)) == set()
     for suffix, entry in entries.items():
-        found = failed(physics_identities.elastic(profile, changed(entries, suffix, lambda x: x * TWICE), plain))
+        wrong = Comparison(profile, changed(entries, suffix, lambda x: x * TWICE), viscoelastic.PHYSICS)
+        found = failed(superposed.elastic(wrong, plain))
         assert {key for key, _ in found} == {entry.key}
 
 
@@ -147,8 +150,9 @@ def test_another_elastic_limit_is_noticed() -> None:
 )
 def test_reciprocity_notices_both_sides_of_the_edge(own) -> None:
     entries = loads.derive(own)
-    assert physics_identities.reciprocity(own, entries, seed=SEED).passed
+    assert superposed.reciprocity(Comparison(own, entries, loads.PHYSICS, seed=SEED), own).passed
     for place in (0, 1):
         cases = list(entries["w"].cases)
         cases[place] = replace(cases[place], expr=cases[place].expr * TWICE)
-        assert not physics_identities.reciprocity(own, {"w": replace(entries["w"], cases=tuple(cases))}).passed
+        wrong = Comparison(own, {"w": replace(entries["w"], cases=tuple(cases))}, loads.PHYSICS)
+        assert not superposed.reciprocity(wrong, own).passed

@@ -13,6 +13,8 @@ import sympy as sp
 from physics_package import emitted, positional, public
 
 from axiderive import notation as nt
+from axiderive.checks import materials as constants
+from axiderive.checks.comparison import Comparison
 from axiderive.checks.units import Units
 from axiderive.code import example
 from axiderive.entry import Case
@@ -87,7 +89,7 @@ def test_half_space_is_that_of_boussinesq_as_the_grading_vanishes() -> None:
 @pytest.mark.parametrize("suffix", ["E_star", "G_star", "H", "h_N"])
 def test_constants_are_those_of_their_definitions(suffix: str) -> None:
     """h_N, and H with it, by the point force on the half-space."""
-    evidence = proof.check(materials.derive(), suffix)
+    evidence = constants.check(Comparison(proof.PROFILE, materials.derive(), digits=40, points=6), suffix)
     assert evidence.passed
     assert evidence.digits == 40
 
@@ -104,5 +106,5 @@ def test_constants_are_those_of_their_definitions(suffix: str) -> None:
 def test_a_wrong_h_N_is_refused(wrong: Callable[[sp.Expr], sp.Expr]) -> None:
     entry = materials.derive()["h_N"]
     changed = replace(entry, cases=(Case((), wrong(entry.cases[0].expr)),))
-    evidence = proof.check({"h_N": changed}, "h_N", digits=40, points=2)
+    evidence = constants.check(Comparison(entry.profile, {"h_N": changed}, digits=40, points=2), "h_N")
     assert evidence.outcome == "failed"

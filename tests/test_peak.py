@@ -17,6 +17,7 @@ from scenes import composed_from, problems, run_plainly
 from axicontact.normal import paraboloid, power_law, quartic, rounded_punch, sextic
 from axiderive import notation as nt
 from axiderive.checks import quadrature
+from axiderive.checks.comparison import Comparison
 from axiderive.code.docstring import formula
 from axiderive.entry import Entry
 from axiderive.notation import E_star, R, a, b, r_peak
@@ -188,7 +189,7 @@ def test_the_certificates_and_the_search_hold() -> None:
     for name in ("quartic", "power_law", "rounded_punch"):
         profile, entries = load(name), derive(load(name))
         assert all(certify(profile, entries, suffix).proved for suffix in ("rp", "pp"))
-    assert quadrature.check(profile, entries, "pp", digits=20, points=2).passed
+    assert quadrature.check(Comparison(profile, entries, digits=20, points=2), "pp").passed
 
 
 def moved(entries: dict[str, Entry], suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> dict[str, Entry]:
@@ -242,7 +243,7 @@ def test_a_ring_beside_the_axis_is_refused_up_to_the_paraboloid(place: sp.Expr) 
 def test_the_search_sees_a_wrong_place() -> None:
     profile, entries = load("quartic"), derive(load("quartic"))
     wrong = moved(entries, "rp", lambda radius: radius * (1 + sp.Rational(1, 10**18)))
-    assert not quadrature.check(profile, wrong, "rp", digits=30, points=1).passed
+    assert not quadrature.check(Comparison(profile, wrong, digits=30, points=1), "rp").passed
 
 
 SCENE = """\

@@ -6,7 +6,7 @@ Each check must also fail: an entry with a changed factor, exponent or sign is n
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import lru_cache
 
 import mpmath as mp
@@ -16,9 +16,10 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.checks import physics_quadrature, units
+from axiderive.checks import quadrature, units
 from axiderive.checks.checks import check_problem
-from axiderive.checks.viscoelastic_quadrature import material
+from axiderive.checks.comparison import Comparison
+from axiderive.checks.viscoelastic import material
 from axiderive.entry import Case, Entry
 from axiderive.physics import systems
 from axiderive.profiles.profile import Profile
@@ -47,7 +48,7 @@ def derived(physics: str, name: str) -> tuple[Profile, dict[str, Entry]]:
 def check(physics: str, name: str, suffix: str, changed: Entry | None = None, **options: int):
     profile, entries = derived(physics, name)
     entries = entries if changed is None else {**entries, suffix: changed}
-    return physics_quadrature.check(profile, entries, suffix, SYSTEMS[physics].physics, **options)
+    return quadrature.check(Comparison(profile, entries, SYSTEMS[physics].physics, **options), suffix)
 
 
 QUICK = [
@@ -85,7 +86,7 @@ def test_entry_is_its_definition(physics, name, suffix):
     evidence = check(physics, name, suffix, points=2)
     assert evidence.passed, evidence
     assert evidence.count >= 1
-    json.dumps(evidence.as_dict())
+    json.dumps(asdict(evidence))
 
 
 MUTANTS = [

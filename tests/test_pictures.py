@@ -19,8 +19,8 @@ from axiderive.figures.sketch import ARROW, LONG
 from axiderive.figures.sketch import sketch as outline
 from axiderive.figures.svg import svg
 from axiderive.figures.tikz import thinned
+from axiderive.figures.values import Numbers, StripNumbers, sketch_values
 from axiderive.notation import R1, R2, R, b, describe, h, s, theta, wavelength
-from axiderive.oracle.values import Numbers, StripNumbers, sketch_values
 from axiderive.physics.systems import pool_of
 from axiderive.profiles import NAMES
 

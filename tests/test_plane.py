@@ -10,11 +10,12 @@ from selected import few
 from stored_book import suffixes
 
 from axiderive import notation as nt
-from axiderive.checks import plane_closure, plane_quadrature, units
+from axiderive.checks import strips, units
+from axiderive.checks.comparison import Comparison
 from axiderive.entry import Case
-from axiderive.oracle.evaluate import at_precision, case_at, evaluate
+from axiderive.oracle.evaluate import case_at, evaluate, evaluated
 from axiderive.oracle.sampling import points
-from axiderive.physics.plane import derive
+from axiderive.physics.plane import PHYSICS, derive
 from axiderive.profiles import plane as profiles
 from axiderive.proof.rules import plane as proof
 
@@ -98,14 +99,18 @@ INTEGRALS = [k for k in all_keys() if k[0] != "eccentric_punch"]
     ("name", "suffix"), few(INTEGRALS, [k for k in INTEGRALS if k[0] == "wedge" or k == ("rounded_punch", "P")])
 )
 def test_defining_integral(name, suffix):
-    evidence = plane_quadrature.check(profiles.load(name), entries(name), suffix, digits=46, points=5, seed=3)
+    evidence = strips.check(
+        Comparison(profiles.load(name), entries(name), PHYSICS, digits=46, points=5, seed=3), suffix
+    )
     assert evidence.passed, evidence
     assert evidence.required >= 36
 
 
 @pytest.mark.parametrize("name", few(profiles.NAMES, ["wedge", "parabola"]))
 def test_pressure_closes_the_integral_equation(name):
-    for evidence in plane_closure.check_profile(profiles.load(name), entries(name), digits=26, points=2, seed=5):
+    for evidence in strips.closure(
+        Comparison(profiles.load(name), entries(name), PHYSICS, digits=26, points=2, seed=5)
+    ):
         assert evidence.passed, evidence
 
 
@@ -125,11 +130,11 @@ def test_limits(name, limit):
             continue
         at = {**here, nt.x: 2 * here[nt.a]} if suffix == "s" else here
         if found[suffix].status == "root":
-            got = at_precision(case_at(found[suffix], at).expr.lhs, at)
-            want = at_precision(target["P"].cases[0].expr, at)
+            got = evaluated(case_at(found[suffix], at).expr.lhs, at)
+            want = evaluated(target["P"].cases[0].expr, at)
         else:
-            at = {**at, nt.P: at_precision(target["P"].cases[0].expr, at)} if suffix == "aP" else at
-            got, want = (at_precision(case_at(source[suffix], at).expr, at) for source in (found, target))
+            at = {**at, nt.P: evaluated(target["P"].cases[0].expr, at)} if suffix == "aP" else at
+            got, want = (evaluated(case_at(source[suffix], at).expr, at) for source in (found, target))
         assert abs(got - want) <= mp.mpf(10) ** -12 * abs(want), suffix
 
 
@@ -173,12 +178,12 @@ def test_least_load_keeps_the_contact_closed(n):
     """Under P_min the pressure touches zero at x_0 and nowhere else; under a little less it is negative there."""
     values = {nt.a: Q(2), nt.h: Q(1, 7), nt.n: n, nt.E_star: Q(3)}
     place = case_at(entries("concave_power")["xz"], values)
-    x_0 = plane_quadrature.zero_distance(place, values)
-    least = at_precision(entries("concave_power")["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
+    x_0 = strips.zero_distance(place, values)
+    least = evaluated(entries("concave_power")["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
     pressure = entries("concave_power")["p"].cases[0].expr
 
     def p(x, load):
-        return at_precision(pressure, {**values, nt.x: x, nt.P: load})
+        return evaluated(pressure, {**values, nt.x: x, nt.P: load})
 
     # in the middle the pressure rises as x**(n - 1)
     nearest, small = (x_0, mp.mpf(10) ** -40) if x_0 > 0 else (mp.mpf(10) ** -20, mp.mpf(10) ** (-20 * (n - 1)))
@@ -208,7 +213,7 @@ def test_eccentric_punch_at_lift_off():
             assert sp.simplify((touching - lifted).subs(values)) == 0
     values = {**at, nt.e: Q(7, 5)}
     assert abs(value("eccentric_punch", "cw", values) - mp.mpf(12) / 5) < 1e-50
-    assert at_precision(case_at(entries("eccentric_punch")["p"], values).expr, {**values, nt.x: Q(-41, 100)}) == 0
+    assert evaluated(case_at(entries("eccentric_punch")["p"], values).expr, {**values, nt.x: Q(-41, 100)}) == 0
     assert value("eccentric_punch", "p", {**values, nt.x: Q(-39, 100)}) > 0
     mirrored = value("eccentric_punch", "p", {**values, nt.e: Q(-7, 5), nt.x: Q(-1, 2)})
     assert mirrored == value("eccentric_punch", "p", {**values, nt.x: Q(1, 2)})

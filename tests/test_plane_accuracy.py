@@ -19,9 +19,9 @@ import sympy as sp
 from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
 
 from axiderive import notation as nt
-from axiderive.checks import plane_quadrature
 from axiderive.code.plane.interface import module
 from axiderive.entry import Case, Entry
+from axiderive.oracle.plane import GUARD, defined
 from axiderive.profiles import plane
 from axiderive.stable.measure import samples, ulps
 from axiderive.stable.measure import value as measured
@@ -107,7 +107,7 @@ def test_accuracy_against_the_defining_integrals(name: str, plane_module: Callab
     """Not through the closed forms: a wrong entry would not pass, whatever the emission does."""
     module, draw, profile = plane_module(name), random.Random(7), plane.load(name)
     suffixes = [suffix for suffix in ("P", "p", "s", "d") if suffix in entries(name)]
-    with mp.workdps(20 + plane_quadrature.integrals.GUARD):
+    with mp.workdps(20 + GUARD):
         for suffix in suffixes:
             # the substitution of the quadrature is for whole powers: near t = 0 it is slow for small ones
             values = ready(module, name, state(name, draw) | {nt.n: 2.75}, suffix, draw)
@@ -115,7 +115,7 @@ def test_accuracy_against_the_defining_integrals(name: str, plane_module: Callab
                 values[nt.P] += called(module, entries(name)["Pmin"], values)
             values[nt.x] = values[nt.a] * (1.75 if suffix == "s" else 0.375)
             values[nt.L] = values[nt.a] * 2.25
-            value = plane_quadrature.defined(profile, suffix, exact_numbers(values), 20)
+            value = defined(profile, suffix, exact_numbers(values), 20)
             found = called(module, entries(name)[suffix], values)
             assert abs(found - value) < 2 * ACCURACY * abs(value), (suffix, values)
 

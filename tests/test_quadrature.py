@@ -11,10 +11,12 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
+from axiderive.checks.comparison import Comparison
 from axiderive.checks.quadrature import check
 from axiderive.entry import Entry
-from axiderive.oracle import ball_rules, integrals
+from axiderive.oracle import rules
 from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.oracle.integrals import GUARD, Homogeneous
 from axiderive.oracle.rules import exponential_rule, gauss_rule, integrate, middle
 from axiderive.oracle.sampling import NEARLY_ONE, NEARLY_ZERO, points
 from axiderive.oracle.shape import number, shape
@@ -40,7 +42,7 @@ TAN = sp.tan(sp.Rational(2, 5))
     ids=["root", "logarithm", "logarithm and pole", "near pole", "near pair of poles"],
 )
 def test_rules_deliver_the_digits_they_are_asked_for(f, exact, singular) -> None:
-    with mp.workdps(DIGITS + integrals.GUARD):
+    with mp.workdps(DIGITS + GUARD):
         value = integrate(f, mp.mpf(0), mp.mpf(1), singular, DIGITS)
         assert abs(value / exact() - 1) < AGREEMENT
 
@@ -60,15 +62,15 @@ def test_cone_and_truncated_cone_against_the_book(ratio: sp.Expr) -> None:
     """Closed forms typed here, so that neither the engine nor its masters stand on both sides."""
     a = sp.Rational(7, 5)
     values = {nt.theta: sp.Rational(2, 5), nt.a: a, nt.r: a * ratio, nt.b: a * ratio}
-    with mp.workdps(DIGITS + integrals.GUARD):
+    with mp.workdps(DIGITS + GUARD):
         a_, r = number(a), number(a * ratio)
-        cone, cut = shape(load("cone"), values), shape(load("truncated_cone"), values)
+        cone, cut = (Homogeneous(shape(load(name), values), mp.mpf(0), DIGITS) for name in ("cone", "truncated_cone"))
         tan = number(TAN)
         got_and_want = [
-            (integrals.pressure(cone, a_, r, DIGITS), tan / 2 * mp.acosh(a_ / r)),
-            (integrals.depth(cut, a_, DIGITS), tan * a_ * mp.acos(r / a_)),
+            (cone.pressure(a_, r), tan / 2 * mp.acosh(a_ / r)),
+            (cut.depth(a_), tan * a_ * mp.acos(r / a_)),
             (
-                integrals.force(cut, a_, DIGITS),
+                cut.force(a_),
                 tan * a_**2 * (mp.acos(r / a_) + r / a_ * mp.sqrt((a_ - r) * (a_ + r)) / a_),
             ),
         ]
@@ -84,7 +86,7 @@ def test_every_entry_agrees_with_its_definition(name: str) -> None:
     for suffix in entries:
         if f"{name}.{suffix}" in SLOW:
             continue
-        evidence = check(profile, entries, suffix, points=3, seed=1)
+        evidence = check(Comparison(profile, entries, points=3, seed=1), suffix)
         assert evidence.passed, evidence
         assert evidence.digits >= DIGITS - 10
 
@@ -127,7 +129,7 @@ def test_a_wrong_formula_fails(name: str, suffix: str, mutation: str) -> None:
         )
     else:
         entries[suffix] = wrong(entries[suffix], MUTATIONS[mutation])
-    evidence = check(profile, entries, suffix, points=3, seed=1)
+    evidence = check(Comparison(profile, entries, points=3, seed=1), suffix)
     assert evidence.outcome == "failed"
     assert evidence.worst_point
 
@@ -140,7 +142,7 @@ def test_swapped_regions_fail() -> None:
     swapped = (replace(inside, expr=outside.expr), replace(outside, expr=inside.expr))
     entries["p"] = replace(entries["p"], cases=swapped)
     with pytest.raises(ArithmeticError):
-        check(profile, entries, "p", points=3, seed=1)
+        check(Comparison(profile, entries, points=3, seed=1), "p")
 
 
 def test_precision_doubling_is_not_fooled() -> None:
@@ -177,23 +179,21 @@ def test_a_point_on_a_border_has_no_case() -> None:
 def test_balls_compute_the_profile_as_mpmath_does(name: str) -> None:
     profile = load(name)
     point = points(profile, derive(profile)["d"].cases[-1].chain, 1, 3)[0]
-    with mp.workdps(DIGITS), ball_rules.at_working_precision():
+    with mp.workdps(DIGITS), rules.at_working_precision():
         for piece in shape(profile, point.values).stretches:
             place = piece.lo / 3 + piece.hi * 2 / 3
-            got = middle(piece.bend_ball(ball_rules.ball(place)))
+            got = middle(piece.bend_ball(rules.ball(place)))
             assert abs(got / piece.bend(place) - 1) < mp.mpf(10) ** (3 - DIGITS)
 
 
 def test_rules_sum_balls_as_numbers() -> None:
-    with mp.workdps(DIGITS + integrals.GUARD), ball_rules.at_working_precision():
+    with mp.workdps(DIGITS + GUARD), rules.at_working_precision():
         for lo, hi, singular in ((mp.mpf(0), mp.mpf(1) / 2, (0j, 2 + 0j)), (mp.mpf(1) / 3, mp.mpf(1), (2 + 0j,))):
             numbers = integrate(lambda x: mp.sqrt(x) / mp.sqrt(2 - x), lo, hi, singular, DIGITS)
-            balls = integrate(
-                lambda x: x.sqrt() / (2 - x).sqrt(), lo, hi, singular, DIGITS, panel=ball_rules.sum_over_balls
-            )
+            balls = integrate(lambda x: x.sqrt() / (2 - x).sqrt(), lo, hi, singular, DIGITS, panel=rules.sum_over_balls)
             assert abs(balls / numbers - 1) < mp.mpf(10) ** (-DIGITS - 20)
 
 
 def test_a_function_that_balls_lack_is_named() -> None:
     with pytest.raises(ValueError, match="has the function erf"):
-        ball_rules.bound(sp.erf(nt.r), nt.r, {})(ball_rules.ball(mp.mpf(1)))
+        rules.bound(sp.erf(nt.r), nt.r, {})(rules.ball(mp.mpf(1)))

@@ -17,7 +17,7 @@ from axicontact.normal import sphere
 from axicontact.tangential import sphere as slipping
 from axicontact.viscoelastic import sphere as relaxing
 from axiderive.book.spread import problems_of
-from axiderive.oracle.values import Numbers, StripNumbers
+from axiderive.figures.values import Numbers, StripNumbers
 from axiderive.physics.systems import pool_of
 from axiderive.readback.numbers import number
 from axiderive.worked import worked

@@ -174,7 +174,7 @@ def _show(arguments: argparse.Namespace) -> int:
 
 def _check(arguments: argparse.Namespace) -> int:
     if arguments.keys == ["chapter"]:
-        from .chapter11.runner import GUARD, report
+        from .chapter11.equation import GUARD, report
 
         jobs = min(os.cpu_count() or 1, MOST_JOBS)
         return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, jobs) else FAILED

@@ -14,7 +14,7 @@ from .. import notation as nt
 from ..abel import masters
 from ..entry import Entry
 from ..figures.given import Strip
-from ..oracle.values import Numbers, Values
+from ..figures.values import Numbers, Values
 from ..physics.systems import Problem, pool_of
 from ..print.box import width
 from ..print.formula import Printer

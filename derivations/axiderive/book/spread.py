@@ -12,7 +12,7 @@ from ..figures.curves import curves
 from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
-from ..oracle.values import Numbers, StripNumbers, sketch_values
+from ..figures.values import Numbers, StripNumbers, sketch_values
 from ..physics.pools import ROUND
 from ..physics.systems import SYSTEMS, Problem, pool_of
 from ..print.words import prose

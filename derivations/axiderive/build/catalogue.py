@@ -107,8 +107,8 @@ def build(
 
 def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
     """What the equations of chapter 11 come to; their checks compare with entries of the engine too."""
+    from ..chapter11.equation import run
     from ..chapter11.errata import record
-    from ..chapter11.runner import run
 
     key = work.chapter_key()
     kept = standing.get("record")

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from ..checks import checks
-from ..oracle.evidence import Evidence
+from ..checks.comparison import Evidence
 from ..physics import systems
 from ..proof import certificate
 from ..proof.rules import plane

@@ -33,7 +33,7 @@ WRITING = (
     *("axiderive.notation", "axiderive.entry", "axiderive.abel", "axiderive.physics", "axiderive.store.records"),
     *("axiderive.profiles", "axiderive.stable", "axiderive.code", "axiderive.runtime", "axiderive.print"),
     *("axiderive.rows", "axiderive.figures", "axiderive.worked", "axiderive.book", "axiderive.web"),
-    *("axiderive.readback", "axiderive.oracle.values"),
+    *("axiderive.readback", "axiderive.oracle.evaluate"),
 )
 """Modules and packages, with every file in them, that write modules and pages."""
 TEXTS = ("title", "subtitle", "validity", "sources", "sketch", "synonyms", "note", "meanings", "reason")

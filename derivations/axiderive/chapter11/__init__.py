@@ -2,6 +2,6 @@
 
 The right side of every equation stands in its section's module as the chapter
 prints it; a check compares it with the left side computed on another route, at
-random parameters and in two systems of units.  `runner.run` does all of them,
-`runner.table` prints them, `errata.errata` lists what they show to be misprinted.
+random parameters and in two systems of units.  `equation.run` does all of them,
+`equation.table` prints them, `errata.record` lists what they show to be misprinted.
 """

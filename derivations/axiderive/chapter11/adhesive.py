@@ -1,4 +1,4 @@
-"""Section 11.3: adhesive contact on the homogeneous half-space, (11.30) and (11.31)."""
+"""Adhesive contact on the homogeneous half-space, section 11.3, and on the graded one, section 11.6."""
 
 from __future__ import annotations
 
@@ -7,37 +7,63 @@ from typing import Any
 
 import mpmath as mp
 
-from .equation import ENERGY, FORCE, LENGTH, Draw, Formula, PowerSum, Residual, equation
-from .quadrature import derivative, singular
+from .equation import ENERGY, FORCE, LENGTH, STIFFNESS, STRESS, Draw, Formula, PowerSum, Residual, equation
+from .graded_punch import medium
+from .quadrature import area_force, derivative, panels, singular
 
 ZERO = mp.mpf(0)
 
 
-def energy_balance(a: Any, dx: Any, dgamma: Any, E_star: Any, dl: Any) -> tuple[Any, Any]:
-    """Both sides of (11.30)."""
-    return 2 * mp.pi * a * dx * dgamma, E_star * dx * dl**2
+def energy_balance(a: Any, dx: Any, dgamma: Any, foundation: Any, dl: Any) -> tuple[Any, Any]:
+    """Both sides of (11.30) and (11.63); `foundation` is a stiffness per length, E* on the homogeneous half-space."""
+    return 2 * mp.pi * a * dx * dgamma, foundation * dx * dl**2
 
 
-def retraction(a: Any, dgamma: Any, E_star: Any) -> Any:
+def retraction(a: Any, dgamma: Any, foundation: Any) -> Any:
     """Length by which the body is lifted, its contact radius a held, until the springs at the edge come off."""
-    return mp.sqrt(2 * mp.pi * a * dgamma / E_star)
+    return mp.sqrt(2 * mp.pi * a * dgamma / foundation)
 
 
-def spring_energy(g: PowerSum, d: Any, a: Any, E_star: Any) -> Any:
-    """E* int (d - g)**2 dx over (0, a), each product of powers integrated."""
+def spring_stiffness(foundation: Any, dx: Any) -> Any:
+    """Stiffness (force over length) of one spring of width dx; `foundation` is a stiffness per length."""
+    return foundation * dx
+
+
+def foundation_modulus(x: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """Stiffness of the foundation per length at x, a force over the square of a length."""
+    return h_N * E_star * (abs(x) / c0) ** k
+
+
+def retraction_printed(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """The retraction as printed, which has the dimension of a length to the power 3/2."""
+    return mp.sqrt(2 * mp.pi * a * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
+
+
+def retraction_corrected(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
+    """The retraction, a length, from the constants of the medium."""
+    return mp.sqrt(2 * mp.pi * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
+
+
+def spring_energy(g: PowerSum, d: Any, a: Any, H: Any, k: Any = ZERO) -> Any:
+    """H int x**k (d - g)**2 dx over (0, a), each product of powers integrated."""
     terms = ((d, ZERO), *((-c, n) for c, n in g.terms))
-    return E_star * mp.fsum(c * e * a ** (n + m + 1) / (n + m + 1) for c, n in terms for e, m in terms)
+    return H * mp.fsum(c * e * a ** (n + q + k + 1) / (n + q + k + 1) for c, n in terms for e, q in terms)
+
+
+def _rates(g: PowerSum, a: Any, dgamma: Any, dx: Any, dl: Any, H: Any, k: Any) -> tuple[Any, Any]:
+    """Derivatives by a of pi a**2 dgamma and of the energy of the springs at fixed depth, times dx."""
+    d = g(a) - dl
+    released = derivative(lambda x: spring_energy(g, d, x, H, k), a, a / 4) * dx
+    return derivative(lambda x: mp.pi * x**2 * dgamma, a, a / 2) * dx, released
 
 
 @equation(30, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
 def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Derivatives by a of pi a**2 dgamma and of the energy of the springs, times dx, beside the two sides."""
+    """The derivatives of both energies by a, times dx, beside the two sides."""
     g, a, E_star, dgamma = draw.power_sum(), draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
     dx, dl = draw.length(), draw.length()
-    surface, elastic = formula(a, dx, dgamma, E_star, dl)
-    yield Residual(derivative(lambda x: mp.pi * x**2 * dgamma, a, a / 2) * dx, surface, ENERGY)
-    d = g(a) - dl
-    yield Residual(derivative(lambda x: spring_energy(g, d, x, E_star), a, a / 4) * dx, elastic, ENERGY)
+    rates, sides = _rates(g, a, dgamma, dx, dl, E_star, ZERO), formula(a, dx, dgamma, E_star, dl)
+    yield from (Residual(rate, side, ENERGY) for rate, side in zip(rates, sides, strict=True))
 
 
 @equation(31, retraction, "JKR force of the paraboloid, its minimum, stationary energy of random powers")
@@ -53,7 +79,66 @@ def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     depth = weakest**2 / R - formula(weakest, dgamma, E_star)
     pull_off = 2 * E_star * singular(lambda x: depth - x**2 / R, ZERO, weakest)
     yield Residual(-3 * mp.pi * dgamma * R / 2, pull_off, FORCE)
-    g = draw.power_sum()
-    d = g(a) - formula(a, dgamma, E_star)
-    grown = derivative(lambda x: spring_energy(g, d, x, E_star), a, a / 4)
-    yield Residual(mp.sqrt(grown / E_star), formula(a, dgamma, E_star), LENGTH)
+    yield _is_stationary(draw.power_sum(), a, dgamma, formula(a, dgamma, E_star), E_star, ZERO)
+
+
+@equation(62, spring_stiffness, "the springs under a flat punch add up to (11.46)")
+def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The springs under a flat punch add up to its stiffness (11.46)."""
+    a, m = draw.length(), medium(draw)
+    dx = draw.length()
+    total = panels(lambda x: formula(m.foundation(x), dx) / dx, -a, a, (ZERO,))
+    yield Residual(2 * m.H * a ** (1 + m.k) / (1 + m.k), total, STIFFNESS)
+
+
+@equation(63, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
+def check_graded_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The derivatives of both energies by a, times dx, beside the two sides."""
+    g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
+    dx, dl = draw.length(), draw.length()
+    rates, sides = _rates(g, a, dgamma, dx, dl, m.H, m.k), formula(a, dx, dgamma, m.foundation(a), dl)
+    yield from (Residual(rate, side, ENERGY) for rate, side in zip(rates, sides, strict=True))
+
+
+def _is_stationary(g: PowerSum, a: Any, dgamma: Any, dl: Any, H: Any, k: Any) -> Residual:
+    """The retraction at which the elastic energy falls as fast as the surface energy grows."""
+    _, released = _rates(g, a, dgamma, 1, dl, H, k)
+    return Residual(dl * mp.sqrt(2 * mp.pi * a * dgamma / released), dl, LENGTH)
+
+
+@equation(64, retraction, "stationary energy of random powers")
+def check_graded_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """The retraction, rescaled until the springs release what the surface takes up, beside the formula."""
+    g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
+    yield _is_stationary(g, a, dgamma, formula(a, dgamma, m.foundation(a)), m.H, m.k)
+
+
+@equation(65, foundation_modulus, "value at c0; force of the springs against the closed pressure over the area")
+def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """Stiffness per length at c0, and the force of the springs against the closed pressure over the area."""
+    g, a, m = draw.power_sum(), draw.length(), medium(draw)
+    yield Residual(m.h_N * m.E0 / (1 - m.nu**2), formula(-m.c0, m.h_N, m.E_star, m.c0, m.k), STRESS)
+
+    def spring(x: Any) -> Any:
+        return formula(x, m.h_N, m.E_star, m.c0, m.k) * (g(a) - g(abs(x)))
+
+    yield Residual(area_force(g, a, m.H, m.k), panels(spring, -a, a, (ZERO,)), FORCE)
+
+
+@equation(
+    66,
+    retraction_printed,
+    "(11.65) put into (11.64); stationary energy of random powers; limit k = 0 against (11.31)",
+    corrected=retraction_corrected,
+    printed_form="dl = sqrt(2 pi a dgamma c0^k a^(1-k) / (E* h_N))",
+    right_form="dl = sqrt(2 pi dgamma c0^k a^(1-k) / (E* h_N))",
+    reason="The power a^(1-k) holds the factor a already: as printed, dl is not in metres and misses (11.31) for k = 0",
+)
+def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    """(11.64) with c_N put in, the balance of both energies, and (11.31) for k = 0, each beside the formula."""
+    g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
+    constants = (m.h_N, m.E_star, m.c0, m.k)
+    yield Residual(retraction(a, dgamma, m.foundation(a)), formula(a, dgamma, *constants), LENGTH)
+    yield _is_stationary(g, a, dgamma, formula(a, dgamma, *constants), m.H, m.k)
+    homogeneous = formula(a, dgamma, mp.mpf(1), m.E_star, m.c0, ZERO)
+    yield Residual(retraction(a, dgamma, m.E_star), homogeneous, LENGTH)

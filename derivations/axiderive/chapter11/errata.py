@@ -1,37 +1,20 @@
-"""What the checks of chapter 11 leave for the handbook.
-
-The errata of chapter 11 as the checks show them, for the handbook.
-
-The checks of the chapter as plain data, for the evidence and the handbook.
-"""
+"""What the checks of chapter 11 leave for the evidence and the handbook: errata as they show them, as plain data."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import mpmath as mp
 
-from .equation import FORCE, LENGTH, STRESS, Draw, Residual
+from .equation import FORCE, GUARD, LENGTH, STRESS, Draw, Residual, Row, agreed, equations
 from .first_principles import steps
 from .graded_punch import exponent
 from .quadrature import even_pressure, kappa, panels, pressure, rings, singular, total_force
 from .round_trip import edge_pressure
-from .runner import GUARD, Row, equations, run
 
 ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2
-
-
-@dataclass(frozen=True)
-class Erratum:
-    """One correction: where, what is printed, what is right, why, and what the check found."""
-
-    place: str
-    printed: str
-    right: str
-    reason: str
-    evidence: str
 
 
 @dataclass(frozen=True)
@@ -45,54 +28,11 @@ class Remark:
     check: Callable[[Draw], Iterator[Residual]] | None = None
 
 
-def misprints(rows: Iterable[Row]) -> tuple[Erratum, ...]:
-    """The corrections shown by these rows."""
-    known = equations()
-    return tuple(
-        Erratum(f"({row.name})", e.printed_form, e.right_form, e.reason, _evidence(row))
-        for row in rows
-        if row.verdict == "misprint" and (e := known[row.number])
-    )
-
-
-def _evidence(row: Row) -> str:
-    units = ", and it scales wrongly with the units" if (row.printed.units or 0) > 1e-3 else ""
-    return (
-        f"{row.title}: printed form off by a relative {row.printed.values:.2g}{units}; "
-        f"right form holds to {row.digits()} digits"
-    )
-
-
-def errata(digits: int = 30, seed: int = 11, rows: Iterable[Row] | None = None) -> tuple[Erratum, ...]:
-    """Misprinted equations, found by their checks, and then the slips of the text.
-
-    `rows` are those of `runner.run`; without them the equations that have a
-    correction are checked here.
-    """
-    if rows is None:
-        rows = run([n for n, e in equations().items() if e.corrected], digits, seed, draws=1)
-    return misprints(rows) + tuple(_erratum(remark, digits, seed) for remark in REMARKS)
-
-
-def _erratum(remark: Remark, digits: int, seed: int) -> Erratum:
-    evidence = ""
-    if remark.check:
-        agreed = agreement(remark, digits, seed)
-        evidence = f"right form holds to {agreed} digits"
-        if agreed < digits:
-            message = f"{remark.place}: the right form agrees to {agreed} digits only, {digits} were asked for"
-            raise ArithmeticError(message)
-    return Erratum(remark.place, remark.printed, remark.right, remark.reason, evidence)
-
-
 def agreement(remark: Remark, digits: int, seed: int) -> int:
-    """Digits to which the right form of a remark holds at random parameters."""
-    if remark.check is None:
-        message = f"{remark.place}: nothing to compute; only remarks with a check have an agreement"
-        raise ValueError(message)
+    """Digits to which the right form of a remark with a check holds at random parameters."""
+    assert remark.check
     with mp.workdps(digits + GUARD):
-        worst = max(x.relative() for x in remark.check(Draw(f"{seed}:{remark.place}")))
-        return digits + GUARD if worst == 0 else min(digits + GUARD, int(-mp.log10(worst)))
+        return agreed(max(x.relative() for x in remark.check(Draw(f"{seed}:{remark.place}"))), digits + GUARD)
 
 
 def _edge_pressure(draw: Draw) -> Iterator[Residual]:
@@ -186,20 +126,21 @@ REMARKS = (
 
 
 def record(rows: Iterable[Row], digits: int = 30, seed: int = 11) -> dict[str, Any]:
-    """What `runner.run` found, the errata those rows show, and the exact steps from the point load to the punch.
+    """What `equation.run` found, the errata those rows show, and the exact steps from the point load to the punch.
 
     Returns
     -------
     dict
         JSON-able: the digits demanded, the seed, `rows` (an equation each), `errata` (place, printed, right,
-        reason, evidence) and `steps` (equations, claim, holds).
+        reason, evidence: misprints, then slips of the text) and `steps` (equations, claim, holds).
     """
     rows = tuple(rows)
+    misprints = [_misprint(row) for row in rows if row.verdict == "misprint"]
     return {
         "digits": digits,
         "seed": seed,
         "rows": [_row(row) for row in rows],
-        "errata": [asdict(erratum) for erratum in errata(digits, seed, rows)],
+        "errata": [*misprints, *(_slip(remark, digits, seed) for remark in REMARKS)],
         "steps": [{"equations": step.equations, "claim": step.claim, "holds": step.holds()} for step in steps()],
     }
 
@@ -222,3 +163,28 @@ def _row(row: Row) -> dict[str, Any]:
         "as_printed": f"{row.printed.values:.1e}" if misprint else "",
         "right_form": row.right_form if misprint else "",
     }
+
+
+def _misprint(row: Row) -> dict[str, str]:
+    own = equations()[row.number]
+    units = ", and it scales wrongly with the units" if (row.printed.units or 0) > 1e-3 else ""
+    shown = (
+        f"{row.title}: printed form off by a relative {row.printed.values:.2g}{units}; "
+        f"right form holds to {row.digits()} digits"
+    )
+    return _erratum(f"({row.name})", own.printed_form, own.right_form, own.reason, shown)
+
+
+def _slip(remark: Remark, digits: int, seed: int) -> dict[str, str]:
+    shown = ""
+    if remark.check:
+        found = agreement(remark, digits, seed)
+        shown = f"right form holds to {found} digits"
+        if found < digits:
+            message = f"{remark.place}: the right form agrees to {found} digits only, {digits} were asked for"
+            raise ArithmeticError(message)
+    return _erratum(remark.place, remark.printed, remark.right, remark.reason, shown)
+
+
+def _erratum(place: str, printed: str, right: str, reason: str, evidence: str) -> dict[str, str]:
+    return {"place": place, "printed": printed, "right": right, "reason": reason, "evidence": evidence}

@@ -118,9 +118,9 @@ def _outside(draw: Draw, a: Any) -> Any:
     return draw.number(1.5, 3) * a
 
 
-def _depth_by_rings(a: Any, p0: Any, E_star: Any) -> Any:
-    """Displacement at the centre under (11.1)."""
-    return rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), mp.mpf(0), a, E_star)
+def _sunk(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
+    """Displacement at r under (11.1), by ring kernels."""
+    return rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
 
 
 @equation(1, punch_pressure, "two points of the loaded circle sink equally, by ring kernels")
@@ -163,8 +163,7 @@ def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual
     """Displacement at r < a by ring kernels beside the double integral around the point."""
     a, p0, E_star = _disc(draw)
     r = _inside(draw, a)
-    left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
-    yield Residual(left, formula(r, a, p0, E_star), LENGTH)
+    yield Residual(_sunk(r, a, p0, E_star), formula(r, a, p0, E_star), LENGTH)
 
 
 @equation(5, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
@@ -182,8 +181,7 @@ def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Displacements by ring kernels, at the centre and at two radii inside, beside the one depth."""
     a, p0, E_star = _disc(draw)
     for r in (mp.mpf(0), _inside(draw, a), draw.number(0.8, 0.95) * a):
-        left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
-        yield Residual(left, formula(a, p0, E_star), LENGTH)
+        yield Residual(_sunk(r, a, p0, E_star), formula(a, p0, E_star), LENGTH)
 
 
 @equation(7, pressure_across, "pressure at a point given by coordinates, A outside")
@@ -201,8 +199,7 @@ def check_displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual
     """Displacement at r > a by ring kernels beside the formula; serves (11.11) as well."""
     a, p0, E_star = _disc(draw)
     r = _outside(draw, a)
-    left = rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
-    yield Residual(left, formula(r, a, p0, E_star), LENGTH)
+    yield Residual(_sunk(r, a, p0, E_star), formula(r, a, p0, E_star), LENGTH)
 
 
 @equation(9, chord_ends, "a point of the circle t = a given by coordinates is a root")
@@ -231,15 +228,15 @@ def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residu
     """Displacement by ring kernels beside the arcsine at r > a, and the depth of the centre beside it at r = a."""
     yield from check_displacement_across(draw, formula)
     a, p0, E_star = _disc(draw)
-    yield Residual(_depth_by_rings(a, p0, E_star), formula(a, a, p0, E_star), LENGTH)
+    yield Residual(_sunk(mp.mpf(0), a, p0, E_star), formula(a, a, p0, E_star), LENGTH)
 
 
 @equation(12, outside_from_depth, "displacement by ring kernels, r > a, with d by ring kernels")
 def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Displacement by ring kernels beside the arcsine at r > a, and d beside it at r = a; d is by ring kernels too."""
     a, p0, E_star = _disc(draw)
-    r, d = _outside(draw, a), _depth_by_rings(a, p0, E_star)
-    yield Residual(rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star), formula(r, a, d), LENGTH)
+    r, d = _outside(draw, a), _sunk(mp.mpf(0), a, p0, E_star)
+    yield Residual(_sunk(r, a, p0, E_star), formula(r, a, d), LENGTH)
     yield Residual(d, formula(a, a, d), LENGTH)
 
 
@@ -255,12 +252,12 @@ def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The integral of the pressure over the area, divided by the depth of ring kernels, beside 2 a E*."""
     a, p0, E_star = _disc(draw)
     force = total_force(lambda r: p0 / mp.sqrt(1 - r**2 / a**2), a)
-    yield Residual(force / _depth_by_rings(a, p0, E_star), formula(a, E_star), STIFFNESS)
+    yield Residual(force / _sunk(mp.mpf(0), a, p0, E_star), formula(a, E_star), STIFFNESS)
 
 
 @equation(15, pressure_from_depth, "pressure (11.1) with p0 replaced by d of ring kernels")
 def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The pressure (11.1) beside the form in d, where d comes from p0 by ring kernels."""
     a, p0, E_star = _disc(draw)
-    r, d = _inside(draw, a), _depth_by_rings(a, p0, E_star)
+    r, d = _inside(draw, a), _sunk(mp.mpf(0), a, p0, E_star)
     yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), formula(r, a, d, E_star), STRESS)

@@ -1,14 +1,8 @@
 """Integration rules of the checks, and routes that are independent of the chapter's.
 
-Integration rules of the checks: for any singular ends, for ends of known power, for a full turn.
-
-No rule estimates its own error; agreement with another route is the measure.
-
-Pressures p0 (1 - r**2/a**2)**s, Föppl's three among them, with the closed displacement of their chords.
-
-The independent routes: displacement of a loaded disc by rings or by chords, and known pressures of power laws.
-
-The ring kernels are exact.  (11.2) integrated over the angle is an
+No rule estimates its own error; agreement with another route is the measure.  The routes: displacement of a loaded
+disc by rings or by chords, known pressures of power laws, and pressures p0 (1 - r**2/a**2)**s, Föppl's three among
+them, with the closed displacement of their chords.  The ring kernels are exact: (11.2) integrated over the angle is an
 arithmetic-geometric mean, (11.34) a hypergeometric function of (t/r)**2.
 """
 
@@ -19,7 +13,6 @@ from functools import lru_cache
 from typing import Any
 
 import mpmath as mp
-import numpy as np
 
 from .equation import Draw, PowerSum
 
@@ -80,57 +73,11 @@ def to_infinity(f: Function, lo: Any) -> Any:
 
 @lru_cache(maxsize=64)
 def _jacobi(nodes: int, lower: Any, upper: Any, precision: int) -> tuple[tuple[Any, Any], ...]:
-    """(u, weight / (u**lower (1 - u)**upper)) of the Gauss rule on (0, 1), by Newton's method from float64 nodes."""
+    """(u, weight / (u**lower (1 - u)**upper)) of the Gauss rule on (0, 1)."""
     with mp.workprec(precision + 30):
-        al, be = mp.mpf(upper), mp.mpf(lower)
-        diagonal, off = _recurrence(nodes, al, be)
-        matrix = np.diag([float(x) for x in diagonal])
-        matrix += np.diag([float(mp.sqrt(x)) for x in off[1:]], 1) + np.diag([float(mp.sqrt(x)) for x in off[1:]], -1)
-        rule = []
-        for start in np.linalg.eigvalsh(matrix):
-            z = mp.mpf(float(start))
-            for _ in range(60):
-                value, slope, norm = _orthogonal(z, diagonal, off)
-                change = value / slope
-                z -= change
-                if abs(change) < mp.mpf(2) ** (-precision // 2 - 20):
-                    break
-            norm = _orthogonal(z, diagonal, off)[2]
-            u, v = (1 + z) / 2, (1 - z) / 2
-            weight = off[0] / norm / mp.mpf(2) ** (al + be + 1)
-            rule.append((u, weight / (u**be * v**al)))
-        return tuple(rule)
-
-
-def _recurrence(nodes: int, al: Any, be: Any) -> tuple[list[Any], list[Any]]:
-    """Coefficients of the monic Jacobi polynomials; off[0] is the integral of the weight."""
-    s = al + be
-    diagonal = [(be - al) / (s + 2)]
-    off = [mp.mpf(2) ** (s + 1) * mp.beta(al + 1, be + 1)]
-    for i in range(1, nodes):
-        t = 2 * i + s
-        diagonal.append((be**2 - al**2) / (t * (t + 2)))
-        if i == 1:
-            off.append(4 * (1 + al) * (1 + be) / ((2 + s) ** 2 * (3 + s)))
-        else:
-            off.append(4 * i * (i + al) * (i + be) * (i + s) / (t**2 * (t + 1) * (t - 1)))
-    return diagonal, off
-
-
-def _orthogonal(z: Any, diagonal: list[Any], off: list[Any]) -> tuple[Any, Any, Any]:
-    """Last polynomial, its derivative, and the sum of squares of the orthonormal ones (times off[0])."""
-    before, value = mp.mpf(0), mp.mpf(1)
-    slope_before, slope = mp.mpf(0), mp.mpf(0)
-    norm, product = mp.mpf(1), mp.mpf(1)
-    for i, shift in enumerate(diagonal):
-        b = off[i] if i else mp.mpf(0)
-        new = (z - shift) * value - b * before
-        new_slope = value + (z - shift) * slope - b * slope_before
-        before, value, slope_before, slope = value, new, slope, new_slope
-        if i + 1 < len(diagonal):
-            product *= off[i + 1]
-            norm += value**2 / product
-    return value, slope, norm
+        rule = zip(*mp.gauss_quadrature(nodes, "jacobi", upper, lower), strict=True)
+        halved = (((1 + z) / 2, (1 - z) / 2, weight) for z, weight in sorted(rule))
+        return tuple((u, weight / (2 ** (lower + upper + 1) * u**lower * v**upper)) for u, v, weight in halved)
 
 
 def weighted(f: Function, lo: Any, hi: Any, lower: Any = 0, upper: Any = 0, density: float = 1.3) -> Any:
@@ -273,8 +220,13 @@ def total_force(p: Function, a: Any, edge: float = 0.5) -> Any:
     return 2 * mp.pi * singular(lambda r: p(r) * r, mp.mpf(0), a, edge)
 
 
-def derivative(f: Function, x: Any, reach: Any, nodes: int = 0) -> Any:
-    """f'(x) by Cauchy's integral over a circle of radius `reach`, inside which f is analytic."""
-    count = nodes or int(mp.mp.dps * 3.4)
+def area_force(g: PowerSum, a: Any, E_star: Any, k: Any = 0) -> Any:
+    """The closed pressure of the depth g, integrated over the area."""
+    return total_force(lambda r: pressure(g, r, a, E_star, k), a)
+
+
+def derivative(f: Function, x: Any, reach: Any, order: int = 1) -> Any:
+    """f'(x), or f''(x), by Cauchy's integral over a circle of radius `reach`, inside which f is analytic."""
+    count = int(mp.mp.dps * 3.4)
     turns = [mp.expjpi(mp.mpf(2 * i) / count) for i in range(count)]
-    return mp.fsum(f(x + reach * t) / t for t in turns) / (count * reach)
+    return order * mp.fsum(f(x + reach * t) / t**order for t in turns) / (count * reach**order)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..abel import masters
 from ..entry import Case, Entry
+from ..oracle.evaluate import evaluated, holds
+from ..oracle.shape import Shape, coefficient, concrete, shape
 from ..physics.loads import derive as derive_load
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..physics.normal import derive
@@ -29,9 +30,10 @@ DEGREE = 3
 SPREAD = 0.04
 """How far the random parameters stray from those of the sketch, which keep the rules of the profile."""
 
-_NUMERIC = {
-    name: cls.numeric for name, cls in vars(masters).items() if isinstance(cls, type) and hasattr(cls, "numeric")
-}
+
+def _number(expr: sp.Expr, values: Values) -> Any:
+    """The value of an expression, its integrals (which are regular by construction) done by quadrature."""
+    return evaluated(expr, values, singular)
 
 
 @lru_cache(maxsize=2 * len(NAMES))
@@ -44,38 +46,6 @@ def _slope(expr: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return sp.diff(expr, symbol)
 
 
-@lru_cache(maxsize=1024)
-def _plan(expr: sp.Expr) -> tuple[tuple[tuple[sp.Symbol, sp.Integral], ...], tuple[sp.Symbol, ...], Callable[..., Any]]:
-    """The integrals of an expression under names of their own, the names it needs, and the rest as a function."""
-    integrals = tuple((sp.Dummy(positive=True), integral) for integral in expr.atoms(sp.Integral))
-    rest = expr.xreplace({integral: name for name, integral in integrals})
-    names = tuple(sorted(rest.free_symbols, key=str))
-    return integrals, names, sp.lambdify(names, rest, [_NUMERIC, "mpmath"])
-
-
-def _number(expr: sp.Expr, values: Values) -> Any:
-    """The value of an expression, its integrals (which are regular by construction) done by quadrature."""
-    integrals, names, function = _plan(expr)
-    known = dict(values)
-    for name, integral in integrals:
-        ((variable, lo, hi),) = integral.limits
-        integrand = _integrand(integral.function, variable, values)
-        known[name] = singular(integrand, _number(lo, values), _number(hi, values))
-    return function(*(known[s] for s in names))
-
-
-def _integrand(expr: sp.Expr, variable: sp.Symbol, values: Values) -> Function:
-    return lambda x: _number(expr, {**values, variable: x})
-
-
-@lru_cache(maxsize=64)
-def _spelled(expr: sp.Expr) -> sp.Expr:
-    """A sum over the powers of a polynomial written out."""
-    if not expr.has(sp.Sum):
-        return expr
-    return expr.subs(nt.N, DEGREE).doit().xreplace({nt.coefficients[i]: _coefficient(i) for i in range(1, DEGREE + 1)})
-
-
 @dataclass(frozen=True)
 class Indenter:
     """A profile of the catalogue at random parameter values, in the units of the draw."""
@@ -84,7 +54,6 @@ class Indenter:
     values: Values
     a: Any
     d: Any
-    breaks: tuple[Any, ...]
     medium: Medium = HOMOGENEOUS
 
     @property
@@ -97,47 +66,42 @@ class Indenter:
         """Whether the contact grows with the depth, d = g(a), rather than ending at the edge of the body."""
         return self.profile.compact
 
-    def _piece(self, r: Any) -> sp.Expr:
-        pieces = self.profile.pieces
-        index = sum(1 for b in self.breaks if r > b)
-        return _spelled(pieces[index].expr)
+    @cached_property
+    def _shape(self) -> Shape:
+        return shape(self.profile, {**self.values, nt.a: self.a})
+
+    @property
+    def breaks(self) -> tuple[Any, ...]:
+        """Radii below a at which one piece of the profile follows on another."""
+        return tuple(piece.hi for piece in self._shape.stretches[:-1])
 
     def height(self, r: Any) -> Any:
         """The profile f(r), a length, on the piece where r lies."""
-        return _number(self._piece(r), {**self.values, nt.a: self.a, nt.r: r})
+        return self._shape.height(r)
 
     def slope(self, r: Any) -> Any:
         """The slope f'(r), a pure number, on the piece where r lies."""
-        return _number(_slope(self._piece(r), nt.r), {**self.values, nt.a: self.a, nt.r: r})
+        return next(piece for piece in self._shape.stretches if r <= piece.hi).slope(r)
 
     def _case(self, cases: tuple[Case, ...], at: Values) -> Case | None:
-        """The case whose chain of lengths ascends at these values."""
-        for case in cases:
-            lengths = [_number(sp.sympify(length), at) for length in case.chain]
-            if all(x <= y for x, y in zip(lengths, lengths[1:], strict=False)):
-                return case
-        return None
+        return next((case for case in cases if holds(case, at)), None)
 
     def _radius_law(self, x: Any) -> tuple[sp.Expr, Values]:
         """d - g over the contact radius; for a complete contact from dF/da = 2 c_N(a) (d - g) at a fixed face."""
         entries, at = self.entries, {**self.values, nt.a: x}
         if self.compact:
             case = self._case(entries["d"].cases, at)
-            return nt.d - (_spelled(case.expr) if case else sp.S.Zero), at
+            return nt.d - (concrete(case.expr, at) if case else sp.S.Zero), at
         force = entries["F"].fixed_face[0].expr
         if nt.C in force.free_symbols:
-            at = {**at, nt.C: self._face_coefficient()}
+            # C of the face -C r**n
+            _, power = sp.expand_power_base(self.profile.pieces[0].expr).as_independent(nt.r, as_Add=False)
+            at = {**at, nt.C: -self.height(self.a) / _number(power, {**self.values, nt.a: self.a, nt.r: self.a})}
         return _slope(force, nt.a) / (self.medium.force_scale * nt.a**self.medium.k), at
-
-    def _face_coefficient(self) -> Any:
-        """C of the face -C r**n."""
-        _, power = sp.expand_power_base(self.profile.pieces[0].expr).as_independent(nt.r, as_Add=False)
-        return -self.height(self.a) / _number(power, {**self.values, nt.a: self.a, nt.r: self.a})
 
     def w1D(self, x: Any) -> Any:
         """The derived d - g(x)."""
-        expr, at = self._radius_law(x)
-        return _number(expr, at)
+        return _number(*self._radius_law(x))
 
     def w1D_slope(self, x: Any) -> Any:
         """The derivative at x of the derived d - g, a pure number."""
@@ -147,24 +111,17 @@ class Indenter:
     def pressure(self, r: Any) -> Any:
         """The derived pressure."""
         at = {**self.values, nt.a: self.a, nt.r: r}
-        entry = self.entries["p"]
-        cases = entry.cases if self.compact or entry.partial is None else entry.cases[-1:]
+        cases = self.entries["p"].cases
         case = self._case(cases, at) if self.compact else cases[-1]
         assert case is not None
-        return _number(_spelled(case.expr), at)
-
-
-def _coefficient(i: int) -> sp.Symbol:
-    return sp.Symbol(f"A_{i}", positive=True)
+        return _number(case.expr, at)
 
 
 def indenter(name: str, draw: Draw, graded: tuple[Any, Any] | None = None) -> Indenter:
     """The profile of that name with parameters scattered about those of its sketch; `graded` is H and k."""
     profile = load(name)
     values: dict[sp.Symbol, Any] = {nt.E_star: draw.stress()}
-    medium = HOMOGENEOUS
     if graded is not None:
-        medium = GRADED
         values[nt.H], values[nt.k] = graded
     sketch = dict(profile.sketch.values)
     exponent = sketch.get(nt.n)
@@ -172,22 +129,20 @@ def indenter(name: str, draw: Draw, graded: tuple[Any, Any] | None = None) -> In
         values[nt.n] = draw.number(exponent - SPREAD, exponent + SPREAD)
     for symbol in profile.parameters:
         if symbol is nt.coefficients:
-            values |= {_coefficient(i): draw.quantity(1 - i, 0) for i in range(1, DEGREE + 1)}
+            values[nt.N] = sp.Integer(DEGREE)
+            values |= {coefficient(i): draw.quantity(1 - i, 0) for i in range(1, DEGREE + 1)}
         elif symbol not in (nt.a, nt.n):
-            mean = sketch[symbol]
-            values[symbol] = draw.quantity(
-                _length_exponent(symbol, profile, values), 0, mean * (1 - SPREAD), mean * (1 + SPREAD)
-            )
+            lo, hi = (sketch[symbol] * (1 + sign * SPREAD) for sign in (-1, 1))
+            values[symbol] = draw.quantity(_length_exponent(symbol, profile, values), 0, lo, hi)
     for symbol, meaning in profile.abbreviations:
         values[symbol] = _number(meaning, values)
     a = draw.length(profile.sketch.a * (1 - SPREAD), profile.sketch.a * (1 + SPREAD))
-    breaks = tuple(_number(sp.sympify(b), values) for b in profile.breaks)
-    inside = tuple(b for b in breaks if b < a)
+    medium = HOMOGENEOUS if graded is None else GRADED
     if profile.complete:
         d = draw.length(1, 2)
     else:
-        d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), inside, medium).w1D(a)
-    return Indenter(profile, {**values, nt.d: d}, a, d, inside, medium)
+        d = -Indenter(profile, {**values, nt.d: mp.mpf(0)}, a, mp.mpf(0), medium).w1D(a)
+    return Indenter(profile, {**values, nt.d: d}, a, d, medium)
 
 
 def _length_exponent(symbol: sp.Symbol, profile: Profile, values: Values) -> Any:

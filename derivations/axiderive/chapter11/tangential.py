@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import mpmath as mp
 
 from .equation import FORCE, LENGTH, NUMBER, STRESS, Draw, Formula, PowerSum, Residual, equation
-from .quadrature import around, even_pressure, pressure, rings, singular, total_force
+from .quadrature import area_force, around, even_pressure, pressure, rings, singular, total_force
 
 Function = Callable[[Any], Any]
 ZERO = mp.mpf(0)
@@ -149,6 +149,16 @@ def _radii(draw: Draw) -> tuple[Any, Any]:
     return a * draw.number(0.4, 0.8), a
 
 
+def _slipping(draw: Draw) -> tuple[PowerSum, Any, Any, Solid, Any]:
+    """g, both radii, the half-space, and the ratio of the sideways increments to those of the depth."""
+    return draw.power_sum(), *_radii(draw), _solid(draw), draw.number(0.2, 1)
+
+
+def _places(draw: Draw, c: Any, a: Any) -> tuple[Any, Any]:
+    """A radius that sticks and one that slips."""
+    return c * draw.number(0.1, 0.9), c + (a - c) * draw.number(0.1, 0.9)
+
+
 def _superposed(g: PowerSum, mu: Any, r: Any, c: Any, a: Any, E_star: Any) -> Any:
     """Closed traction of random powers."""
     inner = pressure(g, r, c, E_star) if r < c else mp.mpf(0)
@@ -206,7 +216,7 @@ def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, modulus = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     force, stress = formula(g.slope, r, a, modulus)
-    yield Residual(total_force(lambda t: pressure(g, t, a, modulus), a), force, FORCE)
+    yield Residual(area_force(g, a, modulus), force, FORCE)
     yield Residual(pressure(g, r, a, modulus), stress, STRESS)
 
 
@@ -222,10 +232,9 @@ def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 @equation(73, force_of_second_step, "both forms against mu [F(a) - F(c)], forces over the area")
 def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """mu [F(a) - F(c)], each force a closed pressure over its area, beside both forms."""
-    g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
+    g, c, a, solid, lam = _slipping(draw)
     mu = lam * solid.G_star / solid.E_star
-    whole = total_force(lambda t: pressure(g, t, a, solid.E_star), a)
-    core = total_force(lambda t: pressure(g, t, c, solid.E_star), c)
+    whole, core = (area_force(g, end, solid.E_star) for end in (a, c))
     for side in formula(lambda x: lam * g.slope(x), g.slope, lam, c, a, solid.G_star):
         yield Residual(mu * (whole - core), side, FORCE)
 
@@ -233,9 +242,9 @@ def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residua
 @equation(74, traction_of_second_step, "stick and slip: closed p(r; a) - p(r; c) of random powers")
 def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """mu [p(r; a) - p(r; c)] of closed pressures, at a stuck and at a slipping radius, beside the integral."""
-    g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
+    g, c, a, solid, lam = _slipping(draw)
     mu = lam * solid.G_star / solid.E_star
-    for r in (c * draw.number(0.1, 0.9), c + (a - c) * draw.number(0.1, 0.9)):
+    for r in _places(draw, c, a):
         left = _superposed(g, mu, r, c, a, solid.E_star)
         yield Residual(left, formula(g.slope, lam, r, c, a, solid.G_star), STRESS)
 
@@ -243,7 +252,7 @@ def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Resi
 @equation(75, traction_in_slip, "integral of the second step in the slip ring")
 def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """The integral (11.74) at a slipping radius beside the multiple of the closed pressure."""
-    g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
+    g, c, a, solid, lam = _slipping(draw)
     r = c + (a - c) * draw.number(0.1, 0.9)
     left = traction_of_second_step(g.slope, lam, r, c, a, solid.G_star)
     yield Residual(left, formula(pressure(g, r, a, solid.E_star), lam, solid.G_star, solid.E_star), STRESS)
@@ -252,7 +261,7 @@ def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
 @equation(76, friction, "traction over pressure in the slip ring; forces of full slip")
 def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """Traction over pressure in the slip ring, and tangential over normal force when the whole contact slips."""
-    g, (c, a), solid, lam = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.2, 1)
+    g, c, a, solid, lam = _slipping(draw)
     r = c + (a - c) * draw.number(0.1, 0.9)
     mu = formula(lam, solid.G_star, solid.E_star)
     left = traction_of_second_step(g.slope, lam, r, c, a, solid.G_star) / pressure(g, r, a, solid.E_star)
@@ -278,9 +287,8 @@ def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
 def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
     """mu [F(a) - F(c)] over the area, and closed tractions at a stuck and a slipping radius, beside the formula."""
     g, (c, a), E_star, mu = draw.power_sum(), _radii(draw), draw.stress(), draw.number(0.1, 0.9)
-    whole = total_force(lambda t: pressure(g, t, a, E_star), a)
-    core = total_force(lambda t: pressure(g, t, c, E_star), c)
-    for r in (c * draw.number(0.1, 0.9), c + (a - c) * draw.number(0.1, 0.9)):
+    whole, core = (area_force(g, end, E_star) for end in (a, c))
+    for r in _places(draw, c, a):
         force, tau = formula(g.slope, mu, r, c, a, E_star)
         yield Residual(mu * (whole - core), force, FORCE)
         yield Residual(_superposed(g, mu, r, c, a, E_star), tau, STRESS)
@@ -291,7 +299,7 @@ def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residu
     """Against the integral over the second step alone, which knows nothing of p(r; c)."""
     g, (c, a), solid, mu = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     lam = mu * solid.E_star / solid.G_star
-    for r in (c * draw.number(0.1, 0.9), c + (a - c) * draw.number(0.1, 0.9)):
+    for r in _places(draw, c, a):
         right = formula(lambda t, end: pressure(g, t, end, solid.E_star), mu, r, c, a)
         yield Residual(traction_of_second_step(g.slope, lam, r, c, a, solid.G_star), right, STRESS)
 

@@ -8,7 +8,7 @@ depth, which is enclosed against its own integral.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache, partial
 
 import mpmath as mp
@@ -16,63 +16,54 @@ import sympy as sp
 from flint import acb
 
 from .. import notation as nt
-from ..entry import FOUR, Case, Entry
+from ..entry import FOUR, Entry
 from ..oracle.balls import Ball, NotAvailableError, enclose, integral, point, shrinking
-from ..oracle.evaluate import at_precision, case_at
-from ..oracle.evidence import Evidence, agreed, not_available, point_text
+from ..oracle.evaluate import case_at, evaluated
 from ..oracle.sampling import Point, fields, points
 from ..oracle.shape import Values, concrete
 from ..profiles.profile import Profile
+from .comparison import Comparison, Entries, Evidence, agreed, not_available, point_text
 
-Entries = Mapping[str, Entry]
 COMPARED = "overlapping Arb enclosures of the result and of its defining integral"
 ENCLOSED = (*FOUR, "pm")
+POINTS = 3
+"""Of every case."""
 _T, _S, _Z = sp.symbols("T S Z", positive=True)
 
 
-def check(
-    profile: Profile, entries: Entries, suffix: str, *, digits: int = 40, points: int = 3, seed: int = 0
-) -> Evidence:
-    """Enclose both sides at `points` points of every case where Arb can; say why where it cannot."""
-    entry = entries[suffix]
-    reason = _unsuited(profile, entry)
+def check(own: Comparison, suffix: str) -> Evidence:
+    """Enclose both sides at `POINTS` points of every case where Arb can; say why where it cannot."""
+    entry, digits = own.entries[suffix], own.digits
+    reason = _unsuited(own.profile, entry)
     if reason:
         return not_available(entry.key, COMPARED, reason)
     bits, extremes, count = 1 << 20, 0, 0
-    for drawn in _points(profile, entry, points, seed):
+    for drawn in _points(own, entry):
         values = drawn.values
         try:
             ours = enclose(case_at(entry, values).expr, values, digits)
-            wanted = shrinking(partial(_definition, profile, entries, suffix, values), digits)
+            wanted = shrinking(partial(_definition, own, suffix, values), digits)
         except NotAvailableError as error:
             return not_available(entry.key, COMPARED, str(error))
+        count, extremes = count + 1, extremes + drawn.extreme
         if not ours.overlaps(wanted):
             worst = mp.nstr(mp.mpf(abs((ours - wanted) / wanted).mid().str(10, radius=False)), 2)
             return Evidence(
-                entry.key, COMPARED, "failed", seed, count + 1, extremes, worst, 0, digits, point_text(values)
+                entry.key, COMPARED, "failed", own.seed, count, extremes, worst, 0, digits, point_text(values)
             )
         bits = min(bits, ours.rel_accuracy_bits(), wanted.rel_accuracy_bits())
-        count, extremes = count + 1, extremes + drawn.extreme
     width = mp.mpf(2) ** -bits
     return Evidence(
-        entry.key, COMPARED, "passed", seed, count, extremes, mp.nstr(width, 2), agreed(width, bits), digits
+        entry.key, COMPARED, "passed", own.seed, count, extremes, mp.nstr(width, 2), agreed(width, bits), digits
     )
 
 
-def check_profile(
-    profile: Profile, entries: Entries, *, digits: int = 40, points: int = 3, seed: int = 0
-) -> dict[str, Evidence]:
-    """Evidence by suffix, for those of d, F, pm, p and w that the profile has."""
-    return {
-        suffix: check(profile, entries, suffix, digits=digits, points=points, seed=seed)
-        for suffix in ENCLOSED
-        if suffix in entries
-    }
+def check_profile(own: Comparison) -> list[Evidence]:
+    """Evidence for those of d, F, pm, p and w that the profile has."""
+    return [check(own, suffix) for suffix in ENCLOSED if suffix in own.entries]
 
 
 def _unsuited(profile: Profile, entry: Entry) -> str:
-    if entry.suffix not in ENCLOSED:
-        return "no integral of its own; see the quadrature and the identities"
     if entry.status == "integral":
         return "the result is its defining integral"
     if entry.suffix == "p" and profile.complete:
@@ -82,40 +73,40 @@ def _unsuited(profile: Profile, entry: Entry) -> str:
     return ""
 
 
-def _points(profile: Profile, entry: Entry, count: int, seed: int) -> list[Point]:
+def _points(own: Comparison, entry: Entry) -> list[Point]:
     """Points in every case; a power that is no integer has a branch point at the tip, which boxes cannot pass."""
-    complete = profile.complete
     found: list[Point] = []
     for case in entry.cases:
-        if complete and any(x.has(nt.d) for x in case.chain[: case.chain.index(nt.a)]):
+        if own.profile.complete and any(x.has(nt.d) for x in case.chain[: case.chain.index(nt.a)]):
             continue
-        drawn = points(profile, case.chain, 5 * count, seed, fields(profile, entry))
+        drawn = points(own.profile, case.chain, 5 * POINTS, own.seed, fields(own.profile, entry))
         fitting = [p for p in drawn if nt.n not in p.values or p.values[nt.n].is_Integer]
-        found += fitting[:count]
+        found += fitting[:POINTS]
     return found
 
 
-def _definition(profile: Profile, entries: Entries, suffix: str, values: Values) -> acb:
-    known = point(values)
+def _definition(own: Comparison, suffix: str, values: Values) -> acb:
+    known, profile = point(values), own.profile
     a, modulus = known[nt.a], known[nt.E_star]
     if suffix == "p":
-        return modulus / acb.pi() * _pressure(profile, entries, values)
-    free = None
-    if profile.complete:
-        free = known[nt.d] - _over_angle(profile, values, lambda s, z: acb(1)) * a
-    match suffix:
-        case "d":
-            return a * _over_angle(profile, values, lambda s, z: acb(1))
-        case "F" | "pm":
-            total = _over_angle(profile, values, lambda s, z: s * s) + (free * a if free is not None else 0)
-            return 2 * modulus * total / (acb.pi() * a * a if suffix == "pm" else 1)
+        return modulus / acb.pi() * _pressure(profile, own.entries, values)
+
+    def depth() -> acb:
+        return a * _over_angle(profile, values, lambda s, z: acb(1))
+
+    free = known[nt.d] - depth() if profile.complete else acb(0)
+    if suffix == "d":
+        return depth()
+    if suffix in ("F", "pm"):
+        force = 2 * modulus * (_over_angle(profile, values, lambda s, z: s * s) + free * a)
+        return force if suffix == "F" else force / (acb.pi() * a * a)
     q = ((known[nt.r] - a) * (known[nt.r] + a)).sqrt()
     inclination = (a / q).atan()
 
     def weight(s: acb, z: acb) -> acb:
         return a * inclination - z * Ball({}, True).atan(z / q)
 
-    return 2 / acb.pi() * (_over_angle(profile, values, weight) + (free * inclination if free is not None else 0))
+    return 2 / acb.pi() * (_over_angle(profile, values, weight) + free * inclination)
 
 
 def _over_angle(profile: Profile, values: Values, weight: Callable[[acb, acb], acb]) -> acb:
@@ -124,7 +115,7 @@ def _over_angle(profile: Profile, values: Values, weight: Callable[[acb, acb], a
     a, total, lo = known[nt.a], acb(0), acb(0)
     for slope, upper in _slopes(profile):
         end = known[nt.a] if upper is None else Ball(known, False)(upper)
-        last = upper is None or bool(at_precision(upper, values) >= at_precision(nt.a, values))
+        last = upper is None or bool(evaluated(upper, values) >= evaluated(nt.a, values))
         hi = acb.pi() / 2 if last else (end / ((a - end) * (a + end)).sqrt()).atan()
         plain = concrete(slope, values)
 
@@ -142,13 +133,9 @@ def _over_angle(profile: Profile, values: Values, weight: Callable[[acb, acb], a
 
 @lru_cache(maxsize=64)
 def _slopes(profile: Profile) -> tuple[tuple[sp.Expr, sp.Expr | None], ...]:
-    slopes = [(_merged(sp.diff(piece.expr, nt.r)), piece.upper) for piece in profile.pieces]
+    # (r/a)**n/r as one power of r, which boxes around r = 0 can be put into
+    slopes = [(sp.powsimp(sp.expand_power_base(sp.diff(piece.expr, nt.r))), piece.upper) for piece in profile.pieces]
     return tuple((_from_the_edge(slope) if upper is None else slope, upper) for slope, upper in slopes)
-
-
-def _merged(expr: sp.Expr) -> sp.Expr:
-    """(r/a)**n/r as one power of r, which boxes around r = 0 can be put into."""
-    return sp.powsimp(sp.expand_power_base(expr))
 
 
 def _from_the_edge(slope: sp.Expr) -> sp.Expr:
@@ -165,16 +152,16 @@ def _pressure(profile: Profile, entries: Entries, values: Values) -> acb:
     """int_r^a g'(t)/sqrt(t**2 - r**2) dt, in pieces without a root at either end."""
     known = point(values)
     r, a = known[nt.r], known[nt.a]
-    crossed = [b for b in profile.breaks if at_precision(b, values) < at_precision(nt.a, values)]
+    crossed = [b for b in profile.breaks if evaluated(b, values) < evaluated(nt.a, values)]
     depth = case_at(entries["d"], values).expr
     if not crossed:
         return _plain(depth, known, r, a, values)
     (b,) = crossed
     ball_b = Ball(known, False)(b)
-    total, inside = acb(0), bool(at_precision(nt.r, values) < at_precision(b, values))
+    total, inside = acb(0), bool(evaluated(nt.r, values) < evaluated(b, values))
     if inside and not profile.truncated:
-        inner = _inner(entries["d"], b, values)
-        total = _plain(inner.expr, known, r, ball_b, values)
+        below = next(case for case in entries["d"].cases if (nt.a, b) in itertools.pairwise(case.chain))
+        total = _plain(below.expr, known, r, ball_b, values)
     slope = concrete(_regular_slope(depth, b), values)
     c = ((ball_b - r) * (ball_b + r) if inside else (r - ball_b) * (r + ball_b)).sqrt()
     reach = ((a - ball_b) * (a + ball_b)).sqrt() / c
@@ -185,11 +172,6 @@ def _pressure(profile: Profile, entries: Entries, values: Values) -> acb:
         return ball(slope)
 
     return total + integral(f, acb(0), reach.asinh() if inside else reach.acosh())
-
-
-def _inner(entry: Entry, b: sp.Expr, values: Values) -> Case:
-    """The case of the depth just below the break."""
-    return next(case for case in entry.cases if (nt.a, b) in itertools.pairwise(case.chain))
 
 
 def _plain(depth: sp.Expr, known: dict[sp.Symbol, acb], r: acb, end: acb, values: Values) -> acb:

@@ -1,149 +1,157 @@
-"""Identities that tie the entries of a profile together, or a profile to a simpler one.
+"""Identities that tie the entries of normal contact together, on either half-space.
 
-None of them uses how an entry was derived.  `check_profile` returns one
-piece of evidence per identity, under the key of the entry it tests.
+None of them uses how an entry was derived.  Each returns one piece of evidence, under the key of the entry it tests.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..abel.masters import C0
 from ..entry import FOUR, Case, Entry
 from ..oracle.balls import NotAvailableError, enclose_value
-from ..oracle.evaluate import at_precision, case_at, decades, evaluate, evaluate_case, holds
-from ..oracle.evidence import Evidence, judge, not_available, residual
-from ..oracle.integrals import GUARD, panels_no_longer_than
+from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated, holds
+from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
-from ..oracle.sampling import Values, border, fields, points
-from ..oracle.shape import Number, shape
-from ..profiles.profile import Profile
-from .limits import check_limits
-from .quadrature import LOST
+from ..oracle.sampling import border, fields, points
+from ..oracle.shape import Number, Values, shape
+from .comparison import Comparison, Evidence, Rows, not_available, residual
+from .limits import simpler
 
-Entries = Mapping[str, Entry]
-Rows = list[tuple[Values, Number]]
 EACH = 2
 """Points per case."""
 EXTREME_PLANS = 8
 """Points with extreme ratios that a chain of up to four lengths starts with; they are passed over here."""
 CONTINUOUS = (*FOUR, "pm")
+EXPONENTS = (sp.Rational(-1, 10), sp.Rational(2, 5))
+"""Exponents of grading at which pressures are summed; at k = -3/10 what is left out at the edge costs 12 digits."""
 
 
-def check_profile(
-    profile: Profile, entries: Entries, *, digits: int = 50, points: int = 8, seed: int = 0
-) -> list[Evidence]:
-    """Every identity that applies to the profile; `points` bounds the points of each."""
-    checks = [
-        check_stiffness(profile, entries, digits=digits, seed=seed),
-        check_force_of_pressure(profile, entries, digits=digits, seed=seed),
-        check_edge(profile, entries, digits=digits, seed=seed),
-    ]
-    if "d" in entries:
-        checks.append(check_profile_from_depth(profile, entries, digits=digits, seed=seed))
-    for suffix in CONTINUOUS:
-        if suffix in entries and len(entries[suffix].cases) > 1:
-            checks.append(check_continuity(profile, entries[suffix], digits=digits, seed=seed))
-    checks += check_limits(profile, entries, digits=digits, seed=seed)
-    return checks
+def check_profile(own: Comparison) -> list[Evidence]:
+    """Every identity that applies to normal contact on the homogeneous half-space."""
+    checks = [stiffness(own), force_of_pressure(own), edge(own)]
+    if "d" in own.entries:
+        checks.append(profile_from_depth(own))
+    several = [s for s in CONTINUOUS if s in own.entries and len(own.entries[s].cases) > 1]
+    return checks + [continuity(own, suffix) for suffix in several] + simpler(own)
 
 
-def _judge(entry: Entry, identity: str, rows: Rows, digits: int, seed: int) -> Evidence:
+def _judge(own: Comparison, suffix: str, identity: str, rows: Rows) -> Evidence:
     if not rows:
-        return not_available(entry.key, identity, "no pair of cases that a formula of its own tells apart")
-    return judge(entry.key, identity, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
+        reason = "no pair of cases that a formula of its own tells apart"
+        return not_available(own.entries[suffix].key, identity, reason)
+    return own.judge(suffix, identity, rows)
 
 
-def _at_cases(profile: Profile, entry: Entry, seed: int, each: int = EACH) -> list[Values]:
+def _at_cases(own: Comparison, suffix: str, each: int = EACH) -> list[Values]:
     """Random points in every case."""
-    found: list[Values] = []
-    for case in entry.cases:
-        drawn = points(profile, case.chain, each + EXTREME_PLANS, seed, fields(profile, entry))
-        found += [point.values for point in drawn if not point.extreme][:each]
-    return found
+    entry = own.entries[suffix]
+    drawn = (own.tame(case.chain, each + EXTREME_PLANS, fields(own.profile, entry))[:each] for case in entry.cases)
+    return [*itertools.chain.from_iterable(drawn)]
 
 
-def _from_a_break(entry: Entry) -> bool:
-    return any(integral.limits[0][1] != 0 for case in entry.cases for integral in case.expr.atoms(sp.Integral))
-
-
-def check_stiffness(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
-    """dF/dd = 2 E* a: the formulas of F and d differentiated by a, or F by d where d is free."""
-    free = profile.complete
+def stiffness(own: Comparison) -> Evidence:
+    """dF/dd: the formulas of F and d differentiated by a, or F by d where d is free."""
+    graded, digits = own.graded("F"), own.digits
+    places = [p.values for p in own.drawn("F", 1) if not p.extreme] if graded else _at_cases(own, "F")
     rows: Rows = []
-    for values in _at_cases(profile, entries["F"], seed):
-        force = case_at(entries["F"], values).expr
-        if free:
+    for values in places:
+        force = case_at(own.entries["F"], values).expr
+        if own.profile.complete:
             slope = sp.diff(force, nt.d)
         else:
-            slope = sp.diff(force, nt.a) / sp.diff(case_at(entries["d"], values).expr, nt.a)
-        wanted = evaluate(case_at(entries["k"], values).expr, values, digits)
-        rows.append((values, residual(evaluate(slope, values, digits), wanted)))
-    return _judge(entries["k"], "dF/dd = 2 E* a, by differentiating F and d", rows, digits, seed)
+            slope = sp.diff(force, nt.a) / sp.diff(case_at(own.entries["d"], values).expr, nt.a)
+        with mp.workdps(digits + GUARD):
+            wanted = evaluate(case_at(own.entries["k"], values).expr, values, digits)
+            got = _value(slope, values, digits) if graded else evaluate(slope, values, digits)
+            rows.append((values, residual(got, wanted)))
+    return _judge(own, "k", f"dF/dd{'' if graded else ' = 2 E* a'}, by differentiating F and d", rows)
 
 
-def check_edge(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
+def edge(own: Comparison) -> Evidence:
     """w(a) = d - f(a) from outside: the relative distance 1e-(2 digits + 10) leaves a difference of its square root."""
+    digits, entry = own.digits, own.entries["w"]
     gap = sp.Rational(1, 10 ** (2 * digits + 10))
-    entry = entries["w"]
     rows: Rows = []
     for case in entry.cases:
-        edge_of_contact = next(i for i, x in enumerate(case.chain) if x == nt.a or x.has(nt.d))
         position = case.chain.index(nt.r) - 1
-        if position != edge_of_contact:
+        if position != next(i for i, x in enumerate(case.chain) if x == nt.a or x.has(nt.d)):
             continue
-        inner = case.chain[position]
-        values = border(profile, case.chain, position, gap, seed, fields(profile, entry))
+        values = border(own.profile, case.chain, position, gap, own.seed, fields(own.profile, entry))
         with mp.workdps(2 * digits):
-            edge = at_precision(inner, values)
-            depth = (
-                at_precision(nt.d, values)
-                if nt.d in values
-                else evaluate(case_at(entries["d"], values).expr, values, digits)
-            )
-            wanted = depth - shape(profile, values).height(edge)
+            if nt.d in values:
+                depth = evaluated(nt.d, values)
+            else:
+                depth = evaluate(case_at(own.entries["d"], values).expr, values, digits)
+            wanted = depth - shape(own.profile, values).height(evaluated(case.chain[position], values))
             rows.append((values, residual(evaluate_case(case, values, digits), wanted)))
-    return _judge(entry, "w(a) = d - f(a)", rows, digits, seed)
+    return _judge(own, "w", "w(a) = d - f(a)", rows)
 
 
-def check_profile_from_depth(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
+def profile_from_depth(own: Comparison) -> Evidence:
     """(11.28): f(a) = 2/pi int g(a sin(u)) du gives the profile back."""
     rows: Rows = []
-    for values in _at_cases(profile, entries["d"], seed, each=1):
-        with mp.workdps(2 * digits + GUARD):  # 1 - x**2/2 next to the edge keeps half of the digits of x
-            a = at_precision(nt.a, values)
+    for values in _at_cases(own, "d", each=1):
+        with mp.workdps(2 * own.digits + GUARD):  # 1 - x**2/2 next to the edge keeps half of the digits of x
+            a = evaluated(nt.a, values)
 
             def depth(t: Number, case: Case | None, at: Values = values) -> Number:
-                return at_precision(case.expr, {**at, nt.a: t}) if case else mp.mpf(0)
+                return evaluated(case.expr, {**at, nt.a: t}) if case else mp.mpf(0)
 
-            total = over_contact(entries["d"], values, depth, digits)
-            rows.append((values, residual(2 * total / mp.pi, shape(profile, values).height(a))))
-    return _judge(entries["d"], "f recovered from g by (11.28)", rows, digits, seed)
+            total = over_contact(own.entries["d"], values, depth, own.digits)
+            rows.append((values, residual(2 * total / mp.pi, shape(own.profile, values).height(a))))
+    return _judge(own, "d", "f recovered from g by (11.28)", rows)
 
 
-def check_force_of_pressure(profile: Profile, entries: Entries, *, digits: int, seed: int) -> Evidence:
+def force_of_pressure(own: Comparison) -> Evidence:
     """F = 2 pi int p r dr, with r = a sin(u), which removes the singular edge."""
-    identity, entry = "F = 2 pi int p r dr", entries["p"]
+    identity, force, entry = "F = 2 pi int p r dr", own.entries["F"], own.entries["p"]
     if entry.status == "integral":
-        return not_available(
-            entries["F"].key, identity, "the pressure is itself an integral, too slow to integrate again"
-        )
+        return not_available(force.key, identity, "the pressure is itself an integral, too slow to integrate again")
     rows: Rows = []
-    for case in entries["F"].cases:
-        drawn = points(profile, case.chain, EXTREME_PLANS + EACH, seed, fields(profile, entry))
+    for case in force.cases:
+        drawn = points(own.profile, case.chain, EXTREME_PLANS + EACH, own.seed, fields(own.profile, entry))
         values = min((point.values for point in drawn), key=decades)
-        rows.append((values, carried(case, entry, values, digits)))
-    return _judge(entries["F"], identity, rows, digits, seed)
+        rows.append((values, carried(case, entry, values, own.digits)))
+    return _judge(own, "F", identity, rows)
+
+
+def traction_carried(own: Comparison) -> Evidence:
+    """F_x = 2 pi int tau r dr."""
+    drawn = (point.values for point in own.drawn("F", 1))
+    return _summed(own, "tau", "traction", [min(drawn, key=decades)])
+
+
+def pressure_carried(own: Comparison) -> Evidence:
+    """F = 2 pi int p r dr on the graded half-space, in every case of the force.
+
+    Without a free edge, and under adhesion, the pressure grows towards the edge like (a - r)**((k - 1)/2).
+    """
+    drawn = (point.values for point in own.drawn("F", 1) if not point.extreme)
+    each = {case_at(own.entries["F"], values).chain: values for values in drawn}
+    exponents = EXPONENTS if len(each) == 1 else EXPONENTS[:1]
+    return _summed(own, "p", "pressure", [{**v, nt.k: exponent} for v in each.values() for exponent in exponents])
+
+
+def _summed(own: Comparison, suffix: str, name: str, places: Sequence[Values]) -> Evidence:
+    compared, force, entry = f"2 pi int {suffix} r dr", own.entries["F"], own.entries[suffix]
+    if entry.status == "integral" or any(case.expr.has(C0) for case in entry.cases):
+        reason = f"the {name} is itself an integral, too slow to integrate again"
+        return not_available(force.key, compared, reason)
+    return own.judge(
+        "F", compared, [(values, carried(case_at(force, values), entry, values, own.digits)) for values in places]
+    )
 
 
 def carried(whole: Case, entry: Entry, values: Values, digits: int) -> Number:
     """Residual of 2 pi int p r dr, or tau for p, against the force in a region."""
     with mp.workdps(2 * digits + GUARD):
-        edge = at_precision(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
+        edge = evaluated(next((x for x in whole.chain if x == nt.a or x.has(nt.d)), nt.a), values)
 
         def summand(r: Number, region: Case | None) -> Number:
             if region is None:
@@ -170,9 +178,9 @@ def over_contact(
     variable: sp.Symbol = nt.a,
 ) -> Number:
     """int_0^(pi/2) integrand(edge sin(u), case there) du, split where the case changes; such ends may be singular."""
-    end = edge if edge is not None else at_precision(nt.a, values)
+    end = edge if edge is not None else evaluated(nt.a, values)
     face = shape(entry.profile, values)
-    lengths = {at_precision(x, values) for case in entry.cases for x in case.chain if not x.has(variable)}
+    lengths = {evaluated(x, values) for case in entry.cases for x in case.chain if not x.has(variable)}
     ends = [mp.mpf(0), *(mp.asin(s / end) for s in sorted(lengths) if s < end), mp.pi / 2]
     extra = [mp.mpmathify(z) for piece in face.stretches for z in piece.singular if not _among(z, lengths)]
     angles = [mp.asin(z / end) for z in (*lengths, *extra)]
@@ -190,8 +198,7 @@ def over_contact(
                 return integrand(end * mp.sin(origin + x), region) if abs(x) > negligible else mp.mpf(0)
 
             nearby = (0j, *(complex(z - origin) for z in singular if abs(z - origin) > mp.eps ** mp.mpf("0.6")))
-            cuts = panels_no_longer_than(longest, start, stop)
-            total += mp.fsum(integrate(f, x, y, nearby, digits) for x, y in itertools.pairwise(cuts))
+            total += integrate(f, start, stop, nearby, digits, longest=longest)
     return total
 
 
@@ -200,28 +207,28 @@ def _among(z: complex, lengths: set[Number]) -> bool:
     return any(abs(z - sign * complex(s)) < 1e-12 * abs(z) for s in lengths for sign in (1, -1))
 
 
-def check_continuity(profile: Profile, entry: Entry, *, digits: int, seed: int) -> Evidence:
+def continuity(own: Comparison, suffix: str) -> Evidence:
     """Cases that differ by the order of two neighbours meet where these are equal."""
+    entry, digits, compared = own.entries[suffix], own.digits, "continuity between the cases"
     gap = sp.Rational(1, 10 ** (2 * digits + 10))
+    if any(integral.limits[0][1] != 0 for case in entry.cases for integral in case.expr.atoms(sp.Integral)):
+        return not_available(entry.key, compared, "an integral from a break on is too slow so near to the break")
     rows: Rows = []
-    if _from_a_break(entry):
-        reason = "an integral from a break on is too slow so near to the break"
-        return not_available(entry.key, "continuity between the cases", reason)
     for left, right in itertools.combinations(entry.cases, 2):
         differing = [i for i, (x, y) in enumerate(zip(left.chain, right.chain, strict=True)) if x != y]
         if len(differing) != 2 or differing[1] != differing[0] + 1 or left.expr == right.expr:
             continue
-        values = border(profile, left.chain, differing[0], gap, seed, fields(profile, entry))
+        values = border(own.profile, left.chain, differing[0], gap, own.seed, fields(own.profile, entry))
         swapped = _exchanged(left.chain[differing[0]], left.chain[differing[1]], values)
         here, there = (evaluate_case(case, at, digits) for case, at in ((left, values), (right, swapped)))
         rows.append((values, residual(here, there)))
-    return _judge(entry, "continuity between the cases", rows, digits, seed)
+    return _judge(own, suffix, compared, rows)
 
 
 def _exchanged(lo: sp.Expr, hi: sp.Expr, values: Values) -> Values:
     """The point on the other side: the symbol of the pair moved across."""
     symbol, other, ratio = (lo, hi, 1) if lo.is_Symbol else (hi, lo, -1)
     with mp.workdps(400):
-        low, high = at_precision(lo, values), at_precision(hi, values)
+        low, high = evaluated(lo, values), evaluated(hi, values)
         moved = high * (high / low) if ratio == 1 else low * (low / high)
     return {**values, symbol: moved}

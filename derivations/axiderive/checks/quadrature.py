@@ -1,180 +1,163 @@
-"""Every formula against the integral that defines it, at 50 digits.
+"""Every formula of a round contact against the integrals that define it, at 50 digits; prescribed pressures too.
 
-The known side of an inverse is the defining integral at a chosen contact
-radius; the inverse must lead back to that radius.
+Roots and inverses are checked by round trip: the known side is the definition
+at a chosen contact radius, the entry must lead back to it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import lru_cache
+from collections.abc import Callable
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case, Entry
-from ..oracle.definitions import Contact, contact, greatest, ring
-from ..oracle.evaluate import at_precision, case_at, evaluate, evaluate_case, holds
-from ..oracle.evidence import Evidence, judge, residual
-from ..oracle.integrals import GUARD
-from ..oracle.sampling import Point, fields, points
-from ..oracle.shape import Number, Values, shape
+from ..entry import Entry
+from ..oracle.evaluate import case_at, evaluate, evaluate_case
+from ..oracle.half_space import HalfSpace
+from ..oracle.integrals import GUARD, under_load
+from ..oracle.sampling import points
+from ..oracle.shape import Number, Values, number
+from ..physics import Physics, adhesive, normal, tangential
+from ..profiles.loads import Load
 from ..profiles.profile import Profile
+from . import rings, viscoelastic
+from .comparison import LOST, Comparison, Evidence, Rows, formula_value, inverse, residual, root
 
-LOST = 10
-"""Digits by which the agreement may fall short of the digits of the quadrature."""
+NESTED = 46
+"""Digits of a pressure on the graded half-space, which is an integral of integrals."""
+NESTED_LOST = 6
+STABLE = mp.mpf(9) / 10
+"""Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
+ILL = 60
+"""Digits carried beyond those asked for where a small stick zone is the root of a difference of two forces."""
+LOADED = tuple(sp.Rational(x) for x in ("-9/10", "-3/5", "-1/4", "3/10", "1", "27/10"))
+"""Exponents of a prescribed pressure."""
 
-Entries = Mapping[str, Entry]
+
+def check(own: Comparison, suffix: str) -> Evidence:
+    """Compare one entry with its definition."""
+    if isinstance(own.profile, Load):
+        return _of_load(own, own.profile, suffix)
+    if own.physics.laws:
+        return viscoelastic.check(own, suffix)
+    quantity, graded = own.entries[suffix].quantity, own.graded(suffix)
+    if quantity.threshold or (quantity.member and not quantity.control):
+        return rings.check(own, suffix)
+    nested = graded and quantity.place == "inside" and not _sum_of_powers(own.profile)
+    working = min(own.digits, NESTED) if nested else own.digits
+    drawn = own.drawn(suffix, 1 if nested else own.points)
+    _, rule, more = COMPARED[own.physics]
+    # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
+    more = ILL if suffix == "c" else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
+    rows: Rows = []
+    with mp.workdps(working + GUARD + (ILL if suffix == "c" else 0)):
+        for point in drawn:
+            here = HalfSpace(own.profile, point.values, working + more, graded)
+            rows.append((point.values, rule(here, own, suffix, here.at(nt.a), working)))
+    extremes, lost = sum(point.extreme for point in drawn), NESTED_LOST if nested else LOST
+    return own.judge(suffix, _compared(own, suffix), rows, extremes=extremes, digits=working, lost=lost)
 
 
-def check(
-    profile: Profile, entries: Entries, suffix: str, *, digits: int = 50, points: int = 8, seed: int = 0
-) -> Evidence:
-    """Compare one entry with its definition at `points` points or more: every case gets at least three."""
-    entry = entries[suffix]
-    drawn = _points(profile, entries, suffix, points, seed)
-    with mp.workdps(digits + GUARD):
-        rows = [(point.values, _residual(profile, entries, suffix, point.values, digits)) for point in drawn]
-    return judge(
-        entry.key,
-        "mpmath quadrature of the defining integral"
-        + (", round trip" if entry.quantity.inverts else "")
-        + (", its greatest value searched for over the radii" if entry.quantity.member else ""),
-        rows,
-        seed=seed,
-        extremes=sum(point.extreme for point in drawn),
-        digits=digits,
-        required=digits - LOST,
+def _of_load(own: Comparison, load: Load, suffix: str) -> Evidence:
+    entry = own.entries[suffix]
+    drawn = [point for case in entry.cases for point in points(load, case.chain, own.points, own.seed, (nt.E_star,))]
+    rows: Rows = []
+    with mp.workdps(own.digits + GUARD):
+        for i, point in enumerate(drawn):
+            values = point.values
+            if nt.sigma in values:
+                values[nt.sigma] = LOADED[i % len(LOADED)]
+            s = number(sp.sympify(load.exponent).xreplace(values))
+            got = evaluate(case_at(entry, values).expr, values, own.digits)
+            rows.append((values, residual(got, under_load(values, s, own.digits))))
+    compared, extremes = "mpmath quadrature of (11.104) and (11.105)", sum(point.extreme for point in drawn)
+    return own.judge(suffix, compared, rows, extremes=extremes)
+
+
+def _sum_of_powers(profile: Profile) -> bool:
+    """Whether the rate of the depth is known from one integral for every power of the profile."""
+    return len(profile.pieces) == 1 and all(
+        term.as_independent(nt.r, as_Add=False)[1].as_base_exp()[0] == nt.r
+        for term in sp.Add.make_args(sp.expand_power_base(profile.pieces[0].expr))
     )
 
 
-def check_profile(
-    profile: Profile, entries: Entries, *, digits: int = 50, points: int = 8, seed: int = 0
-) -> dict[str, Evidence]:
-    """The evidence for every entry of a profile, keyed by suffix."""
-    return {suffix: check(profile, entries, suffix, digits=digits, points=points, seed=seed) for suffix in entries}
+def _compared(own: Comparison, suffix: str) -> str:
+    """What stands against the entry."""
+    quantity = own.entries[suffix].quantity
+    if quantity.control:
+        place = f"the radius at which the {quantity.control} by quadrature is stationary"
+        return place if quantity.symbol == nt.a_c else f"{quantity.symbol} by quadrature at {place}"
+    if own.physics is normal.PHYSICS and not own.graded(suffix):
+        return rings.DEFINED + (", round trip" if quantity.inverts else "")
+    if quantity.symbol == nt.c:
+        return "round trip: the stick radius whose tangential force is known by quadrature"
+    if quantity.inverts:
+        return f"round trip: {quantity.symbol} of the contact whose {quantity.inverts} is known by quadrature"
+    return COMPARED[own.physics][0]
 
 
-def _points(profile: Profile, entries: Entries, suffix: str, count: int, seed: int) -> list[Point]:
-    """Points spread over the cases; those of an inverse are drawn in the regions of the formula it inverts."""
-    quantity = entries[suffix].quantity
-    if quantity.threshold:
-        drawn = points(profile, (nt.a,), count, seed)
-        return [point for point in drawn if any(holds(case, point.values) for case in entries["rz"].cases)][:2]
-    if quantity.member:
-        # a search asks for a hundred integrals, whose panels are doubles: none between an edge and a face just as large
-        drawn = points(profile, (*profile.breaks, nt.a), count, seed)
-        known = [point for point in drawn if any(holds(case, point.values) for case in entries["rp"].cases)]
-        return [point for point in known if not point.extreme][:3]
-    source = entries[quantity.inverts or suffix]
-    chains = [case.chain for case in source.cases]
-    if suffix in ("k", "pm") and "d" in entries:
-        chains = [case.chain for case in entries["d"].cases]
-    each = max(3, -(-count // len(chains)))
-    return [point for chain in chains for point in points(profile, chain, each, seed, fields(profile, source))]
+def _pressed(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
+    values, entry = here.values, own.entries[suffix]
+    radius, free_depth = here.contact(a)
+    if not entry.quantity.inverts:
+        got = formula_value(entry, values, digits) if here.graded else _value(entry, values, digits)
+        return residual(got, here.normal(suffix, radius, free_depth))
+    known = {**values, entry.quantity.arguments[0]: here.normal(entry.quantity.inverts, radius, free_depth)}
+    symbol = entry.quantity.symbol
+    wanted = radius if symbol == nt.a else here.normal(str(symbol), radius, free_depth)
+    return residual(inverse(own.entries, suffix, known, digits), wanted)
 
 
-def _residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
-    quantity = entries[suffix].quantity
-    if quantity.threshold:
-        return _threshold_residual(profile, entries, suffix, values, digits)
-    if quantity.member:
-        return _peak_residual(profile, entries, suffix, values, digits)
-    # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
-    here = contact(profile, values, digits + (20 if quantity.inverts else 0))
-    if not quantity.inverts:
-        return residual(value(entries[suffix], values, digits), here.quantity(suffix))
-    known = {**values, quantity.arguments[0]: here.quantity(quantity.inverts)}
-    wanted = here.radius if quantity.symbol == nt.a else here.quantity(str(quantity.symbol))
-    return residual(inverse(entries, suffix, known, digits), wanted)
-
-
-def value(entry: Entry, values: Values, digits: int) -> Number:
+def _value(entry: Entry, values: Values, digits: int) -> Number:
     """A closed result, or one that stays an integral, at a point."""
     case = case_at(entry, values)
     return evaluate_case(case, values, digits) if case.expr.has(sp.Integral) else evaluate(case.expr, values, digits)
 
 
-def inverse(entries: Entries, suffix: str, known: Values, digits: int) -> Number:
-    """A closed inverse evaluated, or the root of its equation found and, where asked for, carried on to d or F."""
-    entry = entries[suffix]
-    if entry.status != "root":
-        without = {s: v for s, v in known.items() if s != nt.a or entry.profile.complete}
-        if entry.profile.complete:
-            without.pop(entry.quantity.symbol, None)
-        return evaluate(case_at(entry, without).expr, without, digits)
-    largest = entry.profile.largest
-    radius = root(case_at(entry, known), nt.a, known, digits, () if largest is None else (largest,))
-    if entry.quantity.symbol == nt.a:
-        return radius
-    return evaluate(case_at(entries[str(entry.quantity.symbol)], known).expr, {**known, nt.a: radius}, digits)
+def _adhesive(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
+    entry, values = own.entries[suffix], here.values
+    quantity = entry.quantity
+    if here.profile.complete:  # the edge peels off where the free depth is short by the retraction
+        defined = here.adhesive(str(quantity.symbol) if quantity.control else suffix, a)
+        return residual(formula_value(entry, values, digits), defined)
+    if quantity.control:
+        stationary = {**values, nt.dgamma: here.separation(quantity.control, a), nt.a_c: a}
+        if quantity.symbol == nt.a_c:
+            return residual(_radius(entry, nt.a_c, stationary, digits), a)
+        there = HalfSpace(here.profile, {**stationary, nt.a: a}, here.digits, here.graded)
+        got = evaluate(case_at(entry, stationary).expr, stationary, digits)
+        return residual(got, there.adhesive(str(quantity.symbol), a))
+    if quantity.inverts:
+        given = quantity.inverts
+        stable = here.separation(own.entries[given].quantity.function, a) * STABLE
+        values = {**values, nt.dgamma: min(number(values[nt.dgamma]), stable)}
+        there = HalfSpace(here.profile, values, here.digits, here.graded)
+        return residual(_radius(entry, nt.a, {**values, quantity.arguments[0]: there.adhesive(given, a)}, digits), a)
+    return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
-def root(case: Case, unknown: sp.Symbol, known: Values, digits: int, beyond: tuple[sp.Expr, ...] = ()) -> Number:
-    """The root of an equation by bracketing, from a start that is off by a thousandth of the way to the next border.
-
-    The brackets only say which root; that the equation has its root at the known point is what the residual measures.
-    """
-    here = at_precision(unknown, known)
-    borders = [at_precision(x, known) for x in (*case.chain, *beyond) if x != unknown]
-    reach = min([abs(border - here) for border in borders] + [here]) / 1000
-
-    def gap(x: Number) -> Number:
-        at = {**known, unknown: x}
-        return at_precision(case.expr.lhs, at) / at_precision(case.expr.rhs, at) - 1
-
-    with mp.extradps(2 * GUARD):
-        tolerance = mp.mpf(10) ** (-2 * digits)
-        return mp.findroot(
-            gap, (here - reach, here + reach * mp.mpf("0.7")), solver="secant", tol=tolerance, verify=False
-        )
+def _slipping(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
+    entry = own.entries[suffix]
+    if suffix != "c":
+        return residual(formula_value(entry, here.values, digits), here.tangential(suffix, a))
+    known = {**here.values, nt.F_x: here.tangential("F", a), nt.F: here.force(a)}
+    return residual(_radius(entry, nt.c, known, digits), here.at(nt.c))
 
 
-@lru_cache(maxsize=8)
-def _ring(
-    profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
-) -> tuple[Number, Number]:
-    values = dict(items)
-    return ring(shape(profile, values), at_precision(nt.a, values), digits)
+def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Number:
+    case, largest = case_at(entry, known), entry.profile.largest
+    if entry.status == "closed":
+        return evaluate(case.expr, {s: x for s, x in known.items() if s != unknown}, digits)
+    return root(case, unknown, known, digits, largest if largest is None else largest.subs(nt.a, unknown))
 
 
-def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
-    """Ring and greatest pressure against the pressure of the definition, whose greatest value is searched for."""
-    place, height = _greatest(profile, tuple(values.items()), int(mp.mp.prec), digits)
-    equation = case_at(entries["rp"], values).expr
-    if isinstance(equation, sp.Eq):
-        bracket = Case((*profile.breaks, nt.r_peak, nt.a), equation)
-        found = root(bracket, nt.r_peak, {**values, nt.r_peak: place}, digits)
-    else:
-        found = at_precision(equation, values)
-    if suffix == "rp":
-        return residual(found, place) if place else abs(found)
-    got = evaluate(case_at(entries["pp"], values).expr, {**values, nt.r_peak: found}, digits)
-    return residual(got, at_precision(nt.E_star, values) * height)
-
-
-@lru_cache(maxsize=8)
-def _greatest(
-    profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
-) -> tuple[Number, Number]:
-    values = dict(items)
-    return greatest(shape(profile, values), at_precision(nt.a, values), digits)
-
-
-def _threshold_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:
-    """Ring, least depth and least force against the pressure of the definition, whose maximum is searched for."""
-    radius, depth = _ring(profile, tuple(values.items()), int(mp.mp.prec), digits)
-    case = case_at(entries["rz"], values)
-    equation = case.expr
-    if isinstance(equation, sp.Eq):
-        found = root(Case((sp.S.Zero, nt.r_zero, nt.a), equation), nt.r_zero, {**values, nt.r_zero: radius}, digits)
-    else:
-        found = at_precision(equation, values)
-    if suffix == "rz":
-        return residual(found, radius) if radius else abs(found)
-    got = evaluate(case_at(entries[suffix], values).expr, {**values, nt.r_zero: found}, digits)
-    if suffix == "dmin":
-        return residual(got, depth)
-    at_depth: Contact = contact(profile, {**values, nt.d: depth}, digits)
-    return residual(got, at_depth.quantity("F"))
+COMPARED: dict[Physics, tuple[str, Callable[[HalfSpace, Comparison, str, Number, int], Number], int]] = {
+    normal.PHYSICS: ("mpmath quadrature of the definition", _pressed, 0),
+    adhesive.PHYSICS: ("mpmath quadrature of the contact that is short of its depth by Dl, (11.63)", _adhesive, 0),
+    tangential.PHYSICS: (
+        "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)", _slipping, 20,
+    ),
+}  # fmt: skip
+"""What stands against an entry, the relative difference from it, and the digits that this takes more."""

@@ -15,8 +15,8 @@ from .. import notation as nt
 from ..abel.masters import C0, CapMoment
 from ..entry import Entry
 from ..notation import Dimension
-from ..oracle.evidence import Evidence
 from ..profiles.profile import Profile
+from .comparison import Evidence
 
 OF_LENGTHS = (C0,)
 """Masters that take lengths; they are numbers all the same, because they are homogeneous of degree 0."""

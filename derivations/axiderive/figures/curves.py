@@ -8,10 +8,10 @@ from typing import Any
 import mpmath as mp
 
 from .. import notation as nt
-from ..oracle.values import Numbers
 from ..profiles.profile import Profile
 from .axes import HIGHEST, Axes, Curve, Mark, labelled, rounded, short
 from .drawing import Rows
+from .values import Numbers
 
 PULL, LIGHT_PULL = 0.4, 0.1
 """Force of pull-off over that of the sketch, which fixes the work of separation; the second where a contact has a

@@ -11,13 +11,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.values import REACH, Numbers, Values, sketch_values
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import sketch
 from .axes import HIGHEST, Axes, axes
 from .drawing import Drawing, Rows
 from .sketch import ARROW, FLOOR, WIDTH
+from .values import REACH, Numbers, Values, sketch_values
 
 DIGITS = 16
 EXPONENTS = ("-0.5", "0", "0.5", "2")

@@ -16,12 +16,12 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import at_precision
-from ..oracle.values import Numbers, StripNumbers, sketch_values
+from ..oracle.evaluate import evaluated
 from ..print.formula import Printer
 from ..profiles.profile import Profile
 from .axes import HIGHEST, Axes, Mark, Shown, axes, short
 from .drawing import Rows
+from .values import Numbers, StripNumbers, sketch_values
 
 TOP = HIGHEST * 1.06
 RATIOS = ("0.25", "0.5", "0.8")
@@ -312,7 +312,7 @@ def least_depth(numbers: Numbers) -> Any:
         a = numbers["a"]
 
         def excess(ring: Any) -> Any:
-            return at_precision(case.expr.lhs - case.expr.rhs, {**numbers.values, nt.r_zero: ring})
+            return evaluated(case.expr.lhs - case.expr.rhs, {**numbers.values, nt.r_zero: ring})
 
         ring = mp.findroot(excess, (a / 3, 2 * a / 3), solver="anderson")
     return numbers.at(r_zero=ring)("dmin")

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 import sympy as sp
 
 from .. import notation as nt
-from ..oracle.evaluate import at_precision
-from ..oracle.values import Numbers
+from ..oracle.evaluate import evaluated
 from ..profiles.profile import Profile
 from .drawing import Drawing, Point, Rows
+from .values import Numbers
 
 WIDTH = 4.7
 """Half of the width that is drawn."""
@@ -266,7 +266,7 @@ def _angle(figure: Drawing, profile: Profile, drawn: _Scaled) -> None:
     starts: list[sp.Expr] = [sp.S.Zero, *profile.breaks]
     for start, piece in zip(starts, profile.pieces, strict=True):
         slope = sp.diff(piece.expr, nt.r)
-        if not slope.has(nt.r) and abs(at_precision(slope - sp.tan(nt.theta), drawn.numbers.values)) < STRAIGHT:
+        if not slope.has(nt.r) and abs(evaluated(slope - sp.tan(nt.theta), drawn.numbers.values)) < STRAIGHT:
             at = 0.0 if start == 0 else float(drawn.numbers[start.name])
             place = drawn.scale * at, drawn.height(at)
             angle(figure, r"\theta", place, (1.55, 1.05), math.degrees(float(drawn.numbers["theta"])))

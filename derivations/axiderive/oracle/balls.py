@@ -17,6 +17,7 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 
 from ..abel import masters
+from .rules import ball
 from .shape import Number, Values, concrete, numeric_symbols
 
 HIGHEST = 1 << 12
@@ -34,12 +35,9 @@ class NotAvailableError(ValueError):
 def exact(value: Any) -> acb:
     """A number of the point: rational numbers exactly, numbers of mpmath as the binary fractions they are."""
     if isinstance(value, mp.mpf):
-        sign, mantissa, exponent, _ = value._mpf_
-        return acb(arb(-int(mantissa) if sign else int(mantissa)) * arb(2) ** int(exponent))
+        return acb(ball(value))
     value = sp.sympify(value)
-    if value.is_Rational:
-        return acb(fmpq(int(value.p), int(value.q)))
-    return Ball({}, False)(value)
+    return acb(ball(value)) if value.is_Rational else Ball({}, False)(value)
 
 
 def enclose(expr: sp.Expr, values: Values, digits: int) -> arb:
@@ -56,9 +54,9 @@ def enclose(expr: sp.Expr, values: Values, digits: int) -> arb:
 
 def enclose_value(expr: sp.Expr, values: Values, digits: int) -> Number:
     """The middle of the enclosure, as a number of mpmath."""
-    ball = enclose(expr, values, digits)
+    enclosure = enclose(expr, values, digits)
     with mp.workdps(digits + 10):
-        return mp.mpf(ball.mid().str(digits + 10, radius=False))
+        return mp.mpf(enclosure.mid().str(digits + 10, radius=False))
 
 
 def point(values: Values) -> dict[sp.Symbol, acb]:
@@ -66,14 +64,14 @@ def point(values: Values) -> dict[sp.Symbol, acb]:
     return {s: exact(values[s]) for s in numeric_symbols(values)}
 
 
-def shrinking(ball: Callable[[], acb], digits: int) -> arb:
-    """The ball at a precision, doubled until its relative radius is below 10**-digits."""
+def shrinking(value_at: Callable[[], acb], digits: int) -> arb:
+    """The value at a precision, doubled until its relative radius is below 10**-digits."""
     wanted, before = int(digits * 3.33) + 2, ctx.prec
     bits = wanted + 64
     try:
         while bits <= HIGHEST:
             ctx.prec = bits
-            value = ball()
+            value = value_at()
             if value.is_finite() and value.real.rel_accuracy_bits() >= wanted and value.imag.contains(0):
                 return value.real
             bits *= 2
@@ -103,7 +101,7 @@ class Ball:
 
     def _value(self, expr: sp.Expr) -> acb:
         if expr.is_Rational:
-            return acb(fmpq(int(expr.p), int(expr.q)))
+            return acb(ball(expr))
         if expr is sp.pi:
             return acb.pi()
         if expr.is_Add:

@@ -1,13 +1,9 @@
-"""Results evaluated to a stated number of digits.
-
-Results evaluated with mpmath to a stated number of digits, at exact points.
+"""Results evaluated with mpmath to a stated number of digits, at exact points, those that stay integrals among them.
 
 Two working precisions must agree, and the lower one starts above twice the
 decades of the point: 1 - t**2 rounds to 1 for t = 1e-107 at 30, 60 and 120
 digits alike, and three agreeing values of a hypergeometric function were 6 %
 wrong there.
-
-Results evaluated at extreme points, those that stay definite integrals among them.
 """
 
 from __future__ import annotations
@@ -17,6 +13,7 @@ import itertools
 import math
 from collections.abc import Callable
 from functools import lru_cache
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -24,20 +21,13 @@ import sympy as sp
 from .. import notation as nt
 from ..abel.masters import MASTERS
 from ..entry import Case, Entry
-from . import ball_rules
+from . import rules
 from .balls import NotAvailableError, enclose_value
 from .rules import LostError, integrate
 from .shape import Number, Values, concrete, number, numeric_symbols
 
 HIGHEST = 2000
 """Digits at which an evaluation that still does not settle is given up."""
-
-
-@lru_cache(maxsize=4096)
-def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> Callable[..., Number]:
-    own = {master.__name__: master.numeric for master in MASTERS}
-    function: Callable[..., Number] = sp.lambdify(arguments, expr, modules=[own, "mpmath"], cse=True)
-    return function
 
 
 COMPARING = 400
@@ -62,12 +52,11 @@ def evaluate(expr: sp.Expr, values: Values, digits: int) -> Number:
     ArithmeticError
         If the value does not settle below HIGHEST digits.
     """
-    function, symbols = _prepared(expr, values)
     precision = digits + 10 + 2 * decades(values)
     previous: Number | None = None
     while precision < HIGHEST:
         with mp.workdps(precision):
-            value = mp.mpmathify(function(*[number(values[s]) for s in symbols]))
+            value = mp.mpmathify(evaluated(expr, values))
             if previous is not None and abs(value - previous) <= mp.mpf(10) ** -digits * abs(value):
                 return _real(value, digits, expr)
         previous = value
@@ -76,20 +65,49 @@ def evaluate(expr: sp.Expr, values: Values, digits: int) -> Number:
     raise ArithmeticError(message)
 
 
-def at_precision(expr: sp.Expr, values: Values) -> Number:
-    """One evaluation at the working precision, for iterations; nothing is checked."""
-    function, symbols = _prepared(expr, values)
-    return function(*[number(values[s]) for s in symbols])
+def by_quad(f: Callable[[Any], Any], lo: Any, hi: Any) -> Any:
+    """The integral of f by the rule of mpmath."""
+    return mp.quad(f, [lo, hi])
 
 
-def _prepared(expr: sp.Expr, values: Values) -> tuple[Callable[..., Number], tuple[sp.Symbol, ...]]:
-    plain = concrete(sp.sympify(expr), values)
-    symbols = tuple(s for s in numeric_symbols(values) if plain.has(s))
-    missing = plain.free_symbols - set(symbols)
+def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = by_quad) -> Any:
+    """The value of a result at the working precision, for which nothing is checked; integrals in it by a rule."""
+    function, symbols, integrals = _prepared(concrete(sp.sympify(expr), values), numeric_symbols(values))
+    known = values
+    for stand_in, (variable, *ends), body in integrals:
+        limits = (evaluated(end, values) for end in ends)
+        known = {**known, stand_in: integral(_of_one_variable(body, variable, values), *limits)}
+    return function(*(number(known[s]) for s in symbols))
+
+
+def _of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
+    """The integrand with everything but its variable fixed, looked up once and not at every node."""
+    function, symbols, _ = _prepared(body, (variable, *numeric_symbols(values)))
+    fixed = {s: number(values[s]) for s in symbols if s != variable}
+    return lambda x: function(*(fixed.get(s, x) for s in symbols))
+
+
+Integrals = tuple[tuple[sp.Symbol, tuple[sp.Expr, ...], sp.Expr], ...]
+"""What stands for the value of each integral of a result, its variable and limits, and its integrand."""
+
+
+@lru_cache(maxsize=8192)
+def _prepared(
+    plain: sp.Expr, known: tuple[sp.Symbol, ...]
+) -> tuple[Callable[..., Any], tuple[sp.Symbol, ...], Integrals]:
+    """A result as a function, the symbols that it takes, and the integrals whose values it takes."""
+    missing = plain.free_symbols - set(known)
     if missing:
         message = f"no value for {sorted(map(str, missing))} in {plain}; give every symbol of the result a value"
         raise ValueError(message)
-    return _compiled(plain, symbols), symbols
+    left = sorted(plain.atoms(sp.Integral), key=str)
+    stand_ins = {integral: sp.Symbol(f"integral{i}", positive=True) for i, integral in enumerate(left)}
+    rest = plain.xreplace(stand_ins)
+    symbols = tuple(s for s in (*known, *stand_ins.values()) if rest.has(s))
+    own = {master.__name__: master.numeric for master in MASTERS}
+    function = sp.lambdify(symbols, rest, modules=[own, "mpmath"], cse=True)
+    within = tuple((name, whole.limits[0], whole.function) for whole, name in stand_ins.items() if rest.has(name))
+    return function, symbols, within
 
 
 def _real(value: Number, digits: int, expr: sp.Expr) -> Number:
@@ -104,7 +122,7 @@ def _real(value: Number, digits: int, expr: sp.Expr) -> Number:
 def holds(case: Case, values: Values) -> bool:
     """Whether the region of the case contains the point; lengths without a value are not compared."""
     with mp.workdps(COMPARING):
-        known = [at_precision(x, values) for x in case.chain if not (x.free_symbols - set(values))]
+        known = [evaluated(x, values) for x in case.chain if not (x.free_symbols - set(values))]
     return all(lo < hi for lo, hi in zip(known, known[1:], strict=False))
 
 
@@ -159,7 +177,7 @@ def _evaluated(plain: sp.Expr, values: Values, digits: int, radii: tuple[complex
     try:
         return enclose_value(plain.xreplace(stand_ins), known, digits)
     except NotAvailableError:
-        return at_precision(plain.xreplace(stand_ins), known)
+        return evaluated(plain.xreplace(stand_ins), known)
 
 
 def _least(values: Values) -> float:
@@ -171,7 +189,7 @@ def _images(variable: sp.Symbol, values: Values, radii: tuple[complex, ...]) -> 
     """Where the regularised variable of (11.53) or (11.56) meets a singular point of the profile."""
     if not radii:
         return []
-    k, r = float(values.get(nt.k, 0)), float(at_precision(nt.r, values))
+    k, r = float(values.get(nt.k, 0)), float(evaluated(nt.r, values))
     if variable == nt.u:
         return [0j, *(complex(z * z - r * r) ** ((1 + k) / 2) for z in radii)]
     return [cmath.pi / 2, -cmath.pi / 2, *(sign * cmath.asin(z / r) for z in radii for sign in (1, -1))]
@@ -179,7 +197,7 @@ def _images(variable: sp.Symbol, values: Values, radii: tuple[complex, ...]) -> 
 
 def _definite(integral: sp.Integral, values: Values, digits: int, radii: tuple[complex, ...] = ()) -> Number:
     (variable, lower, upper), integrand = integral.limits[0], integral.function
-    start, end = mp.mpf(at_precision(lower, values)), mp.mpf(at_precision(upper, values))
+    start, end = mp.mpf(evaluated(lower, values)), mp.mpf(evaluated(upper, values))
     shifted = [z - start for part in _zeros_of(integrand, variable) for z in _roots(part, values)]
     # what the lower limit itself is a root of comes out as rounding
     negligible = (end - start) * mp.mpf(10) ** (-mp.mp.dps // 2)
@@ -196,9 +214,9 @@ def _definite(integral: sp.Integral, values: Values, digits: int, radii: tuple[c
     points = (0j, complex(behind), *(complex(z) for z in shifted if abs(z) > negligible))
 
     known = {s: number(values[s]) for s in numeric_symbols(values) if integrand.has(s) and s != variable}
-    with ball_rules.at_working_precision():
-        inside, origin = ball_rules.bound(integrand, variable, known), ball_rules.ball(start)
-        panel = ball_rules.sum_over_balls
+    with rules.at_working_precision():
+        inside, origin = rules.bound(integrand, variable, known), rules.ball(start)
+        panel = rules.sum_over_balls
         return integrate(lambda x: inside(origin + x), mp.mpf(0), end - start, points, digits, _least(values), panel)
 
 
@@ -216,4 +234,4 @@ def _zeros_of(integrand: sp.Expr, variable: sp.Symbol) -> tuple[tuple[sp.Expr, .
 
 
 def _roots(coefficients: tuple[sp.Expr, ...], values: Values) -> list[Number]:
-    return list(mp.polyroots([at_precision(c, values) for c in coefficients], maxsteps=500, extraprec=2 * mp.mp.prec))
+    return list(mp.polyroots([evaluated(c, values) for c in coefficients], maxsteps=500, extraprec=2 * mp.mp.prec))

@@ -1,17 +1,13 @@
-"""The definitions on the homogeneous and the graded half-space, in numbers.
-
-Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, tangential.
+"""Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, tangential.
 
 Adhesion is not derived here by the formulas of the engine but as the normal
 contact with the free depth g(a) - Dl, with Dl from the balance of energies
 (11.63); partial slip as the difference of two normal contacts.
 
-The compliance of one homogeneous body in numbers, from its equations of equilibrium alone.
-
-Under a load of wave number 1 the state at a depth is exp(A z) times that at the surface; displacements that vanish at
-a large depth and the loads leave one state.  The image of that depth in the surface is exp(-2 depth).
-
-The graded half-space from its equations of equilibrium: h_N without the theory behind its formula.
+The compliances come from the equations of equilibrium alone.  Under a load of
+wave number 1 the state at a depth of one homogeneous body is exp(A z) times
+that at the surface; displacements that vanish at a large depth and the loads
+leave one state.  The image of that depth in the surface is exp(-2 depth).
 
 A pressure p J0(x) on the surface of a half-space with E = z**k moves it by
 c p J0(x).  The displacements U(z) J1(x), W(z) J0(x) obey two equations of second
@@ -28,8 +24,7 @@ import mpmath as mp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
-from . import integrals
-from .graded import Graded
+from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
 
 
@@ -56,42 +51,40 @@ class HalfSpace:
         """The value of a symbol, at the working precision."""
         return number(self.values[symbol])
 
-    def face(self, a: Number, digits: int | None = None) -> Graded:
-        """The profile up to the radius a."""
-        return Graded(shape(self.profile, {**self.values, nt.a: a}), self.k, digits or self.digits)
+    def face(self, a: Number, digits: int | None = None) -> Face:
+        """The integrals of the profile up to the radius a."""
+        kind = Graded if self.graded else Homogeneous
+        return kind(shape(self.profile, {**self.values, nt.a: a}), self.k, digits or self.digits)
+
+    def contact(self, a: Number) -> tuple[Number, Number | None]:
+        """Contact radius and free depth: a complete contact has the depth d, and at a small one a free edge."""
+        if self.profile.compact:
+            return a, None
+        depth, full = self.at(nt.d), self.depth(a)
+        if depth >= full:
+            return a, depth
+        start, tolerance = a * mp.sqrt(depth / full), mp.mpf(10) ** (-2 * self.digits)
+        ends = (start, start * mp.mpf("1.001"))
+        return mp.findroot(
+            lambda x: self.depth(x) / depth - 1, ends, solver="secant", tol=tolerance, verify=False
+        ), None
 
     def depth(self, a: Number) -> Number:
         """g(a)."""
-        face = self.face(a)
-        return face.depth(a) if self.graded else integrals.depth(face.shape, a, self.digits)
+        return self.face(a).depth(a)
 
     def force(self, a: Number, free_depth: Number | None = None) -> Number:
         """F of a contact of radius a with the depth g(a), or with the free depth if one is given."""
-        face = self.face(a)
-        if self.graded:
-            return self.modulus * face.force(a, free_depth)
-        return self.modulus * integrals.force(face.shape, a, self.digits, free_depth)
+        return self.modulus * self.face(a).force(a, free_depth)
 
     def pressure(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
         """p(r) for r < a, with the depth g(a), or with the free depth if one is given."""
-        face = self.face(a)
-        if self.graded:
-            return self.modulus * face.pressure(a, r, free_depth)
-        return self.modulus * integrals.pressure(face.shape, a, r, self.digits, free_depth)
-
-    def displacement(self, r: Number, a: Number, free_depth: Number | None = None) -> Number:
-        """w(r) for r > a, with the depth g(a), or with the free depth if one is given."""
-        face = self.face(a)
-        if self.graded:
-            return face.displacement(a, r, free_depth)
-        return integrals.displacement(face.shape, a, r, self.digits, free_depth)
+        return self.modulus * self.face(a).pressure(a, r, free_depth)
 
     def rates(self, a: Number) -> tuple[Number, Number]:
-        """dg/da and dF/da of the compact contact, the definitions differentiated under their signs."""
-        face, digits = self.face(a, self.digits + 20), self.digits + 20
-        if self.graded:
-            return face.depth_rate(a), self.modulus * face.force_rate(a)
-        return integrals.depth_rate(face.shape, a, digits), self.modulus * integrals.force_rate(face.shape, a, digits)
+        """dg/da and dF/da of the compact contact; both vanish where it ceases to be one, hence the extra digits."""
+        face = self.face(a, self.digits + 20)
+        return face.depth_rate(a), self.modulus * face.force_rate(a)
 
     def retraction(self, a: Number) -> Number:
         """Dl from 2 pi a dgamma = c_N(a) Dl**2, (11.63)."""
@@ -109,12 +102,13 @@ class HalfSpace:
             case "p":
                 return self.pressure(self.at(nt.r), a, free_depth)
             case "w":
-                return self.displacement(self.at(nt.r), a, free_depth)
+                return self.face(a).displacement(a, self.at(nt.r), free_depth)
             case "k" if free_depth is None:
                 depth_rate, force_rate = self.rates(a)
                 return force_rate / depth_rate
             case "k" if free_depth is not None:  # the force is linear in the free depth
-                return self.force(a, free_depth + 1) - self.force(a, free_depth)
+                face = self.face(a)
+                return self.modulus * (face.force(a, free_depth + 1) - face.force(a, free_depth))
         message = f"no integral defines {suffix!r}; use d, F, pm, p, w or k"
         raise ValueError(message)
 

@@ -5,18 +5,22 @@ its variable so that distances to it are exact, is integrated by the double
 exponential rule; every other panel is cut until its singular points keep a
 distance and then gets a Gauss-Legendre rule of fixed order.  Nothing here
 estimates an error: what a rule delivers is measured against closed forms.
+
+The same rules in the arithmetic of Arb are ten times as fast as in mpmath's: for integrals inside integrals.
 """
 
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Callable, Iterable
 from functools import lru_cache
 from typing import Any, TypeAlias
 
 import mpmath as mp
-from flint import arb, ctx
+import sympy as sp
+from flint import acb, arb, ctx, fmpq
 
 Number: TypeAlias = mp.mpf
 Integrand = Callable[[Number], Number]
@@ -134,23 +138,117 @@ def integrate(
     digits: int,
     least: float = -0.5,
     panel: Panel = sum_over,
+    longest: float = math.inf,
 ) -> Number:
     """Integral of f from lo to hi at the working precision; `singular` holds the singular points of f.
 
     Only an end of the interval may be a singular point, and only if it is 0; there f may grow like x**least.
+    Panels are no longer than `longest`, which entire functions ask for.
     """
     if lo == hi:
         return mp.mpf(0)
-    points = tuple(singular)
-    prec = int(mp.mp.prec)
+    count, points, prec = max(1, math.ceil((hi - lo) / longest)), tuple(singular), int(mp.mp.prec)
     total = mp.mpf(0)
-    panels = _panels(float(lo), float(hi), points)
-    ends = [lo, *(mp.mpf(right) for _, right, _ in panels[:-1]), hi]
-    for (left, right, parameter), start, end in zip(panels, ends, ends[1:], strict=False):
-        if 0 in points and 0 in (left, right):
-            length = end if left == 0 else start
-            total += panel(f, exponential_rule, (digits, prec, least), mp.mpf(0), length)
-            continue
-        order = 8 * math.ceil((digits + 4) / (16 * math.log10(parameter)))
-        total += panel(f, gauss_rule, (order, prec), start, end - start)
+    for start, end in itertools.pairwise([*(lo + (hi - lo) * i / count for i in range(count)), hi]):
+        panels = _panels(float(start), float(end), points)
+        ends = [start, *(mp.mpf(right) for _, right, _ in panels[:-1]), end]
+        for (left, right, parameter), x, y in zip(panels, ends, ends[1:], strict=False):
+            if 0 in points and 0 in (left, right):
+                total += panel(f, exponential_rule, (digits, prec, least), mp.mpf(0), y if left == 0 else x)
+                continue
+            order = 8 * math.ceil((digits + 4) / (16 * math.log10(parameter)))
+            total += panel(f, gauss_rule, (order, prec), x, y - x)
     return total
+
+
+_root = sp.Function("root_of")
+NATIVE: dict[str, Callable[..., arb]] = {
+    "root_of": lambda x: x.sqrt(),
+    "exp": lambda x: x.exp(),
+    "sin": lambda x: x.sin(),
+    "cos": lambda x: x.cos(),
+    "tan": lambda x: x.tan(),
+    "IncompleteBeta": lambda z, p, q: z.beta_lower(p, q),
+}
+
+
+@lru_cache(maxsize=1)
+def functions() -> dict[str, Callable[..., arb]]:
+    """By the name that lambdify prints."""
+    from .balls import FUNCTIONS, Ball  # which measures a shape, as the callers of this module do
+
+    plain = Ball({}, False)
+
+    def real(rule: Callable[..., acb]) -> Callable[..., arb]:
+        return lambda *args: rule(plain, *map(acb, args)).real
+
+    return {head.__name__: real(rule) for head, rule in FUNCTIONS.items()} | NATIVE
+
+
+def ball(value: Any) -> arb:
+    """The binary fraction that a number of mpmath is; a rational number of SymPy, any other one rounded."""
+    if isinstance(value, mp.mpf):
+        sign, mantissa, exponent, _ = value._mpf_
+        return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
+    if value.is_Rational:
+        return arb(fmpq(int(value.p), int(value.q)))
+    return ball(value._to_mpmath(ctx.prec + 20))
+
+
+def foreign(expr: sp.Expr) -> list[str]:
+    """Names of the functions of an expression that Arb is not told."""
+    return sorted({str(node.func) for node in expr.atoms(sp.Function)} - set(functions()))
+
+
+@lru_cache(maxsize=512)
+def _compiled(expr: sp.Expr, arguments: tuple[sp.Symbol, ...]) -> tuple[Callable[..., arb], tuple[sp.Expr, ...]]:
+    """A function of the arguments and of the numbers that Python would read as floats."""
+    rooted = expr.replace(
+        lambda node: node.is_Pow and node.exp.is_Rational and node.exp.q == 2,
+        lambda node: _root(node.base) ** node.exp.p,
+    )
+    unknown = foreign(rooted)
+    if unknown:
+        message = f"{expr} has the function {unknown[0]}, which Arb is not told; add it to balls.FUNCTIONS"
+        raise ValueError(message)
+    numbers = tuple(sorted((n for n in rooted.atoms(sp.Rational, sp.NumberSymbol) if not n.is_Integer), key=str))
+    stand_ins = {n: sp.Symbol(f"number_{i}") for i, n in enumerate(numbers)}
+    function = sp.lambdify(
+        (*arguments, *stand_ins.values()), rooted.xreplace(stand_ins), modules=[functions()], cse=True
+    )
+    return function, numbers
+
+
+def bound(expr: sp.Expr, variable: sp.Symbol, known: dict[sp.Symbol, Number]) -> Callable[[arb], arb]:
+    """The expression as a function of balls, compiled when it is first called."""
+
+    @lru_cache(maxsize=1)
+    def bind() -> tuple[Callable[..., arb], list[arb]]:
+        function, numbers = _compiled(expr, (variable, *known))
+        return function, [ball(value) for value in (*known.values(), *numbers)]
+
+    def call(x: arb) -> arb:
+        function, fixed = bind()
+        return arb(function(x, *fixed))
+
+    return call
+
+
+def at_working_precision() -> Any:
+    """Arb at the precision that mpmath has here."""
+    return ctx.workprec(int(mp.mp.prec))
+
+
+def sum_over_balls(
+    f: Callable[[arb], arb], rule: Callable[..., Rule], of: tuple[Any, ...], start: Number, length: Number
+) -> Number:
+    """`sum_over` for a function of balls."""
+    origin, reach, total = ball(start), ball(length), arb(0)
+    for x, weight in _nodes(rule, of):
+        total += weight * f(origin + reach * x)
+    return middle(total * abs(reach))
+
+
+@lru_cache(maxsize=64)
+def _nodes(rule: Callable[..., Rule], of: tuple[Any, ...]) -> tuple[tuple[arb, arb], ...]:
+    return tuple((ball(x), ball(weight)) for x, weight in rule(*of))

@@ -13,7 +13,7 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..profiles.profile import Profile
-from .evaluate import at_precision
+from .evaluate import evaluated
 from .shape import coefficient
 
 Values = dict[Any, Any]
@@ -187,12 +187,10 @@ def _parameters(
 
 def _allowed(profile: Profile, values: Values) -> bool:
     for lo, hi in _order(profile):
-        if not (lo.free_symbols | hi.free_symbols) - set(values) and at_precision(lo, values) >= at_precision(
-            hi, values
-        ):
+        if not (lo.free_symbols | hi.free_symbols) - set(values) and evaluated(lo, values) >= evaluated(hi, values):
             return False
     for rule in profile.rules:
-        left, right = at_precision(rule.left, values), at_precision(rule.right, values)
+        left, right = evaluated(rule.left, values), evaluated(rule.right, values)
         if left > right or (rule.strict and left == right):
             return False
     return True

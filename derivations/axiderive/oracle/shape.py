@@ -12,7 +12,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..profiles.profile import Profile
-from . import ball_rules
+from . import rules
 
 Number: TypeAlias = mp.mpf
 Values = Mapping[Any, Any]
@@ -146,7 +146,7 @@ def shape(profile: Profile, values: Values) -> Shape:
         return lambda s: f(s, *arguments)
 
     def in_balls(expr: sp.Expr) -> Callable[[Any], Any]:
-        return ball_rules.bound(expr, nt.r, dict(zip(symbols, arguments, strict=True)))
+        return rules.bound(expr, nt.r, dict(zip(symbols, arguments, strict=True)))
 
     stretches: list[Stretch] = []
     kinks: list[tuple[Number, Number]] = []

@@ -16,8 +16,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case
-from ..oracle.values import evaluated
+from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated
 from ..physics.systems import of
 from ..rows import laws
 from ..rows.claims import Exact, claim

@@ -12,8 +12,7 @@ import sympy as sp
 
 from ..abel.masters import C0, StruveH
 from ..entry import Case, Entry
-from ..oracle.evaluate import evaluate, evaluate_case, holds
-from ..oracle.values import evaluated
+from ..oracle.evaluate import evaluate, evaluate_case, evaluated, holds
 from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa

@@ -17,10 +17,8 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..checks import plane_quadrature
-from ..oracle.definitions import contact
 from ..oracle.half_space import HalfSpace
-from ..oracle.shape import number
+from ..oracle.plane import defined as plane_defined
 from . import grids, rivals
 from .naive import naive, per_point, printed
 from .report import seconds
@@ -50,13 +48,12 @@ def defined(subject: Subject, radius: float, r: float | None = None) -> Callable
     values = _values(subject, radius) | ({} if r is None else {subject.across: sp.Rational(r)})
     with mp.workdps(DIGITS + 20):
         if subject.plane:
-            return lambda suffix: plane_quadrature.defined(subject.profile, suffix, values, DIGITS)
+            return lambda suffix: plane_defined(subject.profile, suffix, values, DIGITS)
+        here = _half_space(subject, values)
         if nt.dgamma in values:
-            return partial(_half_space(subject, values).adhesive, a=mp.mpf(radius))
-        if subject.graded:
-            depth = number(values[nt.d]) if subject.profile.complete else None
-            return partial(_half_space(subject, values).normal, a=mp.mpf(radius), free_depth=depth)
-        return contact(subject.profile, values, DIGITS).quantity
+            return partial(here.adhesive, a=mp.mpf(radius))
+        reached, depth = here.contact(mp.mpf(radius))
+        return partial(here.normal, a=reached, free_depth=depth)
 
 
 def _half_space(subject: Subject, values: dict[Any, Any]) -> HalfSpace:

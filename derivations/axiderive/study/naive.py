@@ -15,7 +15,7 @@ from scipy import optimize
 
 from .. import notation as nt
 from ..abel.masters import C0
-from ..checks.quadrature import inverse
+from ..checks.comparison import inverse
 from ..entry import Entry
 from ..oracle.rules import middle
 from ..stable.reference import UnknownError, of_contact

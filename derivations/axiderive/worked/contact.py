@@ -11,8 +11,8 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
+from ..figures.values import Numbers, Values
 from ..oracle.shape import coefficient
-from ..oracle.values import Numbers, Values
 from ..profiles.profile import Profile
 from .cases import Case
 from .quantities import DIGITS

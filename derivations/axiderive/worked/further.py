@@ -10,8 +10,8 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import case_at
-from ..oracle.values import Numbers, Values, evaluated
+from ..figures.values import Numbers, Values
+from ..oracle.evaluate import case_at, evaluated
 from ..physics import materials
 from .cases import ACRYLIC, CARTILAGE, CERAMIC, ELASTOMER, PMMA, POLYETHYLENE, POLYMER, SILICONE, Case
 from .contact import loaded, number

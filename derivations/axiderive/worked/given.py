@@ -10,8 +10,9 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
+from ..figures.values import Values
 from ..letters import name_of
-from ..oracle.values import Values, evaluated
+from ..oracle.evaluate import evaluated
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from .cases import BLOCK, CERAMIC

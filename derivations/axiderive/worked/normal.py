@@ -10,7 +10,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.values import Numbers
+from ..figures.values import Numbers
 from ..profiles.profile import Profile
 from .cases import CASES, Case
 from .contact import infinite, largest, loaded, number, parameters, pull_off

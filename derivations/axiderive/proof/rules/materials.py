@@ -1,30 +1,22 @@
 """The elastic constants against the half-space whose response they stand for.
 
-The moduli of two bodies are proved by the equations of equilibrium of the homogeneous half-space; h_N is compared
-with the point force on the graded one.
+The moduli of two bodies are proved by the equations of equilibrium of the homogeneous half-space; h_N is compared in
+numbers only.
 """
 
 from __future__ import annotations
 
-import random
 from collections.abc import Mapping
-from typing import Any
 
-import mpmath as mp
 import sympy as sp
 
 from ... import notation as nt
 from ...entry import Entry
 from ...notation import nu_1, nu_2, young_1, young_2
-from ...oracle.evaluate import evaluate
-from ...oracle.evidence import Evidence, judge, residual
-from ...oracle.half_space import body_compliance, h_N
-from ...oracle.shape import Number, Values, number
 from ...profiles.materials import PROFILE as PROFILE
 from ..algebra.domain import Domain, NotProvedError
 from ..statement import Rule, require_regions, require_zero
 
-LOST = 2
 DEPTH = sp.Symbol("z", positive=True)
 RAISED = sp.symbols("raised_1 raised_2", positive=True)
 """1 + nu of both bodies."""
@@ -108,44 +100,3 @@ RULES: dict[str, Rule] = {
     "H": (("h_N",), Materials.graded),
     "h_N": ((), Materials.factor),
 }
-
-
-def check(entries: Mapping[str, Entry], suffix: str, *, digits: int = 40, points: int = 6, seed: int = 0) -> Evidence:
-    """An entry at random exact points."""
-    entry, rows = entries[suffix], list[tuple[Values, Number]]()
-    draw = random.Random(seed)
-    with mp.workdps(digits + 15):
-        for _ in range(points):
-            values = _point(entry, draw)
-            got = evaluate(entry.cases[0].expr, values, digits)
-            rows.append((values, residual(got, _wanted(entry, values, digits))))
-    loaded = "point force on the graded half-space" if _graded(entry) else "waves of load on two half-spaces"
-    compared = f"{loaded}, equations of equilibrium"
-    return judge(entry.key, compared, rows, seed=seed, extremes=0, digits=digits, required=digits - LOST)
-
-
-def _graded(entry: Entry) -> bool:
-    return nt.k in entry.parameters
-
-
-def _point(entry: Entry, draw: random.Random) -> Values:
-    """Poisson ratios between -1 and 1/2, exponents between -1 and 1 but for 0, moduli and lengths about 1."""
-    values: dict[Any, Any] = {}
-    for symbol in entry.parameters:
-        if symbol in (nt.nu, nt.nu_1, nt.nu_2):
-            values[symbol] = sp.Rational(draw.randint(-999, 499), 1000)
-        elif symbol == nt.k:
-            values[symbol] = sp.Rational(draw.choice((-1, 1)) * draw.randint(1, 999), 1000)
-        else:
-            values[symbol] = sp.Rational(draw.randint(1, 9999), 1000)
-    return values | {symbol: expr.subs(values) for symbol, expr in entry.profile.abbreviations if _graded(entry)}
-
-
-def _wanted(entry: Entry, values: Values, digits: int) -> Number:
-    if not _graded(entry):
-        bodies = [(number(values[E]), number(values[nu])) for E, nu in ((young_1, nu_1), (young_2, nu_2))]
-        return 1 / mp.fsum(body_compliance(entry.suffix, E, nu, digits + 5) for E, nu in bodies)
-    factor = h_N(number(values[nt.k]), number(values[nt.nu]), digits + 5)
-    if entry.suffix == "h_N":
-        return factor
-    return evaluate(entry.definition.rhs, {**values, nt.h_N: factor}, digits)

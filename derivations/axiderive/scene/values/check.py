@@ -11,7 +11,7 @@ import sympy as sp
 
 from ... import notation as nt
 from ...code import example
-from ...oracle.load_quadrature import displacement
+from ...oracle.integrals import under_load
 from ...oracle.shape import number
 from ...profiles.loads import Load
 from .. import interface
@@ -75,7 +75,7 @@ def _sunk(contact: Contact, load: Load) -> Rows:
     with mp.workdps(DIGITS + 10):
         exponent = number(load.exponent.xreplace(known))
         places = [short(0.45 * a), short(0.95 * a), short(1.6 * a)]
-        return [((r,), displacement({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places]
+        return [((r,), under_load({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places]
 
 
 def _tilted(contact: Contact, function: interface.Function) -> Rows:

@@ -15,13 +15,12 @@ import numpy as np
 import sympy as sp
 
 from ... import notation as nt
-from ...checks.physics_quadrature import contact as of_depth
-from ...checks.plane_quadrature import defined
 from ...entry import COMPACT
 from ...letters import name_of
 from ...oracle import plane as integrals
 from ...oracle.definitions import stationary
 from ...oracle.integrals import GUARD
+from ...oracle.plane import defined
 from ...oracle.shape import number
 from .. import interface
 from .contact import DIGITS, Contact, short
@@ -154,7 +153,7 @@ class Edged:
     def at(self, suffix: str, depth: float, **places: float) -> Any:
         """A quantity of the normal contact at a depth."""
         here = self.contact.half_space(DIGITS, d=depth, **places)
-        radius, free = of_depth(here, self.a)
+        radius, free = here.contact(self.a)
         place = places.get("r")
         if suffix == "p" and place is not None and place > radius:
             return mp.mpf(0)

@@ -8,10 +8,9 @@ more, and belong together because their convolution is a unit step.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -19,17 +18,15 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..oracle.evaluate import case_at, evaluate
-from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.half_space import HalfSpace
 from ..oracle.rules import integrate
-from ..oracle.sampling import points as draw
 from ..oracle.shape import Number, Values, number
 from ..physics import normal
 from ..profiles.profile import Profile
-from .quadrature import root
+from .comparison import Comparison, Entries, Evidence, Rows, residual, root
 
-DIGITS = 50
 LOST = 8
+ALPHAS = (sp.Rational(1, 5), sp.Rational(1, 2), sp.Rational(2, 5))
 POWERS = (sp.Rational(1, 2), sp.Integer(1), sp.Integer(2), sp.Rational(37, 10))
 
 
@@ -45,21 +42,25 @@ class Material:
 
     def creep(self, t: Number, digits: int) -> Number:
         """J(t)."""
-        least = min(float(-1 - self.exponent), -0.5) if self.exponent else -0.5
-        return self.initial + integrate(self.creep_rate, mp.mpf(0), t, (0j,), digits, least)
+        return self.initial + integrate(self.creep_rate, mp.mpf(0), t, (0j,), digits, self._least_rate)
 
     def convolution(self, t: Number, digits: int) -> Number:
         """int_0^t E(t - s) dJ(s) with the impulse of E: 1 for every t > 0."""
-        half = t / 2
-        early = integrate(
-            lambda s: self.relaxation(t - s) * self.creep_rate(s), mp.mpf(0), half, (0j, complex(t)), digits,
-            min(float(-1 - self.exponent), -0.5) if self.exponent else -0.5,
-        )  # fmt: skip
-        late = integrate(
-            lambda s: self.relaxation(s) * self.creep_rate(t - s), mp.mpf(0), half, (0j, complex(t)), digits,
-            min(float(self.exponent), -0.5),
-        )  # fmt: skip
-        return self.relaxation(t) * self.initial + self.impulse * self.creep_rate(t) + early + late
+        halves = (
+            (lambda s: self.relaxation(t - s) * self.creep_rate(s), self._least_rate),
+            (lambda s: self.relaxation(s) * self.creep_rate(t - s), self.least),
+        )
+        parts = [integrate(f, mp.mpf(0), t / 2, (0j, complex(t)), digits, least) for f, least in halves]
+        return self.relaxation(t) * self.initial + self.impulse * self.creep_rate(t) + parts[0] + parts[1]
+
+    @property
+    def least(self) -> float:
+        """The exponent of E at t = 0, as a rule of integration takes it."""
+        return min(float(self.exponent), -0.5)
+
+    @property
+    def _least_rate(self) -> float:
+        return min(float(-1 - self.exponent), -0.5) if self.exponent else -0.5
 
 
 def material(law: str, values: Values) -> Material:
@@ -92,93 +93,72 @@ def material(law: str, values: Values) -> Material:
     )  # fmt: skip
 
 
-def check(profile: Profile, entries: Mapping[str, Entry], suffix: str, *, points: int = 2, seed: int = 0) -> Evidence:
+def check(own: Comparison, suffix: str) -> Evidence:
     """Ramp, step of depth or step of load against the convolution."""
-    entry, (kind, law) = entries[suffix], suffix.split("_")
-    digits = DIGITS
-    rows: list[tuple[Values, Number]] = []
-    plain = _elastic_entries(profile)
-    for i, values in enumerate(_points(profile, plain, entry, points, seed)):
+    entry, (kind, law) = own.entries[suffix], suffix.split("_")
+    rows: Rows = []
+    plain = _elastic_entries(own.profile)
+    fields = (*entry.parameters, nt.time, *own.profile.free_depth)
+    cases = plain["d" if "d" in plain else "F"].cases
+    for i, drawn in enumerate(x for case in cases for x in own.tame(case.chain, own.points + 8, fields)[: own.points]):
+        values = dict(drawn)
         if nt.alpha in values:
-            values[nt.alpha] = (sp.Rational(1, 5), sp.Rational(1, 2), sp.Rational(2, 5))[i % 3]
+            values[nt.alpha] = ALPHAS[i % len(ALPHAS)]
         if kind == "ramp" and nt.n in values:
             values[nt.n] = POWERS[i % len(POWERS)]
         # the distance from the present is a difference of two defined depths
-        with mp.workdps(2 * digits + 30):
-            rows.append((values, _RESIDUALS[kind](profile, plain, entry, law, values, digits)))
-    return judge(
-        entry.key,
-        "quadrature of the convolution of Lee and Radok" + (", round trip" if entry.status == "root" else ""),
-        rows, seed=seed, extremes=0, digits=digits, required=digits - LOST,
-    )  # fmt: skip
+        with mp.workdps(2 * own.digits + 30):
+            here = HalfSpace(own.profile, {**values, nt.E_star: sp.S.One}, own.digits + 10, False)
+            rows.append((values, _RESIDUALS[kind](here, plain, entry, material(law, values), values, own.digits)))
+    compared = "quadrature of the convolution of Lee and Radok" + (", round trip" if entry.status == "root" else "")
+    return own.judge(suffix, compared, rows, lost=LOST)
 
 
 @lru_cache(maxsize=2)
-def _elastic_entries(profile: Profile) -> Mapping[str, Entry]:
+def _elastic_entries(profile: Profile) -> Entries:
     return normal.derive(profile)
 
 
-def _points(profile: Profile, plain: Mapping[str, Entry], entry: Entry, count: int, seed: int) -> list[dict[Any, Any]]:
-    source = plain["d"] if "d" in plain else plain["F"]
-    fields = (*entry.parameters, nt.time, *profile.free_depth)
-    out: list[dict[Any, Any]] = []
-    for case in source.cases:
-        tame = [p.values for p in draw(profile, case.chain, count + 8, seed, fields) if not p.extreme]
-        out += tame[:count]
-    return out
-
-
-def _elastic(profile: Profile, values: Values, digits: int) -> HalfSpace:
-    return HalfSpace(profile, {**values, nt.E_star: sp.S.One}, digits, False)
-
-
-def _step(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, values: Values, digits: int) -> Number:
+def _step(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
     """The depth is there at once and the elastic force relaxes with E(t)."""
-    from .physics_quadrature import contact
-
-    here, own, t = _elastic(profile, values, digits + 10), material(law, values), number(values[nt.time])
-    a, free_depth = contact(here, number(values[nt.a]))
-    depth = here.normal("d", a, free_depth)
-    wanted = own.relaxation(t) * here.force(a, free_depth)
+    a, free_depth = here.contact(here.at(nt.a))
+    depth, wanted = here.normal("d", a, free_depth), own.relaxation(here.at(nt.time)) * here.force(a, free_depth)
     known = {**values, nt.d: depth}
     if entry.status != "root":
-        if free_depth is None and profile.compact:
+        if free_depth is None and here.profile.compact:
             known.pop(nt.a)
         return residual(evaluate(case_at(entry, known).expr, known, digits), wanted)
     # the equation F = F_el(a) E(t)/E* at the root of g(a) = d
-    known[nt.a] = root(case_at(plain["ad"], known), nt.a, known, digits, _beyond(profile))
+    known[nt.a] = root(case_at(plain["ad"], known), nt.a, known, digits, here.profile.largest)
     equation = case_at(entry, known).expr
     left, right = (evaluate(side, {**known, nt.F: wanted}, digits) for side in (equation.lhs, equation.rhs))
     return residual(right, left)
 
 
-def _beyond(profile: Profile) -> tuple[sp.Expr, ...]:
-    return () if profile.largest is None else (profile.largest,)
-
-
-def _load(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, values: Values, digits: int) -> Number:
+def _load(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
     """The elastic force at unit modulus creeps: F_el(a) = J(t) F, with J checked to be the inverse of E."""
-    here, own, t = _elastic(profile, values, digits + 10), material(law, values), number(values[nt.time])
+    a, t = here.at(nt.a), here.at(nt.time)
     mismatch = abs(own.convolution(t, digits + 10) - 1)
-    a = number(values[nt.a])
     known = {**values, nt.F: here.force(a) / own.creep(t, digits + 10)}
     if entry.status == "root":
-        found = root(case_at(entry, known), nt.a, known, digits, _beyond(profile))
+        found = root(case_at(entry, known), nt.a, known, digits, here.profile.largest)
     else:
         known.pop(nt.a)
         found = evaluate(case_at(entry, known).expr, known, digits)
     return max(residual(found, a), mismatch)
 
 
-def _ramp(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, values: Values, digits: int) -> Number:
+def _ramp(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
     """The convolution over the earlier contacts of a power law, y = g(x)/g(a) from 0 and from 1.
 
     Their depths and forces grow as x**n and x**(n + 1), which a smaller contact confirms.
     """
-    here, own = _elastic(profile, values, digits + 10), material(law, values)
-    a, t = number(values[nt.a]), number(values[nt.time])
-    if profile.complete:
-        return _ramp_of_punch(here, own, entry, number(values[nt.v]), a, values, digits)
+    a, t = here.at(nt.a), here.at(nt.time)
+    if here.profile.complete:  # the radius is fixed: the force grows with the depth at the stiffness of the punch
+        stiffness = here.normal("k", a, mp.mpf(1))
+        whole = integrate(own.relaxation, mp.mpf(0), t, (0j,), digits) + own.impulse
+        got = evaluate(case_at(entry, values).expr, values, digits)
+        return residual(got, stiffness * here.at(nt.v) * whole)
     face = here.face(a).shape.stretches[0]
     n = a * face.slope(a) / face.height(a)
     depth, force, x = here.depth(a), here.force(a), a * mp.mpf(2) / 3
@@ -194,20 +174,13 @@ def _ramp(profile: Profile, plain: Mapping[str, Entry], entry: Entry, law: str, 
     def late(z: Number) -> Number:
         return own.relaxation(t * z) * rate * (1 - z) ** (1 / n)
 
-    half, least = mp.mpf(1) / 2, min(float(own.exponent), -0.5)
+    half = mp.mpf(1) / 2
     total = integrate(early, mp.mpf(0), half, (0j, 1 + 0j), digits)
-    total += integrate(late, mp.mpf(0), half, (0j, 1 + 0j), digits, least) + own.impulse * rate / t
+    total += integrate(late, mp.mpf(0), half, (0j, 1 + 0j), digits, own.least) + own.impulse * rate / t
     known = {s: x for s, x in values.items() if s != nt.a} | {nt.v: depth / t}
     return max(residual(evaluate(case_at(entry, known).expr, known, digits), total), scatter)
 
 
-def _ramp_of_punch(
-    here: HalfSpace, own: Material, entry: Entry, v: Number, a: Number, values: Values, digits: int
-) -> Number:
-    """The radius is fixed: the force grows with the depth at the stiffness of the punch."""
-    t, stiffness = number(values[nt.time]), here.normal("k", a, mp.mpf(1))
-    total = stiffness * v * (integrate(own.relaxation, mp.mpf(0), t, (0j,), digits) + own.impulse)
-    return residual(evaluate(case_at(entry, values).expr, values, digits), total)
-
-
-_RESIDUALS = {"ramp": _ramp, "step": _step, "load": _load}
+_RESIDUALS: dict[str, Callable[[HalfSpace, Entries, Entry, Material, Values, int], Number]] = {
+    "ramp": _ramp, "step": _step, "load": _load,
+}  # fmt: skip

@@ -1,75 +1,26 @@
-"""Numbers of the entries at given parameter values.
+"""Numbers behind pictures, plots and check tables: the entries of a profile at given parameter values.
 
-Numbers behind pictures, plots and check tables: the entries of a profile at given parameter values.
-
-Numbers of a plane contact in the terms of a round one, so that sketch, plots and check values are the same.
+A strip gives its numbers in the terms of a round contact, so that sketch, plots and check values are the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import lru_cache
+from collections.abc import Mapping
 from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import MASTERS
 from ..entry import Entry
+from ..oracle.evaluate import case_at, evaluated
+from ..oracle.shape import coefficient
 from ..profiles.profile import Profile
-from .evaluate import at_precision, case_at
-from .shape import coefficient, concrete, number, numeric_symbols
 
 Values = dict[Any, Any]
 DIGITS = 25
 POLYNOMIAL = (sp.Rational(3, 20), sp.Rational(1, 5), sp.Rational(1, 10))
 """Coefficients with which the polynomial profile is drawn and tabulated."""
-
-
-@dataclass(frozen=True)
-class Remaining:
-    """An integral that is left in a result, and the symbol that stands for its value there."""
-
-    stand_in: sp.Symbol
-    variable: sp.Symbol
-    low: sp.Expr
-    high: sp.Expr
-    body: sp.Expr
-
-
-def evaluated(expr: sp.Expr, values: Values) -> Any:
-    """The value of a result at the working precision; integrals left in it by quadrature."""
-    function, arguments, integrals = _prepared(concrete(sp.sympify(expr), values), numeric_symbols(values))
-    known = dict(values)
-    for one in integrals:
-        ends = [evaluated(end, values) for end in (one.low, one.high)]
-        known[one.stand_in] = mp.quad(_of_one_variable(one.body, one.variable, values), ends)
-    return function(*(number(known[s]) for s in arguments))
-
-
-def _of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
-    """The integrand with everything but its variable fixed, looked up once and not at every node."""
-    function, (_, *others), _ = _prepared(body, (variable, *numeric_symbols(values)))
-    fixed = [number(values[s]) for s in others]
-    return lambda x: function(x, *fixed)
-
-
-@lru_cache(maxsize=4096)
-def _prepared(
-    expr: sp.Expr, known: tuple[sp.Symbol, ...]
-) -> tuple[Callable[..., Any], tuple[sp.Symbol, ...], tuple[Remaining, ...]]:
-    """A result as a function, the known symbols that it takes, and the integrals whose values it takes."""
-    integrals = []
-    for i, integral in enumerate(sorted(expr.atoms(sp.Integral), key=str)):
-        variable, low, high = integral.limits[0]
-        integrals.append(Remaining(sp.Symbol(f"integral{i}", positive=True), variable, low, high, integral.function))
-        expr = expr.xreplace({integral: integrals[-1].stand_in})
-    own = {master.__name__: master.numeric for master in MASTERS}
-    arguments = tuple(s for s in (*known, *(one.stand_in for one in integrals)) if expr.has(s))
-    function: Callable[..., Any] = sp.lambdify(arguments, expr, modules=[own, "mpmath"], cse=True)
-    return function, arguments, tuple(integrals)
 
 
 def sketch_values(profile: Profile) -> Values:
@@ -102,7 +53,7 @@ class Numbers:
     def __getitem__(self, name: str) -> Any:
         """The value of a parameter."""
         with mp.workdps(self.digits):
-            return at_precision(sp.sympify(nt.describe(name).symbol), self.values)
+            return evaluated(sp.sympify(nt.describe(name).symbol), self.values)
 
     def __call__(self, suffix: str, r: Any = None) -> Any:
         """One quantity; a radius on a border of two cases is moved off it a little."""
@@ -136,8 +87,8 @@ class Numbers:
         """f(r)."""
         with mp.workdps(self.digits):
             for piece in self.profile.pieces:
-                if piece.upper is None or mp.mpf(r) <= at_precision(piece.upper, self.values):
-                    return at_precision(piece.expr, {**self.values, nt.r: mp.mpf(r), nt.x: mp.mpf(r)})
+                if piece.upper is None or mp.mpf(r) <= evaluated(piece.upper, self.values):
+                    return evaluated(piece.expr, {**self.values, nt.r: mp.mpf(r), nt.x: mp.mpf(r)})
         message = f"{self.profile.name}: no piece of the profile reaches r = {r}"
         raise LookupError(message)
 
@@ -178,7 +129,7 @@ class StripNumbers(Numbers):
         with mp.workdps(self.digits):
             a = self["a"]
             return mp.findroot(
-                lambda x: at_precision(equation, {**self.values, nt.x_zero: x}), (a / 3, 2 * a / 3), solver="anderson"
+                lambda x: evaluated(equation, {**self.values, nt.x_zero: x}), (a / 3, 2 * a / 3), solver="anderson"
             )
 
     def at(self, **changed: Any) -> Numbers:
