@@ -1,15 +1,15 @@
 """Numbers in print, and what they have to be: values of the printed formulas at the parameters that are printed too.
 
-The tables of check values and the line on the evidence are read here, the worked examples in `examples`.
+The worked examples are read in `examples`; the check values are compared with the functions of the package.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -164,80 +164,3 @@ class Contact:
         power = mp.mpf(str(sp.sympify(self.profile.exponent).xreplace(self.values)))
         inside = mp.quad(lambda u: (1 - u) ** power, [0, 1])
         return mp.pi * self.given["a"] ** 2 * self.given["p_0"] * inside
-
-
-_CHECKS = re.compile(r"\\sect\[([^\]]*?); last digit rounded\]\{Check values\}(.*?)\\bottomrule", re.DOTALL)
-_COLUMNS = re.compile(r"\$([^$]+)\$\\enspace\\own\{\w+\}")
-_HEAD = re.compile(r"\$([^$=]+)=([^$]+)\$")
-_RATIO = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
-_LINE = re.compile(r"^\$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$ & \$([^$]+)\$\\\\$", re.MULTILINE)
-_PROVED = re.compile(
-    r"\\textcolor\{note\}\{Evidence:\}\\enspace(\d+) of (\d+) formulas? proved; [\w ]+ to at least (\d+) digits"
-    r"(?:; (\d+) (?:is the root of an equation|are roots of equations))?(?:; (\d+) (?:is an integral|are integrals))?"
-    r"\. All of it: \\href\{html/([\w.]+)\.html\}"
-)
-
-
-class Proved(NamedTuple):
-    """What the line on the evidence of a spread states, and the page it names."""
-
-    proved: int
-    formulas: int
-    digits: int
-    roots: int
-    integrals: int
-    page: str
-
-
-def proved(text: str) -> Proved:
-    """The line on the evidence of a spread, from its source.
-
-    Raises
-    ------
-    LookupError
-        If the spread has none.
-    """
-    match = _PROVED.search(text)
-    if match is None:
-        message = "no line on the evidence"
-        raise LookupError(message)
-    *counts, page = match.groups(default="0")
-    certified, formulas, digits, roots, integrals = map(int, counts)
-    return Proved(certified, formulas, digits, roots, integrals, page)
-
-
-def check_values(text: str, entries: Entries) -> Iterator[Line]:
-    """The table of check values of a spread, from its source."""
-    match = _CHECKS.search(text)
-    if match is None:
-        return
-    with mp.workdps(DIGITS):
-        given, heads, ratios = given_in(match[1]), _COLUMNS.findall(match[2]), _RATIO.findall(match[2])
-        for line in ratios:
-            yield from _over_breaks(entries, given, heads, line)
-        if ratios:
-            return
-        contact = Contact(entries, given)
-        names = contact.names()
-        for name, tex in _HEAD.findall(match[2]):
-            yield rounded(f"check value {name}", tex, value(name, names))
-        for line in _LINE.findall(match[2]):
-            for head, place, tex in zip(heads, line[::2], line[1::2], strict=True):
-                at = number(place).value * contact.given["a"]
-                fields = {name: names[f"{name}()"](at) for name in "pw" if head.startswith(name)}
-                yield rounded(f"check value {head} at {place}", tex, value(head, names | fields))
-
-
-def _over_breaks(entries: Entries, given: dict[str, Any], heads: list[str], line: list[str]) -> Iterator[Line]:
-    """One line of the table of a profile that breaks, at b over a."""
-    profile, (share, *values) = next(iter(entries.values())).profile, line
-    length = number(share).value * given["a"]
-    own = {name_in_print(profile.breaks[0]): length}
-    for _, expr in profile.abbreviations:
-        unknown = profile.parameters[0]
-        known = {s: sp.Float(str(given[name_in_print(s)]), DIGITS) for s in expr.free_symbols - {unknown}}
-        (solution,) = sp.solve(expr.xreplace(known) - sp.Float(str(length), DIGITS), unknown)
-        own = {name_in_print(unknown): mp.mpf(str(solution))}
-    names = Contact(entries, given | own).names()
-    for head, tex in zip(heads, values, strict=True):
-        yield rounded(f"check value {head} at b/a={share}", tex, value(head, names))
