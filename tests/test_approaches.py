@@ -18,8 +18,8 @@ from axiderive.oracle.evaluate import at_precision, case_at, evaluate
 from axiderive.physics.systems import problem
 from axiderive.readback.claims import Claim
 from axiderive.readback.printed import Printed, named
-from axiderive.rows import approach, approaches, limits
-from axiderive.rows.approach import DIGITS, GAP, Approach
+from axiderive.rows import approaches, limits
+from axiderive.rows.approaches import DIGITS, GAP, Approach, Rows
 
 READ_BACK = mp.mpf(10) ** -20
 NAMES = [key for key in KEYS if problem(key).system.name in ("normal", "plane", "loads")]
@@ -32,20 +32,21 @@ def printed(key: str) -> list[tuple[Approach, str, str]]:
     """The approaches of a profile with their LaTeX and the label of their row."""
     kept: list[tuple[Approach, str, str]] = []
 
-    def noted(label: str, small: str, parts: list[Approach], *more: Any, **options: Any) -> list[dict[str, Any]]:
-        rows = approach.approach_row(label, small, parts, *more, **options)
+    plain = approaches.approach_row
+
+    def noted(label: str, small: str, parts: list[Approach], **options: Any) -> Rows:
+        rows = plain(label, small, parts, **options)
         for row in rows:
-            for tex in row["tex"].split(GAP):
+            for tex in row.tex.split(GAP):
                 (part,) = [p for p in parts if tex.startswith(rf"{p.left}\to ")]
                 kept.append((part, tex, label))
         return rows
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(approaches, "approach_row", noted)
-        patch.setattr(limits, "approach_row", noted)
         profile, entries = problem(key).profile, stored(key)
         rows = [*approaches.approach_rows(profile, entries), *limits.reduction_rows(profile, entries)]
-    shown = [tex for row in rows for tex in row["tex"].split(GAP)]
+    shown = [tex for row in rows for tex in row.tex.split(GAP)]
     return [one for one in kept if one[1] in shown]
 
 
@@ -72,8 +73,8 @@ def _farthest(key: str, part: Approach, tex: str) -> Any:
     found = []
     with mp.workdps(2 * DIGITS):
         for values in part.points():
-            own = next((case for case in part.entry.cases if approach.holds(case, values)), None)
-            if own is None or not any(approach.holds(case, values) for case in part.cases):
+            own = next((case for case in part.entry.cases if approaches.holds(case, values)), None)
+            if own is None or not any(approaches.holds(case, values) for case in part.cases):
                 continue
             wanted = part.value(own, values)
             found.append(Claim(_names(key, values), wanted).residual(tex.partition(r"\to ")[2]))
@@ -128,4 +129,4 @@ def test_a_wrong_factor_does_not_hold() -> None:
                 off = dataclasses.replace(part, cases=wrong)
                 assert part.holds
                 assert not off.holds
-                assert approach.approach_row("Wrong", "r", [off]) == []
+                assert approaches.approach_row("Wrong", "r", [off]) == []

@@ -156,7 +156,7 @@ def _numbers(name: str) -> list[Line]:
 )
 def test_printed_numbers_follow_from_the_printed_formulas(name: str) -> None:
     found = _numbers(name)
-    assert len(found) >= 14
+    assert len(found) >= (3 if name.startswith("plane.") else 6 if name.startswith("loads.") else 10)
     for group, place in (("tan", "partial slip"), ("fgm", "graded"), ("vis", "standard solid")):
         shown = sum(one.place.startswith(place) for one in found)
         assert shown >= 3 if f"{name}.{group}" in KEYS else not shown

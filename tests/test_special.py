@@ -95,8 +95,7 @@ def test_special_cases_have_no_entry_but_anchors() -> None:
 
 def _row(name: str, **changed: str) -> Further:
     (one,) = sum_rows(name)
-    kind, *keys = one["comment"].split()
-    return Further(kind, tuple(keys), one["small"], changed.get("tex", one["tex"]))
+    return Further(one.kind, one.keys, one.small, changed.get("tex", one.tex))
 
 
 @pytest.mark.parametrize("name", SUMS)
@@ -135,8 +134,7 @@ def test_no_misprint_of_a_sum_passes(name: str) -> None:
 
 def _tip(name: str, **changed: str) -> Further:
     (one,) = tip_rows(name)
-    kind, *keys = one["comment"].split()
-    return Further(kind, tuple(keys), changed.get("small", one["small"].strip("$")), changed.get("tex", one["tex"]))
+    return Further(one.kind, one.keys, changed.get("small", one.small.strip("$")), changed.get("tex", one.tex))
 
 
 @pytest.mark.parametrize("name", TIPS)

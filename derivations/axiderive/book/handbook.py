@@ -91,8 +91,8 @@ def ruled(model: Model) -> list[str]:
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:
     """What was checked of the limits of a contact: key, formula, digits and points."""
-    rows = model["blocks"][system]["approached"] if system in model["blocks"] else []
-    return [check for row in rows for check in row.get("checks", ())]
+    rows = model["blocks"][system].approached if system in model["blocks"] else []
+    return [check for row in rows for check in row.checks]
 
 
 SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "master_row", "coverage")
@@ -101,17 +101,15 @@ SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "
 
 def summary(model: Model) -> Summary:
     """The part of a page model that the front of the book uses."""
+    blocks = model["blocks"].values()
+    regions = [r for block in blocks for line in block.lines for row in line for r in row["regions"]]
+    further = [(row.small, row.tex) for block in blocks for row in block.approached]
     return {name: model[name] for name in SUMMARISED} | {
         "shape": model["picture"] and outline(model["picture"]),
-        "digest": digest(model["blocks"]),
-        "roots": _roots(model),
+        "digest": digest([*((r["condition"], r["tex"]) for r in regions), *further]),
+        # the letters that stand for a root somewhere in the rows
+        "roots": sorted({name for region in regions for name in _ROOT.findall(region["tex"])}),
     }
-
-
-def _roots(model: Model) -> list[str]:
-    """The letters that stand for a root somewhere in the rows of a profile."""
-    rows = [row for block in model["blocks"].values() for line in block["lines"] for row in line]
-    return sorted({name for row in rows for region in row["regions"] for name in _ROOT.findall(region["tex"])})
 
 
 _ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")

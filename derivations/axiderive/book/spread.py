@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
 from typing import Any
 
 from .. import notation as nt
@@ -55,7 +54,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "place": str(pool.place),
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
-        "blocks": {key: asdict(block) for key, block in shown.items()},
+        "blocks": shown,
         "evidence": proven.evidence_rows(profile_id, own, evidence),
         "proved": proven.summary(own, evidence),
         "uncertified": proven.missing_certificates(profile_id, own, evidence),

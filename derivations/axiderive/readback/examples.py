@@ -26,7 +26,9 @@ from .printed import Printed, functions_of, name_in_print, value
 
 Stored = Callable[[str], Entries]
 """The entries of a problem by its key."""
-_WORKED = re.compile(r"\\sect\[([^\]]*)\]\{Worked example\}(.*?)\\par\}", re.DOTALL)
+_WORKED = re.compile(r"\\sect(?:\[([^\]]*)\])?\{Worked example\}(.*?)\\par\}", re.DOTALL)
+_BESIDE = re.compile(r"\\textcolor\{note\}\{(.*?)\}\\par")
+"""The words of the example of a plane entry, which stands beside its plot."""
 _SHOWN = re.compile(r"\\parbox\[t\]\{[\d.]+mm\}\{\$([^$]+)\$\\\\\$([^$]+)\$")
 _MATERIAL = re.compile(r"\$E=([\d.]+)\$\\,(GPa|MPa), \$\\nu=([\d.]+)\$(?:, \$\\Delta\\gamma=([\d.]+)\$\\,mJ)?")
 _FURTHER = re.compile(
@@ -65,7 +67,7 @@ def _example(text: str) -> Example:
         If the spread has none, or it does not name a material.
     """
     match = _WORKED.search(text)
-    words = match[1] if match else ""
+    words = (match[1] or _BESIDE.findall(match[2])[0]) if match else ""
     material, stated = _MATERIAL.search(words), re.search(r"\$E\^\{\*\}=([^$]+)\$", words)
     if not match or not material or not stated:
         message = f"no material and E* in {words!r}; a worked example starts with them"
@@ -74,7 +76,8 @@ def _example(text: str) -> Example:
     young, poisson = number(rf"{material[1]}\text{{{material[2]}}}").value, mp.mpf(material[3])
     modulus = young / (bodies * (1 - poisson**2))
     given = given_in(words[stated.end() :]) | {"E*": modulus}
-    return Example(young, poisson, bodies, material[4], stated[1], given, dict(_SHOWN.findall(match[2])))
+    shown = dict(_SHOWN.findall(match[2])) or {name: tex for name, tex, _ in _SHOWN_FURTHER.findall(match[2])}
+    return Example(young, poisson, bodies, material[4], stated[1], given, shown)
 
 
 def worked_example(text: str, entries: Entries, adhesive: Entries | None = None) -> Iterator[Line]:

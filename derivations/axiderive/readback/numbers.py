@@ -21,7 +21,7 @@ from ..profiles.loads import Load
 from .claims import DIGITS, Line
 from .grammar import read
 from .meaning import Node
-from .printed import Printed, name_in_print, name_of, value
+from .printed import Printed, name_in_print, name_of
 
 Entries = Mapping[str, Entry]
 BESIDE = "1e-20"

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -20,6 +19,7 @@ from ..physics.medium import GRADED, Medium
 from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
+from .approaches import Further
 from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)
@@ -134,7 +134,7 @@ RATIO = sp.Symbol("x", positive=True)
 """a/a_c, the contact radius over that of pull-off under force control."""
 
 
-def universal_rows(key: str, depth: Entry, medium: Medium) -> list[dict[str, Any]]:
+def universal_rows(key: str, depth: Entry, medium: Medium) -> list[Further]:
     """Rows of an adhesive problem whose depth is one power of the contact radius, one if they fit on a line.
 
     At pull-off the retraction is 2 n/xi of the depth g, by the condition of
@@ -150,20 +150,8 @@ def universal_rows(key: str, depth: Entry, medium: Medium) -> list[dict[str, Any
         f"{key}.d": rf"\frac{{d_{{\mathrm{{adh}}}}}}{{d_{{\mathrm c}}}}={depth_ratio}",
     }
     joined = r",\qquad ".join(found.values()) + ratio
-    if width(joined) <= LINE:
-        return [_universal_row(" ".join(found), joined)]
-    return [_universal_row(key, text + ratio) for key, text in found.items()]
-
-
-def _universal_row(keys: str, tex: str) -> dict[str, Any]:
-    return {
-        "half": False,
-        "comment": f"universal {keys}",
-        "label": "Universal curve",
-        "small": "",
-        "tex": tex,
-        "remark": "",
-    }
+    rows = {tuple(found): joined} if width(joined) <= LINE else {(key,): text + ratio for key, text in found.items()}
+    return [Further("universal", keys, "Universal curve", "", text) for keys, text in rows.items()]
 
 
 def power_of_depth(depth: Entry) -> sp.Expr | None:

@@ -15,6 +15,7 @@ from ..figures.axes import SCREEN, drawn
 from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
 from ..print.words import prose
+from ..rows.approaches import Further as Printed
 from ..rows.blocks import ending, heading
 from .words import formula
 
@@ -135,14 +136,12 @@ def _in_ulp(cell: str) -> str:
 TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
 
 
-def _further(one: Mapping[str, Any], profile_id: str) -> Further:
+def _further(one: Printed, profile_id: str) -> Further:
     """Its address is limit.cone of what it tends to, or universal.adh.F of the first formula it gives."""
-    target = TARGET.search(one["label"] + one["remark"])
-    kind, key = one["comment"].split()[:2]
-    anchor = f"{kind}.{target[1] if target else key.removeprefix(profile_id + '.')}"
-    if "words" in one:
-        return Further(anchor, one["label"], one["small"], "", one["words"])
-    return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
+    target = TARGET.search(one.label + one.remark)
+    anchor = f"{one.kind}.{target[1] if target else one.keys[0].removeprefix(profile_id + '.')}"
+    tex = "" if one.words else formula(one.tex, display=True)
+    return Further(anchor, one.label, one.small, tex, one.words or one.remark)
 
 
 def _apart(rows: list[Further]) -> list[Further]:
@@ -162,8 +161,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
     sections, pictures = [], figures(model)
     for name, block in model["blocks"].items():
         anchor = f"about.{name}"
-        if block["words"]:
-            sections.append(Section(anchor, block["title"], "", [], block["words"]))
+        if block.words:
+            sections.append(Section(anchor, block.title, "", [], block.words))
             continue
         problem = problems[name]
         title, note = heading(problem.system, derived[problem.key])
@@ -171,7 +170,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         source = modules[problem.module]
         known = Known(problem, records, agreed, signatures(source), examples(source))
         entries = {entry.key: entry for entry in derived[problem.key].values()}
-        further = _apart([_further(one, model["name"]) for one in block["approached"]])
+        further = _apart([_further(one, model["name"]) for one in block.approached])
         shown = [known.row(one, entries) for one in model["rows"][name]]
         sections.append(Section(anchor, title, note, shown, further=further, figures=pictures.get(name, ())))
     return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}
