@@ -88,7 +88,7 @@ def test_every_statement_of_a_sentence_is_compared_or_listed() -> None:
     for path in SOURCES:
         rules = _rules(path)
         # compared with their rows below
-        ends = {one.small for one in further(text_of(path))}
+        ends = {one.small for one in further(text_of(path)) if one.kind != "limit"}
         for one in _stated(path):
             met.add(one.tex)
             if one.tex in ends:
@@ -225,7 +225,7 @@ def _proved(text: str) -> tuple[int | str, ...]:
 
 
 def test_rows_without_a_key_say_what_their_entries_are() -> None:
-    """Limits, universal curves and sums, in the source that TeX sets; the plane names its limits in the panels."""
+    """Universal curves and sums, in the source that TeX sets; limits and approaches are compared on their way."""
     rng = random.Random("further rows")
     count, mutants = Counter[str](), 0
     for path in SOURCES[1:]:
@@ -241,8 +241,8 @@ def test_rows_without_a_key_say_what_their_entries_are() -> None:
                 assert not _passes(other), other
                 mutants += 1
     assert set(count) == set(KINDS)
-    assert sum(count.values()) >= 23
-    assert mutants >= 30, mutants
+    assert sum(count.values()) >= 12
+    assert mutants >= 20, mutants
 
 
 def _passes(one: object) -> bool:

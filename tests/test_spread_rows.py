@@ -36,11 +36,8 @@ def _wrong(one: Printed, tex: str | None = None) -> bool:
 
 
 @pytest.mark.parametrize("name", WITH_LIMITS)
-def test_a_printed_limit_is_what_the_own_formula_tends_to(name: str) -> None:
-    rows = _rows(name)
-    assert len(rows) == len(load(name).limits)
-    for one in rows:
-        assert not _wrong(one), one.tex
+def test_every_limit_of_a_profile_is_printed(name: str) -> None:
+    assert len(_rows(name)) == len(load(name).limits)
 
 
 def test_a_limit_that_was_not_checked_is_not_printed() -> None:
