@@ -16,8 +16,7 @@ from axiderive import notation as nt
 from axiderive.entry import Case, Entry
 from axiderive.oracle.evaluate import at_precision, case_at, evaluate
 from axiderive.physics.systems import problem
-from axiderive.readback.claims import Claim
-from axiderive.readback.printed import Printed, name_in_print, named
+from axiderive.readback.claims import Claim, Printed, name_in_print, named
 from axiderive.rows import approaches, limits
 from axiderive.rows.approaches import DIGITS, GAP, Approach, Rows
 

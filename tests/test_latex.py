@@ -15,8 +15,8 @@ from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
 from axiderive.print.box import width
 from axiderive.profiles import load
+from axiderive.readback.claims import holds
 from axiderive.readback.grammar import read
-from axiderive.readback.printed import holds
 from axiderive.rows.row import ROOM, row
 
 E, F, a, b, d, r, R, theta = nt.E_star, nt.F, nt.a, nt.b, nt.d, nt.r, nt.R, nt.theta

@@ -16,8 +16,7 @@ from axiderive.physics.systems import pool_of, problem
 from axiderive.readback import ranges, sentences
 from axiderive.readback.claims import Line
 from axiderive.readback.compare import ENDS, KINDS, wrong
-from axiderive.readback.examples import body_constants, further_examples, worked_example
-from axiderive.readback.numbers import number
+from axiderive.readback.examples import body_constants, further_examples, number, worked_example
 from axiderive.readback.sentences import LISTED
 from axiderive.readback.source import Inline, further, inline
 

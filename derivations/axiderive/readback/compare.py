@@ -7,7 +7,7 @@ and sums.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -24,16 +24,28 @@ from ..rows.claims import Exact, claim
 from ..rows.in_print import texts_of
 from ..rows.points import points_of
 from ..rows.row import Row, row
-from .claims import CLOSE, DIGITS, WORKING, Claim, difference
+from .claims import (
+    CLOSE,
+    DIGITS,
+    WORKING,
+    Claim,
+    Entries,
+    Printed,
+    Stored,
+    Values,
+    difference,
+    functions_of,
+    holding,
+    holds,
+    name_in_print,
+    name_of,
+    named,
+)
 from .grammar import read
 from .meaning import environment
-from .printed import Printed, Values, functions_of, holding, holds, name_in_print, name_of, named
 from .source import GAP as LINES
 from .source import OPENING, Further
 
-Entries = Mapping[str, Entry]
-Stored = Callable[[str], Entries]
-"""The entries of a problem by its key."""
 INTEGRATING = 38
 """Working digits of a row that is an integral, or refers to one."""
 

@@ -15,15 +15,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import evaluate
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..profiles.profile import Profile
 from ..rows.limits import BEYOND
 from ..rows.points import points_of
 from ..rows.ranges import positive_parts
-from .claims import DIGITS, Claim, Line
+from .claims import Line, holds, name_in_print, stated
 from .grammar import read
-from .printed import holds, name_in_print, named
 
 Truth = Callable[[Mapping[str, Any]], bool]
 DRAWS = 200
@@ -97,9 +95,7 @@ def rules(profile: Profile, plane: bool = False) -> Iterator[Line]:
         yield Line(profile.name, f"{low} < {high}", in_order([sp.sympify(low), sp.sympify(high)]))
     for symbol, expr in profile.abbreviations:
         values = {s: sp.Rational(3 + 2 * i, 7 + i) for i, s in enumerate(sorted(expr.free_symbols, key=str))}
-        with mp.workdps(2 * DIGITS):
-            shorthand = Claim(named(values), evaluate(expr, values, DIGITS), name_in_print(symbol))
-        yield shorthand.line(profile.name, f"{symbol} = {expr}")
+        yield stated(expr, values, name_in_print(symbol)).line(profile.name, f"{symbol} = {expr}")
     limits = [(limit.symbol, sp.sympify(limit.value)) for limit in profile.limits]
     for symbol, end in (*limits, *((one.symbol, one.end) for one in BEYOND.get(profile.name, ()))):
         yield Line(profile.name, f"{symbol} -> {end}", approach(symbol, end))
