@@ -176,7 +176,7 @@ def derivations(entries: Mapping[str, Entries]) -> Iterator[Line]:
     sunk = {"w_1D()": lambda t: mp.mpf(DEPTH.p) / DEPTH.q}
     yield _said(r"E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})", punch.subs(nt.d, DEPTH), **sunk)
     within = _of(entries["plane.flat_punch"]["p"])
-    yield _said(r"P/(\pi\sqrt{t^2-x^2})", within, given={"t": nt.a})
+    yield _said(r"P/(\pi\sqrt{t^2-x^2})", within.subs(nt.a, nt.describe("t").symbol))
     with mp.workdps(2 * DIGITS):
         # 2/E* times the integral of r p(r)/sqrt(r^2 - x^2) over (x, a) for a pressure that goes with a power
         p_0, radius, modulus, power, x = map(mp.mpf, ("1.3", "1.7", "2.5", "0.75", "0.6"))
