@@ -21,7 +21,7 @@ from axiderive.oracle.evaluate import case_at, evaluate
 from axiderive.readback.claims import Claim, named
 from axiderive.readback.compare import wrong
 from axiderive.readback.source import Further, formulas
-from axiderive.rows.points import points_of
+from axiderive.rows.claims import points_of
 from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, TIPS, elsewhere, hosted, sum_rows, tip_rows, told
 
 READ_BACK = mp.mpf(10) ** -20

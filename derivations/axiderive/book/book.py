@@ -13,8 +13,8 @@ from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
 from ..store.cache import digest
-from . import front, front_rules, guide, notation_table, readme, references, study
-from .evidence import power_of_ten
+from . import front, front_rules, guide, notation_table, references, study
+from .evidence import NONE, power_of_ten
 from .notation_table import symbol_index
 from .study.spread import CELLS, spread
 from .word_index import word_index
@@ -94,9 +94,9 @@ def _held(summaries: Sequence[Mapping[str, Any]]) -> str:
 
 def _coverage(summaries: Sequence[Mapping[str, Any]]) -> dict[str, int]:
     """How the formulas of all profiles are known."""
-    found = Counter(readme.NONE)
+    found = Counter(NONE)
     for m in summaries:
-        found.update({name: count for name, count in m["coverage"].items() if name != "digits"})
+        found.update({name: count for name, count in m["coverage"].items() if name not in ("digits", "least")})
     digits = min((m["coverage"]["digits"] for m in summaries if m["coverage"]["digits"]), default=0)
     return {**found, "digits": digits}
 

@@ -20,7 +20,7 @@ from ..profiles.profile import Profile
 from ..rows import blocks, special
 from ..worked import worked, worked_bodies, worked_given
 from . import evidence as proven
-from . import front, page, readme, references
+from . import front, page, references
 from .page import given_table, panel
 
 Entries = Mapping[str, Entry]
@@ -56,7 +56,6 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
         "blocks": shown,
         "evidence": proven.evidence_rows(profile_id, own, evidence),
-        "proved": proven.summary(own, evidence),
         "uncertified": proven.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
@@ -69,8 +68,8 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "special": special.tables(profile_id),
         "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
-        "status": readme.matrix(own, records)["profiles"].get(profile_id, {}),
-        "coverage": readme.coverage(e for record in records.values() for e in record["entries"].values()),
+        "status": proven.matrix(own, records)["profiles"].get(profile_id, {}),
+        "coverage": proven.coverage([one for record in records.values() for one in record["entries"].values()]),
         **_figures(profile_id, profile, main, derived),
     }
 

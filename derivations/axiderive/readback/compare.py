@@ -20,9 +20,8 @@ from ..oracle.evaluate import case_at, decades, evaluate
 from ..oracle.values import evaluated
 from ..physics.systems import of
 from ..rows import laws
-from ..rows.claims import Exact, claim
+from ..rows.claims import Exact, claim, points_of
 from ..rows.in_print import texts_of
-from ..rows.points import points_of
 from ..rows.row import Row, row
 from .claims import (
     CLOSE,

@@ -24,7 +24,7 @@ from ..print.formula import Printer
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from ..rows import laws
-from ..rows.points import points_of
+from ..rows.claims import points_of
 from ..rows.row import Region, Row
 from .claims import (
     CLOSE,

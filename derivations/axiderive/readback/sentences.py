@@ -173,7 +173,7 @@ def derivations(entries: Mapping[str, Entries]) -> Iterator[Line]:
     """The pressures that the words on the derivations start from, by what the engine has for them."""
     punch = _of(entries["flat_punch"]["p"])
     yield _said(r"E^{*}d/(\pi\sqrt{a^2-r^2})", punch)
-    sunk = {"w_1D()": lambda t: mp.mpf(DEPTH.p) / DEPTH.q}
+    sunk: dict[str, Any] = {"w_1D()": lambda t: mp.mpf(DEPTH.p) / DEPTH.q}
     yield _said(r"E^{*}w_{\mathrm{1D}}(a)/(\pi\sqrt{a^2-r^2})", punch.subs(nt.d, DEPTH), **sunk)
     within = _of(entries["plane.flat_punch"]["p"])
     yield _said(r"P/(\pi\sqrt{t^2-x^2})", within.subs(nt.a, nt.describe("t").symbol))

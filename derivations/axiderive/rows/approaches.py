@@ -26,7 +26,7 @@ from ..print.shorthand import LINE, with_kappa
 from ..profiles import load
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .points import points_of
+from .claims import points_of
 
 Entries = Mapping[str, Entry]
 NEAR = sp.Symbol("near", positive=True)

@@ -37,20 +37,6 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class WebRow:
-    """A row of the book with everything the page knows about the entries it prints."""
-
-    label: str
-    small: str
-    regions: list[tuple[Any, Any]]
-    """Formula and condition, ready for KaTeX."""
-    remark: str
-    uses: str
-    note: str
-    entries: list[Formula]
-
-
-@dataclass(frozen=True)
 class Further:
     """A row without a key of its own: a limit, a universal curve."""
 
@@ -68,7 +54,8 @@ class Section:
     anchor: str
     title: str
     note: str
-    rows: list[WebRow]
+    rows: list[dict[str, Any]]
+    """The rows of the book with everything the page knows about the entries they print."""
     words: str = ""
     further: Sequence[Further] = ()
     figures: Sequence[Picture] = ()
@@ -99,19 +86,13 @@ class Known:
         measured = _measured(agreed["evaluation"])
         return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
 
-    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> WebRow:
-        """A row as the page shows it, its formulas as LaTeX in HTML, from what `rows.blocks.told` says of it."""
-        first, *more = (entries[key] for key in one["comment"].split())
-        shown = ((formula(r["tex"], display=True), r["condition"]) for r in one["regions"])
-        return WebRow(
-            one["label"],
-            one["small"],
-            [(tex, formula(condition) if condition else "") for tex, condition in shown],
-            one["remark"],
-            one["uses"],
-            prose(first.note),
-            [self.formula(entry) for entry in (first, *more)],
-        )
+    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> dict[str, Any]:
+        """A row as the page shows it, its formulas ready for KaTeX, from what `rows.blocks.told` says of it."""
+        own = [entries[key] for key in one["comment"].split()]
+        regions = [
+            (formula(r["tex"], display=True), r["condition"] and formula(r["condition"])) for r in one["regions"]
+        ]
+        return {**one, "regions": regions, "note": prose(own[0].note), "entries": list(map(self.formula, own))}
 
 
 def _measured(evaluation: Sequence[str]) -> str:

@@ -14,8 +14,8 @@ import jinja2
 from markupsafe import Markup, escape
 
 from ..book import book
+from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.handbook import Model, page_models, ruled, summary
-from ..book.readme import LEFT_OUT, LEGEND
 from ..code.python import package_sources
 from ..physics.systems import ROUND, SYSTEMS, pool_of
 from . import study
