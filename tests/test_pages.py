@@ -176,14 +176,14 @@ def test_a_bound_is_printed_once() -> None:
     """The eccentricity once stood with its domain, -a < e < a, and with the rule abs(e) < a behind it."""
     profile = pool_of("plane.eccentric_punch").load("eccentric_punch")
     lines = dict(panel_of(profile, stored("plane.eccentric_punch"), plane=True))
-    assert lines["Parameters"] == r"$a > 0$, $\lvert e\rvert<a$"
+    assert lines["Parameters"] == r"$a>0$, $\lvert e\rvert<a$"
 
 
 @pytest.mark.parametrize(
     ("text", "printed"),
     [
         ("15.6 at k = -0.5 and", "15.6 at $k=-0.5$ and"),
-        ("k = 0.3, -1/2, 1.8", "$k=0.3, -1/2, 1.8$"),
+        ("k = 0.3, -1/2, 1.8", "$k=0.3$, $-1/2$, 1.8"),
         ("for -1 < k < 1", "for $-1<k<1$"),
         ("a - b, points 3-4", "$a-b$, points 3-4"),
     ],

@@ -27,11 +27,11 @@ from .ranges import in_order
 
 LISTED = {
     "definition of a name": (
-        r"c_{\mathrm N}(x)=H\,|x|^k", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x\,|x|^k",
-        r"c_{\mathrm T}(x)=H_x|x|^k", r"d=v\,t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
+        r"c_{\mathrm N}(x)=H|x|^{k}", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x|x|^{k}",
+        r"c_{\mathrm T}(x)=H_x|x|^k", "d=v t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
         r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}", r"\sqrt{R\,d}",
-        r"\frac{\mathrm dw}{\mathrm dx}", "z^k",
+        r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
@@ -39,8 +39,8 @@ LISTED = {
         "p(r;c)=0", "t<b", "g(t)=0",
     ),
     "a place or a case that a sketch or a note points to": (
-        r"F_x=\mu\,F_{\mathrm N}", "r=b", "x=b", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
-        r"4\,|e|-3\,a", "n>1",
+        r"F_x=\mu F_{\mathrm N}", "r=b", "x=b", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
+        r"4 \lvert e\rvert-3 a", r"\lvert e\rvert=a/2", "n>1",
     ),
     "a case that a number is given for": (
         r"\nu=\tfrac12", r"\nu=0.3", r"\nu=0.5", r"\nu=0", r"a=0.1\,R", r"a=0.3\,R", r"\mu_{\mathrm T}=5",
@@ -50,18 +50,18 @@ LISTED = {
     "an equation that is a row beside it": ("g(a)=d", r"F_{\mathrm N}(a)=F_{\mathrm N}"),
     "the half of a symmetric field that is printed": (r"x\ge 0",),
     "a power that has a page or a name of its own": ("n=1", "n=2", "n=4", "n=6"),
-    "the domain of a sequence": (r"A_j\ge 0", r"A_1 \dots  A_N \ge  0"),
+    "the domain of a sequence": (r"A_j\ge 0", r"A_{1} \dots A_{N} \ge 0"),
     "an order of magnitude": (
-        r"a \ll  R", r"a \ll  R_1", r"a \ll  R_2", r"a \ll", r"h \ll  s", r"a-b \ll  R", r"a-b \ll  R_2",
-        r"\tan \theta \ll  1", r"n\,A\,a^{n-1} \ll  1", "r^2",
-        r"P \sim  a^n", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim  d^{1+1/n}",
+        r"a \ll R", r"a \ll R_1", r"a \ll R_2", r"a \ll", r"h \ll s", r"a-b \ll R", r"a-b \ll R_2",
+        r"\tan(\theta) \ll 1", r"n A a^{n-1} \ll 1", "r^{2}",
+        r"P \sim a^{n}", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim d^{1+1/n}",
     ),
-    "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "n=1, 2, 4"),
+    "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "1-r^{2}/a^{2}"),
     "an axis, a legend or a case of a study": (
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
         r"\tfrac12", "1-10^{-3}", "1-10^{-6}", "1-10^{-12}", r"b\to 0", r"R\to \infty",
     ),
-    "a condition of the derivation": (r"g' \ge  0", "g'=0"),
+    "a condition of the derivation": (r"g' \ge 0", "g'=0"),
 }  # fmt: skip
 """Formulas in sentences that name, order or point, letter by letter."""
 
@@ -105,8 +105,8 @@ def in_front(bodies: Entries) -> Iterator[Line]:
         for tex in texts:
             one = _said(tex, 1 / modulus, given={name_in_print(bodies[suffix].quantity.symbol): modulus})
             yield replace(one, wrong=_of_both_bodies(one.wrong))
-    yield _said(r"F_{\mathrm N}/(\pi a^2)", nt.F / (sp.pi * nt.a**2))
-    yield _said(r"J=(t/t_0)^\alpha/E", viscoelastic.LAWS[-1].creep, "J")
+    yield _said(r"F_{\mathrm N}/(\pi a^{2})", nt.F / (sp.pi * nt.a**2))
+    yield _said(r"J=(t/t_0)^{\alpha}/E", viscoelastic.LAWS[-1].creep, "J")
     exponent, time = mp.mpf("1.75"), mp.mpf("0.8")
     with mp.workdps(2 * DIGITS):
         names = {"E()": lambda t: mp.exp(-t) + mp.mpf("0.3"), "m": exponent, "t": time}
@@ -197,10 +197,10 @@ def of_profiles(entries: Mapping[str, Entries]) -> Iterator[Line]:
     for key, bound, near in (("gaussian", "1.50198", 0), ("gaussian.fgm", "1.2286", -1), ("gaussian.fgm", "1.8788", 1)):
         yield Line(PLACE, rf"{bound}\,s", _bound(entries[key]["d"], bound, sp.Rational(near, 2)))
     (shape,) = entries["hyperboloid"]["d"].profile.pieces
-    yield _said(r"b/\tan \theta", 1 / sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0))
+    yield _said(r"b/\tan(\theta)", 1 / sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0))
     edge = next(x for case in entries["capped_cylinder"]["F"].cases for x in case.chain if x.has(nt.d))
     (depth,) = sp.solve(edge - nt.a, nt.d)
-    yield _said("a^2/R", depth)
+    yield _said("a^{2}/R", depth)
 
 
 def _bound(depth: Entry, text: str, exponent: sp.Rational) -> Callable[[str], bool]:
