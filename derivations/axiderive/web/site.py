@@ -15,7 +15,7 @@ from markupsafe import Markup, escape
 
 from ..book import book
 from ..book.evidence import LEFT_OUT, LEGEND
-from ..book.handbook import Model, page_models, ruled, summary
+from ..book.handbook import Model, page_models, ruled
 from ..code.python import package_sources
 from ..physics.systems import ROUND, SYSTEMS, pool_of
 from . import study
@@ -65,7 +65,7 @@ def html_sources(
     keys = frozenset(e.key for entries in derived.values() for e in entries.values())
     equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
     site = Site(frozenset(ids), keys, equations, bool(studies))
-    front = book.model([summary(model) for model in models.values()], chapter11, studies)
+    front = book.model(list(models.values()), chapter11, studies)
     measured = (studies or {}).get("error")
     files = {}
     for i in ids:
