@@ -182,20 +182,10 @@ def _power(exponent: sp.Expr) -> sp.Expr:
 
 def _quotient(number: int, factor: sp.Expr, pulled: sp.Expr, xi: sp.Expr, elastic: sp.Expr, below: sp.Expr) -> str:
     """(number factor pulled - xi elastic)/below, with plain numbers divided."""
-    if below.is_number:
-        return Printer(names=_names(pulled))(number * factor / below * pulled - xi / below * elastic)
-    names = _names(pulled)
-    shares = [sp.cancel(part / below) for part in (number * factor, xi)]
-    if all(share.is_number for share in shares):
-        return Printer(names=names)(shares[0] * pulled - shares[1] * elastic)
-    if factor.is_Add:  # 2 (k + 2) is read better than 2 k + 4
-        whole = sp.Symbol("whole", positive=True)
-        names[whole] = f"({Printer()(factor)})"
-        factor = whole
-    if below.xreplace({GRADED.k: sp.S.Zero}).is_negative:
-        number, xi, below = -number, -xi, -below
-    return rf"\frac{{{Printer(names=names)(number * factor * pulled - xi * elastic)}}}{{{Printer()(below)}}}"
-
-
-def _names(pulled: sp.Expr) -> dict[sp.Symbol, str]:
-    return {pulled: pulled.name} if isinstance(pulled, sp.Symbol) else {}
+    printer = Printer(names={pulled: pulled.name} if isinstance(pulled, sp.Symbol) else {})
+    total = number * factor * pulled - xi * elastic
+    whole = total / below if below.is_number else sp.factor_terms(total / below)
+    if sp.fraction(whole)[1].is_number:
+        return printer(whole)
+    sign = -1 if below.xreplace({GRADED.k: sp.S.Zero}).is_negative else 1
+    return rf"\frac{{{printer(sp.factor_terms(sign * total))}}}{{{Printer()(sign * below)}}}"
