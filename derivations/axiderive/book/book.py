@@ -1,4 +1,4 @@
-"""Front and back of the book: from the summaries of its profiles to the model of the main file."""
+"""Front and back of the book: from the pages of its profiles to the model of the main file."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
 from ..store.cache import digest
-from . import front, front_rules, guide, notation_table, readme, references, study
-from .evidence import power_of_ten
+from . import front, front_rules, guide, notation_table, references, study
+from .evidence import NONE, power_of_ten
 from .notation_table import symbol_index
 from .study.spread import CELLS, spread
 from .word_index import word_index
@@ -62,11 +62,11 @@ NEEDED = {"study": "error", "errata": "chapter11"}
 """What a part prints, by its label, where it is not always there."""
 
 Chapters = Sequence[tuple[str, Sequence[Mapping[str, Any]]]]
-"""Title and summaries of each chapter."""
+"""Title and pages of each chapter."""
 
 
 def _grouped(titles: Iterable[str], own: Sequence[tuple[str, Mapping[str, Any]]]) -> Chapters:
-    """The summaries by title, in the order of the titles; without those that have none."""
+    """The pages by title, in the order of the titles; without those that have none."""
     return [(t, members) for t in titles if (members := [m for title, m in own if title == t])]
 
 
@@ -83,35 +83,35 @@ def _contents(chapters: Chapters, left_out: AbstractSet[str]) -> dict[str, Any]:
     }
 
 
-def _held(summaries: Sequence[Mapping[str, Any]]) -> str:
+def _held(pages: Sequence[Mapping[str, Any]]) -> str:
     """36 profiles, 4 prescribed pressures and the elastic constants: neither of the last two is a profile."""
     kinds = "profile", "profile", "prescribed pressure", ""
-    counts = Counter(kinds[m["chapter"] - 1] for m in summaries)
+    counts = Counter(kinds[m["chapter"] - 1] for m in pages)
     words = [f"{n} {kind}{'s' * (n > 1)}" if kind else "the elastic constants" for kind, n in counts.items()]
     *most, last = words or ["no formula"]
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def _coverage(summaries: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+def _coverage(pages: Sequence[Mapping[str, Any]]) -> dict[str, int]:
     """How the formulas of all profiles are known."""
-    found = Counter(readme.NONE)
-    for m in summaries:
-        found.update({name: count for name, count in m["coverage"].items() if name != "digits"})
-    digits = min((m["coverage"]["digits"] for m in summaries if m["coverage"]["digits"]), default=0)
+    found = Counter(NONE)
+    for m in pages:
+        found.update({name: count for name, count in m["coverage"].items() if name not in ("digits", "least")})
+    digits = min((m["coverage"]["digits"] for m in pages if m["coverage"]["digits"]), default=0)
     return {**found, "digits": digits}
 
 
 def model(
-    summaries: Sequence[Mapping[str, Any]],
+    pages: Sequence[Mapping[str, Any]],
     chapter11: Mapping[str, Any] | None,
     studies: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
     """What the template of the main file prints."""
-    summaries = sorted(summaries, key=lambda m: tuple(map(int, m["number"].split("."))))
-    parts = [(CHAPTERS[m["chapter"] - 1], m) for m in summaries]
+    pages = sorted(pages, key=lambda m: tuple(map(int, m["number"].split("."))))
+    parts = [(CHAPTERS[m["chapter"] - 1], m) for m in pages]
     chapters = _grouped(CHAPTERS, parts)
     kinds = _grouped(KINDS, [("Plane contact" if pool_of(m["name"]).strip else title, m) for title, m in parts])
-    keys = [key for m in summaries for key in m["keys"]]
+    keys = [key for m in pages for key in m["keys"]]
     drawn = study.figures(studies or {}, frozenset(keys))
     shown = {**drawn, "chapter11": chapter11}
     left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
@@ -119,7 +119,7 @@ def model(
     return {
         "chapters": chapters,
         "kinds": [(title, KINDS[title], members) for title, members in kinds],
-        "summaries": summaries,
+        "pages": pages,
         "contents": contents,
         "suffixes": front.suffixes(),
         "reading": guide.reading(),
@@ -128,13 +128,13 @@ def model(
         "moduli": guide.MODULI,
         "validity": guide.validity(),
         "errors": guide.errors(),
-        "coverage": _coverage(summaries),
-        "notation": notation_table.by_subject({s for m in summaries for s in m["symbols"]}, summaries),
+        "coverage": _coverage(pages),
+        "notation": notation_table.by_subject({s for m in pages for s in m["symbols"]}, pages),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
         "rules": (front_rules.homogeneous(), front_rules.graded()),
-        "chart": chart(summaries),
+        "chart": chart(pages),
         "chapter11": chapter11 and _chapter(chapter11),
         "studies": drawn,
         "spread": spread(drawn, studies or {}),
@@ -143,12 +143,12 @@ def model(
             (references.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
         ],
-        "symbol_index": symbol_index(summaries),
-        "word_index": word_index(summaries, contents, WITHIN),
-        "held": _held(summaries),
+        "symbol_index": symbol_index(pages),
+        "word_index": word_index(pages, contents, WITHIN),
+        "held": _held(pages),
         "formulas": len(keys),
         "version": __version__,
-        "edition": digest([(m["name"], m["digest"]) for m in summaries])[:8],
+        "edition": digest([(m["name"], m["digest"]) for m in pages])[:8],
     }
 
 

@@ -1,21 +1,103 @@
-"""Evidence in print: of a spread, and in the words of the guide.
+"""How well the formulas are known, as plain data: the matrix of profile and physics, and the evidence of a page.
 
-The evidence of a spread as plain data: certificates, agreement with definitions, measured errors, limits.
-
-Numbers in the words of the guide, each computed from what it says, so that none is typed.
+The cells of the matrix say what is certified and what was compared; no cell is silent. Of a page it is certificates,
+agreement with definitions and measured errors.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-import mpmath as mp
-
 from ..entry import Entry
+from ..physics import pools, systems
 from ..print.words import prose
+
+LEGEND = {
+    "✓": "certified: an exact proof of the formula, or of the equation and its one root",
+    "○": "closed form without a certificate, compared with its definition to the digits behind it",
+    "∫": "one integral without a closed form, compared with its definition to the digits behind it",
+    "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
+    "–": "not meaningful; the module says why",
+}
+LEFT_OUT = "left out"
+NOT_VERIFIED = "not verified"
+SIGNS = {"closed": "○", "integral": "∫", "root": "√"}
+
+
+def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """The cells by profile and system.
+
+    Parameters
+    ----------
+    derived : iterable of str
+        Keys of the problems.
+    evidence : mapping
+        What was found about them, by key.
+    """
+    profiles: dict[str, dict[str, str]] = {}
+    for key in derived:
+        problem = systems.problem(key)
+        profiles.setdefault(problem.profile_id, {})[problem.system.name] = _known(evidence[key]["entries"])
+    for pool in pools.POOLS:
+        for system in (system for system in systems.SYSTEMS if system.pool is pool):
+            for name in pool.names:
+                if pool.id(name) in profiles and system.refusal(pool.load(name)):
+                    profiles[pool.id(name)][system.name] = "–"
+    ordered = {
+        name: {s.name: cells[s.name] for s in systems.SYSTEMS if s.name in cells} for name, cells in profiles.items()
+    }
+    found = [entry for record in evidence.values() for entry in record.get("entries", {}).values()]
+    return {"legend": LEGEND, "profiles": ordered, "twice": twice(found)}
+
+
+def twice(found: Iterable[Mapping[str, Any]]) -> str:
+    """How many certified formulas were proved by both provers; a formula of several cases counts as many."""
+    proofs = [entry["twice"] for entry in found if entry["certified"] and "twice" in entry]
+    shown, certified = (sum(proof["cases"] for proof in own) for own in ([p for p in proofs if p["shown"]], proofs))
+    return (
+        f"{shown} of {certified} certified formulas were proved again by a second program, which shares no code with"
+        " the first and reads only what is stored"
+    )
+
+
+NONE = {"formulas": 0, "certified": 0, "twice": 0, **dict.fromkeys(SIGNS, 0)}
+"""How the formulas of nothing are known."""
+
+
+def coverage(found: Sequence[Mapping[str, Any]]) -> dict[str, int]:
+    """How formulas are known by what was found of each: counts, and the least digits of their comparisons.
+
+    `least` counts every check of every formula, and is zero where one agreed with nothing.
+    """
+    left = [one for one in found if not one["certified"]]
+    agreed = [[c["digits"] for c in one["checks"] if c["outcome"] == "passed" and c.get("digits")] for one in found]
+    return {
+        "formulas": len(found),
+        "certified": len(found) - len(left),
+        "twice": sum(bool(one.get("twice", {}).get("shown")) for one in found if one["certified"]),
+        **{status: sum(one["status"] == status for one in left) for status in SIGNS},
+        "digits": min((digits for one in found if (digits := _digits(one["checks"]))), default=0),
+        "least": min((min(digits, default=0) for digits in agreed), default=0),
+    }
+
+
+def _known(entries: Mapping[str, Mapping[str, Any]]) -> str:
+    certified, others = 0, dict[str, list[int]]()
+    for found in entries.values():
+        if found["certified"]:
+            certified += 1
+        else:
+            others.setdefault(SIGNS[found["status"]], []).append(_digits(found["checks"]))
+    parts = [f"{certified} ✓"] if certified else []
+    parts += [f"{len(digits)} {sign}{min(digits)}" for sign, digits in others.items()]
+    return ", ".join(parts) or NOT_VERIFIED
+
+
+def _digits(checks: Iterable[Mapping[str, Any]]) -> int:
+    """Digits of the best comparison that passed."""
+    return max((check["digits"] for check in checks if check["outcome"] == "passed" and check["worst"]), default=0)
 
 
 def evidence_rows(
@@ -36,15 +118,15 @@ def evidence_rows(
                 continue
             found = _evidence(entry, records[suffix], measured.get(suffix, {}), profile_id)
             (table if key == profile_id else grid).append(found)
-    used = [i for i, _ in enumerate(KINDS) if any(row["cells"][i] != NOTHING for row in table)]
+    used = [i for i, _ in enumerate(CHECKS) if any(row["cells"][i] != NOTHING for row in table)]
     for row in table:
         row["cells"] = [row["cells"][i] for i in used]
-    return {"heads": [list(KINDS.values())[i] for i in used], "table": table, "grid": grid}
+    return {"heads": [list(CHECKS.values())[i] for i in used], "table": table, "grid": grid}
 
 
 def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, Any], profile_id: str) -> dict[str, Any]:
     passed = [check for check in record.get("checks", []) if check["outcome"] == "passed"]
-    by_kind: dict[str, list[Any]] = {kind: [] for kind in KINDS}
+    by_kind: dict[str, list[Any]] = {kind: [] for kind in CHECKS}
     for check in passed:
         by_kind[kind_of(check["compared"])].append(check)
     digits = [check["digits"] for check in passed if check.get("digits")]
@@ -52,7 +134,7 @@ def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, An
         "suffix": entry.key[len(profile_id) + 1 :],
         "certified": bool(record.get("certified")),
         "twice": bool(record.get("twice", {}).get("shown")),
-        "cells": [_agreement(by_kind[kind]) for kind in KINDS],
+        "cells": [_agreement(by_kind[kind]) for kind in CHECKS],
         "evaluation": _evaluation(measured) if measured else [],
         "ruled": measured.get("form") == "rule",
         "digits": str(min(digits)) if digits else "--",
@@ -60,32 +142,7 @@ def _evidence(entry: Entry, record: Mapping[str, Any], measured: Mapping[str, An
     }
 
 
-def summary(own: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]) -> dict[str, int] | None:
-    """The evidence of a profile in numbers: formulas, those proved, roots, integrals, the fewest digits that agreed.
-
-    None where a formula is not recorded, or agreed with nothing.
-    """
-    recorded = [
-        (entry, evidence.get(key, {}).get("entries", {}).get(suffix, {}))
-        for key, entries in own.items()
-        for suffix, entry in entries.items()
-    ]
-    digits = [
-        [c["digits"] for c in r.get("checks", ()) if c["outcome"] == "passed" and c.get("digits")] for _, r in recorded
-    ]
-    if not all(digits):
-        return None
-    others = [entry.status for entry, record in recorded if not record.get("certified")]
-    return {
-        "formulas": len(recorded),
-        "proved": len(recorded) - len(others),
-        "digits": min(map(min, digits)),
-        "roots": others.count("root"),
-        "integrals": others.count("integral"),
-    }
-
-
-KINDS = {
+CHECKS = {
     "quadrature": "defining integral", "enclosure": "ball arithmetic", "identity": "identities", "units": "units",
 }  # fmt: skip
 """Heads of the columns of the evidence table by the kind of check."""
@@ -180,79 +237,3 @@ def power_of_ten(text: str) -> str:
     if exponent and float(mantissa) == 0:
         return "0"
     return f"{mantissa}\\times10^{{{int(exponent)}}}" if exponent else text
-
-
-BERKOVICH = 24.5
-"""Projected area of a Berkovich or a Vickers pyramid over the square of its depth."""
-CUBE_CORNER = 1.5 * 3**0.5
-
-
-def half_angle(area: float) -> float:
-    """Half-angle in degrees of the cone that has this area over the square of its depth."""
-    return float(mp.degrees(mp.atan(mp.sqrt(area / mp.pi))))
-
-
-def slope(angle: float) -> float:
-    """Slope of the flank of a cone of this half-angle in degrees."""
-    return float(mp.cot(mp.radians(angle)))
-
-
-def slope_factor(angle: float, nu: float) -> float:
-    """Stiffness of a cone of this half-angle over that of small slopes (Hay, Bolshakov and Pharr 1999)."""
-    steep = mp.cot(mp.radians(angle)) * (1 - 2 * nu) / (4 * (1 - nu))
-    return float(mp.pi * (mp.pi / 4 + 0.15483073 * steep) / (mp.pi / 2 - 0.83119312 * steep) ** 2)
-
-
-@cache
-def sphere_over_paraboloid(ratio: float) -> float:
-    """Force of a sphere over that of its paraboloid at the contact radius `ratio` times R, from the integrals."""
-    return float(_force(lambda x: x / mp.sqrt(1 - x * x), ratio) / _force(lambda x: x, ratio))
-
-
-def _force(slope: Any, a: float) -> Any:
-    """F/E* = 2 (a g(a) - int_0^a g dt) with g(t) = t int_0^t f'(r)/sqrt(t^2 - r^2) dr."""
-
-    def depth(t: Any) -> Any:
-        return t * mp.quad(lambda angle: slope(t * mp.sin(angle)), [0, mp.pi / 2])
-
-    return 2 * (a * depth(mp.mpf(a)) - mp.quad(depth, [0, a]))
-
-
-@cache
-def layer_factor(ratio: float, nu: float) -> float:
-    """Force of a paraboloid on a bonded layer over that on a half-space, at sqrt(R d) = `ratio` times the thickness.
-
-    To the second order in the ratio; the kernel is that of a layer on a rigid base.
-    """
-    k = 3 - 4 * mp.mpf(nu)
-
-    def lost(u: Any) -> Any:
-        # with exp(-2 u) in front of both, so that nothing overflows
-        fall = mp.exp(-2 * u)
-        above = fall * (2 * k * fall + 4 * u * u + 4 * u + 1 + k * k)
-        return above / (k * (1 + fall**2) + (4 * u * u + 1 + k * k) * fall)
-
-    first = 2 / mp.pi * mp.quad(lost, [0, 1, 4, mp.inf]) * ratio
-    return float(1 + first + mp.mpf(7) / 6 * first**2)
-
-
-def first_yield(nu: float) -> tuple[float, float]:
-    """Greatest shear stress on the axis of Hertz's contact over p_0, and its depth over the contact radius."""
-
-    def shear(z: Any) -> Any:
-        along = -1 / (1 + z * z)
-        across = -(1 + nu) * (1 - z * mp.acot(z)) + 1 / (2 * (1 + z * z))
-        return (across - along) / 2
-
-    depth = mp.findroot(lambda z: mp.diff(shear, z), 0.5)
-    return float(shear(depth)), float(depth)
-
-
-def without_slip(nu: float) -> float:
-    """Stiffness of a flat punch that sticks over that of one without friction (Spence 1968)."""
-    return float((1 - nu) * mp.log(3 - 4 * nu) / (1 - 2 * nu))
-
-
-def retraction_at_pull_off() -> float:
-    """Retraction over Tabor's number times the range of adhesion, for the paraboloid under given force."""
-    return float(mp.sqrt(2 * mp.pi) * (9 * mp.pi / 8) ** (mp.mpf(1) / 6))

@@ -1,15 +1,96 @@
 """What a reader is told before the first formula: how to read an entry, conventions, and when a formula holds.
 
-One text for the book and the web edition, in the LaTeX that both can set.
+One text for the book and the web edition, in the LaTeX that both can set. Every number in it is computed from what it
+says, so that none is typed.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import cache
+from typing import Any
+
+import mpmath as mp
 
 from ..print.words import escaped
-from . import evidence, references
+from . import references
+
+BERKOVICH = 24.5
+"""Projected area of a Berkovich or a Vickers pyramid over the square of its depth."""
+CUBE_CORNER = 1.5 * 3**0.5
+
+
+def half_angle(area: float) -> float:
+    """Half-angle in degrees of the cone that has this area over the square of its depth."""
+    return float(mp.degrees(mp.atan(mp.sqrt(area / mp.pi))))
+
+
+def slope(angle: float) -> float:
+    """Slope of the flank of a cone of this half-angle in degrees."""
+    return float(mp.cot(mp.radians(angle)))
+
+
+def slope_factor(angle: float, nu: float) -> float:
+    """Stiffness of a cone of this half-angle over that of small slopes (Hay, Bolshakov and Pharr 1999)."""
+    steep = mp.cot(mp.radians(angle)) * (1 - 2 * nu) / (4 * (1 - nu))
+    return float(mp.pi * (mp.pi / 4 + 0.15483073 * steep) / (mp.pi / 2 - 0.83119312 * steep) ** 2)
+
+
+@cache
+def sphere_over_paraboloid(ratio: float) -> float:
+    """Force of a sphere over that of its paraboloid at the contact radius `ratio` times R, from the integrals."""
+    return float(_force(lambda x: x / mp.sqrt(1 - x * x), ratio) / _force(lambda x: x, ratio))
+
+
+def _force(slope: Any, a: float) -> Any:
+    """F/E* = 2 (a g(a) - int_0^a g dt) with g(t) = t int_0^t f'(r)/sqrt(t^2 - r^2) dr."""
+
+    def depth(t: Any) -> Any:
+        return t * mp.quad(lambda angle: slope(t * mp.sin(angle)), [0, mp.pi / 2])
+
+    return 2 * (a * depth(mp.mpf(a)) - mp.quad(depth, [0, a]))
+
+
+@cache
+def layer_factor(ratio: float, nu: float) -> float:
+    """Force of a paraboloid on a bonded layer over that on a half-space, at sqrt(R d) = `ratio` times the thickness.
+
+    To the second order in the ratio; the kernel is that of a layer on a rigid base.
+    """
+    k = 3 - 4 * mp.mpf(nu)
+
+    def lost(u: Any) -> Any:
+        # with exp(-2 u) in front of both, so that nothing overflows
+        fall = mp.exp(-2 * u)
+        above = fall * (2 * k * fall + 4 * u * u + 4 * u + 1 + k * k)
+        return above / (k * (1 + fall**2) + (4 * u * u + 1 + k * k) * fall)
+
+    first = 2 / mp.pi * mp.quad(lost, [0, 1, 4, mp.inf]) * ratio
+    return float(1 + first + mp.mpf(7) / 6 * first**2)
+
+
+def first_yield(nu: float) -> tuple[float, float]:
+    """Greatest shear stress on the axis of Hertz's contact over p_0, and its depth over the contact radius."""
+
+    def shear(z: Any) -> Any:
+        along = -1 / (1 + z * z)
+        across = -(1 + nu) * (1 - z * mp.acot(z)) + 1 / (2 * (1 + z * z))
+        return (across - along) / 2
+
+    depth = mp.findroot(lambda z: mp.diff(shear, z), 0.5)
+    return float(shear(depth)), float(depth)
+
+
+def without_slip(nu: float) -> float:
+    """Stiffness of a flat punch that sticks over that of one without friction (Spence 1968)."""
+    return float((1 - nu) * mp.log(3 - 4 * nu) / (1 - 2 * nu))
+
+
+def retraction_at_pull_off() -> float:
+    """Retraction over Tabor's number times the range of adhesion, for the paraboloid under given force."""
+    return float(mp.sqrt(2 * mp.pi) * (9 * mp.pi / 8) ** (mp.mpf(1) / 6))
+
 
 Paragraph = tuple[str, str]
 """Its first words, in bold, and the rest."""
@@ -60,7 +141,7 @@ def reading() -> list[Paragraph]:
 
 def conventions() -> list[Paragraph]:
     """What the letters stand for where books differ."""
-    berkovich, corner = evidence.half_angle(evidence.BERKOVICH), evidence.half_angle(evidence.CUBE_CORNER)
+    berkovich, corner = half_angle(BERKOVICH), half_angle(CUBE_CORNER)
     return _cited([
         ("The bodies.", (
             "A rigid indenter touches a half-space that is homogeneous, isotropic and linearly elastic, without "
@@ -101,12 +182,12 @@ def conventions() -> list[Paragraph]:
 
 def validity() -> list[Paragraph]:
     """When a formula holds, and how wrong it is where it nearly does."""
-    cone = 100 * (evidence.slope_factor(70.3, 0.3) - 1)
-    small, large = (100 * (evidence.sphere_over_paraboloid(ratio) - 1) for ratio in (0.1, 0.3))
-    soft, stiff = (100 * (evidence.layer_factor(0.1, nu) - 1) for nu in (0.5, 0.3))
-    shear, depth = evidence.first_yield(0.3)
-    stuck, sticky = (100 * (evidence.without_slip(nu) - 1) for nu in (0.3, 0.0))
-    pulled = evidence.retraction_at_pull_off()
+    cone = 100 * (slope_factor(70.3, 0.3) - 1)
+    small, large = (100 * (sphere_over_paraboloid(ratio) - 1) for ratio in (0.1, 0.3))
+    soft, stiff = (100 * (layer_factor(0.1, nu) - 1) for nu in (0.5, 0.3))
+    shear, depth = first_yield(0.3)
+    stuck, sticky = (100 * (without_slip(nu) - 1) for nu in (0.3, 0.0))
+    pulled = retraction_at_pull_off()
     return _cited([
         ("Small slopes.", (
             "All formulas are those of linear elasticity for small slopes. The error is of the order of the slope at "
@@ -174,8 +255,8 @@ def _linked(match: re.Match[str]) -> str:
 
 
 TIPS = (
-    ("Berkovich, Vickers", evidence.half_angle(evidence.BERKOVICH)),
-    ("cube corner", evidence.half_angle(evidence.CUBE_CORNER)),
+    ("Berkovich, Vickers", half_angle(BERKOVICH)),
+    ("cube corner", half_angle(CUBE_CORNER)),
     ("sphero-conical, 60°", 30.0),
     ("sphero-conical, 90°", 45.0),
     ("Rockwell C, 120°", 60.0),
@@ -185,7 +266,7 @@ TIPS = (
 
 def tips() -> list[tuple[str, str, str, str]]:
     """Half-angle, inclination and slope of usual tips."""
-    return [(name, f"{half:.1f}", f"{90 - half:.1f}", f"{evidence.slope(half):.3f}") for name, half in TIPS]
+    return [(name, f"{half:.1f}", f"{90 - half:.1f}", f"{slope(half):.3f}") for name, half in TIPS]
 
 
 MODULI = (
@@ -202,13 +283,13 @@ def errors() -> list[tuple[str, str, tuple[str, ...], list[tuple[str, list[str]]
     angles, ratios, layers = (80.0, 75.0, 70.3, 65.0), (0.1, 0.2, 0.3, 0.5), (0.01, 0.02, 0.05, 0.1)
     return [
         ("Cone, slope not small", "half-angle", tuple(f"{x:g}°" for x in angles), [
-            (rf"$\nu={nu}$", _shares(evidence.slope_factor(x, nu) for x in angles)) for nu in (0, 0.3)
+            (rf"$\nu={nu}$", _shares(slope_factor(x, nu) for x in angles)) for nu in (0, 0.3)
         ]),
         ("Sphere taken for a paraboloid", "$a/R$", tuple(f"{x:g}" for x in ratios), [
-            ("at the same $a$", _shares(map(evidence.sphere_over_paraboloid, ratios)))
+            ("at the same $a$", _shares(map(sphere_over_paraboloid, ratios)))
         ]),
         ("Paraboloid on a bonded layer", r"$\sqrt{R\,d}$ over the thickness", tuple(f"{x:g}" for x in layers), [
-            (rf"$\nu={nu}$", _shares(evidence.layer_factor(x, nu) for x in layers)) for nu in (0.3, 0.5)
+            (rf"$\nu={nu}$", _shares(layer_factor(x, nu) for x in layers)) for nu in (0.3, 0.5)
         ]),
     ]  # fmt: skip
 

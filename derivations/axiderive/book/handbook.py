@@ -7,7 +7,6 @@ made in any order and in several processes.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -17,18 +16,15 @@ import jinja2
 from .. import __version__
 from ..entry import Entry
 from ..figures.axes import drawn, printed
-from ..figures.drawing import outline
 from ..figures.tikz import tikz
 from ..physics.systems import pool_of, profile_ids
 from ..print.box import width
 from ..rows import special
-from ..store.cache import digest
 from . import book, references, spread
 from .study import error, maps
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
-Summary = dict[str, Any]
 
 
 def handbook_sources(
@@ -65,7 +61,7 @@ def handbook_sources(
         for name, model in models.items()
         if not model["host"]
     }
-    return files | book_sources([summary(model) for model in models.values()], chapter11, studies)
+    return files | book_sources(list(models.values()), chapter11, studies)
 
 
 def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Model]:
@@ -91,46 +87,18 @@ def ruled(model: Model) -> list[str]:
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:
     """What was checked of the limits of a contact: key, formula, digits and points."""
-    rows = model["blocks"][system]["approached"] if system in model["blocks"] else []
-    return [check for row in rows for check in row.get("checks", ())]
-
-
-SUMMARISED = ("name", "title", "number", "chapter", "host", "keys", "symbols", "master_row", "coverage")
-"""What the main file needs of a profile; plain data that can be sent between processes."""
-
-
-def summary(model: Model) -> Summary:
-    """The part of a page model that the front of the book uses."""
-    return {name: model[name] for name in SUMMARISED} | {
-        "shape": model["picture"] and outline(model["picture"]),
-        "digest": digest(model["blocks"]),
-        "roots": _roots(model),
-    }
-
-
-def _roots(model: Model) -> list[str]:
-    """The letters that stand for a root somewhere in the rows of a profile."""
-    rows = [row for block in model["blocks"].values() for line in block["lines"] for row in line]
-    return sorted({name for row in rows for region in row["regions"] for name in _ROOT.findall(region["tex"])})
-
-
-_ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")
+    rows = model["blocks"][system].approached if system in model["blocks"] else []
+    return [check for row in rows for check in row.checks]
 
 
 def book_sources(
-    summaries: Sequence[Summary],
-    chapter11: Mapping[str, Any] | None = None,
-    studies: Mapping[str, Any] | None = None,
+    models: Sequence[Model], chapter11: Mapping[str, Any] | None = None, studies: Mapping[str, Any] | None = None
 ) -> dict[str, str]:
-    """The main file and its preamble, from the summaries of the profiles in their order."""
+    """The main file and its preamble, from the pages of the profiles in their order."""
     environment = templates()
-    model = book.model(summaries, chapter11, studies)
-    return {
-        "preamble.tex": environment.get_template("preamble.tex.j2").render(
-            version=__version__, edition=model["edition"]
-        ),
-        "handbook.tex": environment.get_template("handbook.tex.j2").render(model),
-    }
+    model = book.model(models, chapter11, studies)
+    preamble = environment.get_template("preamble.tex.j2").render(version=__version__, edition=model["edition"])
+    return {"preamble.tex": preamble, "handbook.tex": environment.get_template("handbook.tex.j2").render(model)}
 
 
 def numbered(ids: Sequence[str]) -> dict[str, str]:

@@ -14,7 +14,8 @@ from ..physics import systems
 from ..rows.ranges import regions
 from ..rows.row import row
 from ..store.records import profile_record
-from .readme import matrix
+from . import page
+from .evidence import matrix
 
 if TYPE_CHECKING:
     from ..entry import Entry
@@ -79,7 +80,7 @@ def _profile(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Ent
         "title": profile.title,
         "subtitle": profile.subtitle,
         "contact": profile.contact,
-        "shape": [_piece(upper, expr) for upper, expr in ((p.upper, p.expr) for p in profile.pieces)],
+        "shape": [_case("" if p.upper is None else f"r < {sp.sstr(p.upper)}", p.expr) for p in profile.pieces],
         "parameters": [str(getattr(p, "label", p)) for p in profile.parameters],
         "abbreviations": [f"{symbol} = {sp.sstr(expr)}" for symbol, expr in profile.abbreviations],
         "rules": [f"{sp.sstr(rule.relation())} ({rule.reason})" for rule in profile.rules],
@@ -91,39 +92,22 @@ def _profile(problems: Sequence[Problem], derived: Mapping[str, Mapping[str, Ent
     }
 
 
-def _piece(upper: sp.Expr | None, expr: sp.Expr) -> dict[str, str]:
-    condition = "" if upper is None else f"r < {sp.sstr(upper)}"
-    return {"conditions": condition, "text": _text(expr)}
-
-
 def _rows(
     problem: Problem,
     derived: Mapping[str, Mapping[str, Entry]],
     evidence: Mapping[str, Mapping[str, Any]],
     modules: Mapping[str, str],
 ) -> list[dict[str, Any]]:
-    signatures = _signatures(modules[problem.module])
+    signatures = {name: _bare(found) for name, found in page.signatures(modules[problem.module]).items()}
     found = evidence[problem.key]["entries"]
     return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
 
 
-def _dotted(path: str) -> str:
-    return path.removesuffix(".py").replace("/", ".")
-
-
-def _signatures(source: str) -> dict[str, str]:
-    """The arguments of every public function of a module: `r, a, *, theta, E_star`."""
-    found = {}
-    for node in ast.parse(source).body:
-        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
-            found[node.name] = ast.unparse(_without_annotations(node.args))
-    return found
-
-
-def _without_annotations(arguments: ast.arguments) -> ast.arguments:
+def _bare(arguments: ast.arguments) -> str:
+    """The arguments of a function without their types: `r, a, *, theta, E_star`."""
     for argument in (*arguments.args, *arguments.kwonlyargs):
         argument.annotation = None
-    return arguments
+    return ast.unparse(arguments)
 
 
 def _entry(
@@ -146,7 +130,7 @@ def _entry(
         "latex": [{"conditions": region.condition, "text": region.tex} for region in row(entry).regions],
         "composed": list(entry.composed) if entry.composed else [],
         "definition": _text(entry.definition),
-        "python": f"{_dotted(problem.module)}.{quantity.function}({arguments})",
+        "python": f"{problem.module.removesuffix('.py').replace('/', '.')}.{quantity.function}({arguments})",
         "unit": nt.describe(quantity.symbol).unit,
         "domain": list(dict.fromkeys(domain for domain in domains if domain)),
         "sources": [*entry.references, *problem.profile.sources],

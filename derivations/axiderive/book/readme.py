@@ -1,104 +1,12 @@
-"""Tables of what is known: the matrix of profile and physics, and those of the README.
-
-The tables of the README: how well each formula is known, and error against run time.
-
-The matrix profile x physics: what each cell holds and how well it is known; no cell is silent.
-"""
+"""The tables of the README: how well each formula is known, and error against run time."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..physics import pools, systems
-
-LEGEND = {
-    "✓": "certified: an exact proof of the formula, or of the equation and its one root",
-    "○": "closed form without a certificate, compared with its definition to the digits behind it",
-    "∫": "one integral without a closed form, compared with its definition to the digits behind it",
-    "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
-    "–": "not meaningful; the module says why",
-}
-LEFT_OUT = "left out"
-NOT_VERIFIED = "not verified"
-KINDS = {"closed": "○", "integral": "∫", "root": "√"}
-
-
-def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """The cells by profile and system.
-
-    Parameters
-    ----------
-    derived : iterable of str
-        Keys of the problems.
-    evidence : mapping
-        What was found about them, by key.
-    """
-    profiles: dict[str, dict[str, str]] = {}
-    for key in derived:
-        problem = systems.problem(key)
-        profiles.setdefault(problem.profile_id, {})[problem.system.name] = _cell(evidence[key]["entries"])
-    for pool in pools.POOLS:
-        for system in (system for system in systems.SYSTEMS if system.pool is pool):
-            for name in pool.names:
-                if pool.id(name) in profiles and system.refusal(pool.load(name)):
-                    profiles[pool.id(name)][system.name] = "–"
-    ordered = {
-        name: {s.name: cells[s.name] for s in systems.SYSTEMS if s.name in cells} for name, cells in profiles.items()
-    }
-    found = [entry for record in evidence.values() for entry in record.get("entries", {}).values()]
-    return {"legend": LEGEND, "profiles": ordered, "twice": twice(found)}
-
-
-def twice(found: Iterable[Mapping[str, Any]]) -> str:
-    """How many certified formulas were proved by both provers; a formula of several cases counts as many."""
-    proofs = [entry["twice"] for entry in found if entry["certified"] and "twice" in entry]
-    shown, certified = (sum(proof["cases"] for proof in own) for own in ([p for p in proofs if p["shown"]], proofs))
-    return (
-        f"{shown} of {certified} certified formulas were proved again by a second program, which shares no code with"
-        " the first and reads only what is stored"
-    )
-
-
-NONE = {"formulas": 0, "certified": 0, "twice": 0, **dict.fromkeys(KINDS, 0)}
-"""How the formulas of nothing are known."""
-
-
-def coverage(records: Iterable[Mapping[str, Any]]) -> dict[str, int]:
-    """How the formulas of some problems are known: counts, and the least digits of their comparisons.
-
-    Parameters
-    ----------
-    records : iterable of mapping
-        What was found about their entries.
-    """
-    found = list(records)
-    left = [one for one in found if not one["certified"]]
-    return {
-        "formulas": len(found),
-        "certified": len(found) - len(left),
-        "twice": sum(bool(one.get("twice", {}).get("shown")) for one in found if one["certified"]),
-        **{status: sum(one["status"] == status for one in left) for status in KINDS},
-        "digits": min((digits for one in found if (digits := _digits(one["checks"]))), default=0),
-    }
-
-
-def _cell(entries: Mapping[str, Mapping[str, Any]]) -> str:
-    certified, others = 0, dict[str, list[int]]()
-    for found in entries.values():
-        if found["certified"]:
-            certified += 1
-        else:
-            others.setdefault(KINDS[found["status"]], []).append(_digits(found["checks"]))
-    parts = [f"{certified} ✓"] if certified else []
-    parts += [f"{len(digits)} {sign}{min(digits)}" for sign, digits in others.items()]
-    return ", ".join(parts) or NOT_VERIFIED
-
-
-def _digits(checks: Iterable[Mapping[str, Any]]) -> int:
-    """Digits of the best comparison that passed."""
-    return max((check["digits"] for check in checks if check["outcome"] == "passed" and check["worst"]), default=0)
-
+from .evidence import LEFT_OUT
 
 MARKS = "<!-- {}: written by axicontact build -->", "<!-- end of the {} -->"
 TIMED = "rounded_punch.p"

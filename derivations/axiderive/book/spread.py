@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
-from dataclasses import asdict
 from typing import Any
 
 from .. import notation as nt
 from ..entry import Entry
 from ..figures.curves import curves
+from ..figures.drawing import outline
 from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
@@ -19,9 +20,10 @@ from ..print.words import prose
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from ..rows import blocks, special
+from ..store.cache import digest
 from ..worked import worked, worked_bodies, worked_given
 from . import evidence as proven
-from . import front, page, readme, references
+from . import front, page, references
 from .page import given_table, panel
 
 Entries = Mapping[str, Entry]
@@ -45,6 +47,10 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     main = next((entries for key, entries in own.items() if key == profile_id), {})
     rows = blocks.every(profile_id, derived)
     shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
+    printed = [row for block in shown.values() for line in block.lines for row in line]
+    formulas = [(region["condition"], region["tex"]) for row in printed for region in row["regions"]]
+    further = [(row.small, row.tex) for block in shown.values() for row in block.approached]
+    figures = _figures(profile_id, profile, main, derived)
     return {
         "name": profile_id,
         "title": prose(f"Plane {profile.title[0].lower()}{profile.title[1:]}" if pool.strip else profile.title),
@@ -55,25 +61,30 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "place": str(pool.place),
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
-        "blocks": {key: asdict(block) for key, block in shown.items()},
+        "blocks": shown,
         "evidence": proven.evidence_rows(profile_id, own, evidence),
-        "proved": proven.summary(own, evidence),
         "uncertified": proven.missing_certificates(profile_id, own, evidence),
         "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
-        "shown": [row["suffix"] for block in shown.values() for line in block.lines for row in line]
-        + [end for block in shown.values() for line in block.lines for row in line for end in row["also"]],
+        "shown": [end for row in printed for end in (row["suffix"], *row["also"])],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),
         "special": special.tables(profile_id),
         "elsewhere": special.elsewhere(profile_id),
         "host": special.HOSTS.get(profile_id, ""),
-        "status": readme.matrix(own, records)["profiles"].get(profile_id, {}),
-        "coverage": readme.coverage(e for record in records.values() for e in record["entries"].values()),
-        **_figures(profile_id, profile, main, derived),
+        "status": proven.matrix(own, records)["profiles"].get(profile_id, {}),
+        "coverage": proven.coverage([one for record in records.values() for one in record["entries"].values()]),
+        "digest": digest([*formulas, *further]),
+        # the letters that stand for a root somewhere in the rows
+        "roots": sorted({name for _, tex in formulas for name in _ROOT.findall(tex)}),
+        "shape": figures["picture"] and outline(figures["picture"]),
+        **figures,
     }
+
+
+_ROOT = re.compile(r"(?:quad |,)(\\?[a-z]+)=\\sqrt")
 
 
 def _equations(own: Mapping[str, Entries]) -> list[str]:

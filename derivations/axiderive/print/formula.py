@@ -42,7 +42,7 @@ FUNCTIONS = {
 }  # fmt: skip
 MASTER_NAMES = {
     masters.C0: r"\mathrm{C}_{0}", masters.LegendreChi2: r"\chi_{2}", masters.ArctanIntegral: r"\mathrm{Ti}_{2}",
-    masters.Dawson: r"\mathrm{D}", sp.sign: r"\operatorname{sgn}", sp.Max: r"\max",
+    masters.Dawson: r"\mathrm{D}", sp.sign: r"\operatorname{sgn}",
 }  # fmt: skip
 
 
@@ -70,8 +70,6 @@ class FunctionPrinter(ABC):
             return r"\mathrm{K}" + bracket(self.small(sp.sqrt(e.args[0])))
         if kind is sp.gamma:
             return r"\Gamma" + bracket(self.small(e.args[0]))
-        if kind is sp.beta:
-            return r"\mathrm{B}" + bracket(",".join(map(self.small, e.args[:2])))
         if kind is masters.IncompleteBeta:
             z, p, q = e.args
             return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
@@ -107,13 +105,9 @@ class FunctionPrinter(ABC):
         return rf"\int_{{{self.exponent(lo)}}}^{{{self.exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
 
     def _derivative(self, e: sp.Derivative) -> str:
-        inner, variable = e.expr, e.variables[0]
-        if isinstance(inner, sp.Function) and inner.args == (variable,):
-            name = {"w1D": r"w_{\mathrm{1D}}"}.get(type(inner).__name__, type(inner).__name__)
-            return f"{name}'({self.sum(variable)})"
-        if inner.is_Symbol:
-            return rf"\frac{{\mathrm{{d}}{self.sum(inner)}}}{{\mathrm{{d}}{self.sum(variable)}}}"
-        return rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}{self.sum(variable)}}}" + bracket(self.sum(inner))
+        """Of a function of the row, f'(t)."""
+        name = {"w1D": r"w_{\mathrm{1D}}"}.get(type(e.expr).__name__, type(e.expr).__name__)
+        return f"{name}'({self.sum(e.variables[0])})"
 
 
 def _is_small_fraction(argument: sp.Expr) -> bool:
@@ -336,8 +330,6 @@ class Printer(FunctionPrinter):
             return self._derivative(e)
         if isinstance(e, sp.Abs):
             return rf"\lvert {self.sum(e.args[0])}\rvert"
-        if isinstance(e, sp.Max):
-            return MASTER_NAMES[sp.Max] + bracket(",".join(self.sum(x) for x in sorted(e.args, key=term_key)))
         if isinstance(e, sp.Function):
             return self._call(e)
         if e.is_Pow or e.is_Mul:

@@ -1,16 +1,37 @@
-"""What a printed text has to say, found without its LaTeX, and the one comparison of the two."""
+"""What a printed text has to say, found without its LaTeX, and the one comparison of the two.
+
+The printed rows of a problem are functions here: g, F_N, p and w as a reader of the book would evaluate them.
+"""
 
 from __future__ import annotations
 
+import itertools
+import operator
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import mpmath as mp
+import sympy as sp
 
+from .. import notation as nt
+from ..entry import Entry
+from ..oracle.evaluate import evaluate
+from ..oracle.shape import coefficient, number, numeric_symbols
+from ..physics.systems import of
+from ..rows.laws import LawText
+from ..rows.row import Region, Row, kappa_row, row
 from .grammar import read
-from .meaning import Environment, environment
+from .meaning import Environment, Node, environment
 
+Entries = Mapping[str, Entry]
+Stored = Callable[[str], Entries]
+"""The entries of a problem by its key."""
+Values = dict[Any, Any]
+Function = Callable[..., Any]
+SIGNS = {"<": operator.lt, r"\le": operator.le, ">": operator.gt, r"\ge": operator.ge}
 WORKING = 60
 """Working digits; an integrand that is infinite like a root at its end leaves half of them."""
 DIGITS = 30
@@ -71,6 +92,12 @@ class Claim:
         return Line(place, tex, self.wrong)
 
 
+def stated(expr: sp.Expr, values: Values, name: str = "", **names: Any) -> Claim:
+    """That a text has the value of an expression at a point, whose symbols it may use, and further names."""
+    with mp.workdps(WORKING):
+        return Claim({**named(values), **names}, evaluate(expr, values, DIGITS), name)
+
+
 def difference(got: Any, want: Any) -> Any:
     """Relative difference of two values; absolute where the wanted one is zero."""
     return abs(got - want) / abs(want) if want else abs(got)
@@ -94,3 +121,145 @@ def _at(name: str, value: Any, place: Any) -> Callable[[Any], Any]:
         return value
 
     return known
+
+
+class Printed:
+    """The rows of a problem, and of the normal contact on the same medium that its rules refer to."""
+
+    def __init__(self, entries: Mapping[str, Entry], base: Mapping[str, Entry]) -> None:
+        self.entries, self.base = entries, base
+        self.profile = next(iter(base.values())).profile
+        self.kappa = _kappa(tuple(base.values()))
+
+    def environment(self, values: Values) -> dict[str, Any]:
+        """Every name that a row may use: symbols, kappa, and the functions of other rows."""
+        env: dict[str, Any] = named(values) | self.kappa
+        tip = number(values[self.profile.breaks[0]]) if self.profile.truncated else None
+        env |= {
+            "g()": self._of_radius("d", env, tip),
+            "F_N()": self._of_radius("F", env, tip),
+            "P()": self._of_radius("P", env, tip),
+            "p()": self._field("p", env),
+            "w()": self._field("w", env),
+            "cuts": self._cuts(values),
+        }
+        env["g'()"] = lambda radius: mp.diff(env["g()"], radius)
+        if "Dl" in self.entries:
+            env |= {
+                "d_adh()": self._of_radius("d", env, tip, self.entries),
+                "F_adh()": self._of_radius("F", env, tip, self.entries),
+                "Delta ell": Node(lambda known: self.at("Dl", known, self.entries)),
+            }
+        return env
+
+    def at(self, suffix: str, env: Environment, entries: Mapping[str, Entry] | None = None) -> Any:
+        """A printed row of the normal contact, or of other entries, where its names have these values."""
+        one = row((self.base if entries is None else entries)[suffix])
+        region = holding(one, env) if one.kind == "formula" else one.regions[0]
+        return value(region.tex, env)
+
+    def _of_radius(
+        self, suffix: str, env: Environment, tip: Any, entries: Mapping[str, Entry] | None = None
+    ) -> Function:
+        """A quantity at another radius; a contact within the flat tip carries nothing while it is not pressed in."""
+
+        def value(radius: Any) -> Any:
+            if tip is not None and radius <= tip:
+                return mp.mpf(0)
+            return self.at(suffix, {**env, "a": radius}, entries)
+
+        return value
+
+    def _field(self, suffix: str, env: Environment) -> Function:
+        def value(place: Any, radius: Any = None) -> Any:
+            radius = env["a"] if radius is None else radius
+            if suffix == "p" and place > radius:
+                return mp.mpf(0)
+            return self.at(suffix, {**env, "a": radius, "r": place})
+
+        return value
+
+    def _cuts(self, values: Values) -> dict[str, list[Any]]:
+        """Where the integrals of the rules cross a break of the profile."""
+        if nt.r not in values or nt.k not in values or not self.profile.breaks:
+            return {}
+        radius, power = number(values[nt.r]), (1 + number(values[nt.k])) / 2
+        breaks = [number(values[b]) for b in self.profile.breaks]
+        return {
+            "u": [(b * b - radius * radius) ** power for b in breaks if b > radius],
+            "psi": [mp.asin(b / radius) for b in breaks if b < radius],
+        }
+
+
+def value(tex: str, env: Environment) -> Any:
+    """What a formula gives where its names have these values: its last member, with the definitions behind it."""
+    first, *definitions = read(tex)
+    return first.members[-1](environment(definitions, env))
+
+
+def functions_of(law: LawText, env: Environment) -> dict[str, Callable[[Any], Any]]:
+    """E(t), J(t) and Phi_m(t) of a viscoelastic law as they are printed."""
+
+    def function(text: str) -> Callable[[Any], Any]:
+        return lambda t: value(text, {**env, "t": t})
+
+    return {name: function(text) for name, text in law.functions().items()}
+
+
+@lru_cache(maxsize=256)
+def _kappa(entries: tuple[Entry, ...]) -> dict[str, Any]:
+    text = kappa_row(entries)
+    return environment(read(text), {}) if text else {}
+
+
+def holding(one: Row, env: Environment) -> Region:
+    """The one region whose printed range contains the point."""
+    found = [region for region in one.regions if holds(region.condition, env)]
+    if len(found) != 1:
+        message = f"{one.key}: {len(found)} printed ranges hold at one point: {[region.condition for region in found]}"
+        raise LookupError(message)
+    return found[0]
+
+
+def holds(condition: str, env: Environment) -> bool:
+    """Whether a printed range, chains of < and <= separated by commas, contains the point; r <= r is none."""
+    for chain in filter(None, condition.split(r",\; ")):
+        parts = re.split(r"([<>]|\\[lg]e(?![a-z]))", chain)
+        members = [read(part)[0].members[0](env) for part in parts[::2]]
+        kept = [SIGNS[sign](*pair) for sign, pair in zip(parts[1::2], itertools.pairwise(members), strict=True)]
+        if not all(kept) or any(x.strip() == y.strip() for x, y in itertools.pairwise(parts[::2])):
+            return False
+    return True
+
+
+def named(values: Values) -> dict[str, Any]:
+    """The values under the names their symbols have in print."""
+    env: dict[str, Any] = {name_in_print(s): number(values[s]) for s in numeric_symbols(values) if nt.known(s.name)}
+    if nt.N in values:
+        env["A_j"] = [number(values[coefficient(i)]) for i in range(1, int(values[nt.N]) + 1)]
+    if nt.a_c in values:
+        env |= {"a_c": number(values[nt.a_c]), "a_m": number(values[nt.a_c])}
+    return env
+
+
+def name_in_print(symbol: sp.Symbol) -> str:
+    """The name under which the reader finds a symbol, read from its LaTeX."""
+    return read(nt.describe(symbol).latex)[0].members[0].name
+
+
+OTHERWISE = {"u": "u", "us": "u_s", "dmin": "d_min", "Fmin": "F_min", "Pmin": "P_min"}
+"""Names of quantities in print that are neither their symbol nor that at a place."""
+
+
+def name_of(entry: Entry) -> str:
+    """The quantity of an entry as the grammar reads its name, with its argument in brackets: p(r)."""
+    own, physics = entry.quantity, of(entry).physics
+    name = OTHERWISE.get(own.suffix) or name_in_print(own.symbol)
+    if own.control:
+        return f"{name.partition('_')[0]}_{own.suffix[-1]}"
+    argument = own.arguments[0] if own.arguments else None
+    if physics.tension and own.symbol in (nt.d, nt.F, nt.p, nt.w):
+        return f"{name.partition('_')[0]}_adh({argument})"
+    if argument in (nt.r, nt.x) and own.symbol != nt.slope:
+        return f"{name}({argument})"
+    return f"{name}(t)" if physics.laws and own.symbol == nt.F else name

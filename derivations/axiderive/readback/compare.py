@@ -7,7 +7,7 @@ and sums.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,23 +16,34 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import case_at, decades, evaluate, evaluate_case, evaluated
+from ..oracle.evaluate import case_at, decades, evaluate, evaluated
 from ..physics.systems import of
 from ..rows import laws
-from ..rows.claims import Exact, claim
+from ..rows.claims import Exact, claim, points_of
 from ..rows.in_print import texts_of
-from ..rows.points import points_of
 from ..rows.row import Row, row
-from .claims import CLOSE, DIGITS, WORKING, Claim, difference
+from .claims import (
+    CLOSE,
+    DIGITS,
+    WORKING,
+    Claim,
+    Entries,
+    Printed,
+    Stored,
+    Values,
+    difference,
+    functions_of,
+    holding,
+    holds,
+    name_in_print,
+    name_of,
+    named,
+)
 from .grammar import read
 from .meaning import environment
-from .printed import Printed, Values, functions_of, holding, holds, name_in_print, name_of, named
 from .source import GAP as LINES
 from .source import OPENING, Further
 
-Entries = Mapping[str, Entry]
-Stored = Callable[[str], Entries]
-"""The entries of a problem by its key."""
 INTEGRATING = 38
 """Working digits of a row that is an integral, or refers to one."""
 
@@ -102,11 +113,8 @@ def _environment(one: Row, entry: Entry, printed: Printed, values: Values) -> di
     return env
 
 
-GAP = r",\enspace "
-NEAR = sp.Rational(1, 10**60)
-"""How near to a limit that is excluded; the logarithms of the tips leave NEAR ln(NEAR)."""
-KINDS = ("limit", "universal", "sum")
-"""Kinds that are read here; approaches to an end have a reader of their own."""
+KINDS = ("universal", "sum")
+"""Kinds that are read here; an approach or a limit says itself what its formula has to be, and where."""
 ENDS = {
     "edge": (r"r\to a", r"x\to a"), "far-field": (r"r\to\infty", r"x\to\infty"), "axis": (r"r\to 0",),
     "middle": (r"x\to 0", r"r\to 0"), "small-contact": (r"a\to 0",), "onset": (r"a\to b",),
@@ -116,56 +124,7 @@ ENDS = {
 
 def wrong(one: Further, stored: Stored) -> bool:
     """Whether a row says something else than the entries it is about."""
-    return {"limit": _limit, "universal": _universal, "sum": _sum}[one.kind](one, stored)
-
-
-def _limit(one: Further, stored: Stored) -> bool:
-    parts = one.tex.split(GAP)
-    if len(parts) != len(one.keys):
-        return True
-    profile = stored(one.keys[0].rpartition(".")[0])[one.keys[0].rpartition(".")[2]].profile
-    aim = _aim(one.small, profile.parameters)
-    return aim is None or any(
-        _limit_differs(key, part, *aim, stored) for key, part in zip(one.keys, parts, strict=True)
-    )
-
-
-def _aim(small: str, parameters: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:
-    """Which parameter goes where."""
-    name, _, end = small.partition(r"\to")
-    ends: dict[str, sp.Expr] = {"0": sp.S.Zero, r"\infty": sp.oo} | {name_in_print(s): s for s in parameters}
-    symbol, value = ends.get(name.strip()), ends.get(end.strip())
-    if value is None and end.strip().isdigit():
-        value = sp.Integer(end)
-    return None if symbol not in parameters or value is None else (symbol, value)
-
-
-def _limit_differs(key: str, part: str, symbol: sp.Symbol, value: sp.Expr, stored: Stored) -> bool:
-    problem, _, suffix = key.rpartition(".")
-    entry = stored(problem)[suffix]
-    near = {sp.S.Zero: NEAR, sp.oo: 1 / NEAR}.get(value, value)
-    name = "g(a)" if entry.quantity.symbol == nt.d else name_of(entry)
-    tested = []
-    # in the case that holds next to the limit, at points of any case: a limit may be that of one of them
-    for _, values in points_of(entry, "formula", stored(problem), 1, 11):
-        at = values | {symbol: sp.sympify(near).xreplace(values)}
-        at |= {short: expr.xreplace(at) for short, expr in entry.profile.abbreviations}
-        try:
-            case = case_at(entry, at)
-        except LookupError:
-            continue
-        with mp.workdps(DIGITS + 20):
-            # a printed limit is a formula of the simpler profile, which does not know the symbol
-            env = {name: number for name, number in named(at).items() if name != name_in_print(symbol)}
-            said = Claim(env, evaluate_case(case, at, DIGITS), name)
-        try:
-            tested.append(not said.wrong(part.replace(r"\to ", "=", 1)))
-        except ValueError:  # a root of the case that does not hold here
-            tested.append(False)
-    if tested:
-        return not any(tested)
-    message = f"{key}: no point is near {symbol} = {value}"
-    raise LookupError(message)
+    return {"universal": _universal, "sum": _sum}[one.kind](one, stored)
 
 
 CURVE = (sp.Rational(3, 10), sp.S.One, sp.Rational(27, 10))

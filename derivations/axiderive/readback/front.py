@@ -6,7 +6,7 @@ Each comes with the value it has to have, found without its LaTeX.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import mpmath as mp
@@ -15,7 +15,7 @@ import sympy as sp
 from .. import notation as nt
 from ..book import front, front_rules, page
 from ..entry import Entry
-from ..oracle.evaluate import case_at, evaluate
+from ..oracle.evaluate import case_at
 from ..oracle.sampling import points
 from ..oracle.shape import number
 from ..physics import viscoelastic
@@ -24,13 +24,23 @@ from ..print.formula import Printer
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from ..rows import laws
-from ..rows.points import points_of
+from ..rows.claims import points_of
 from ..rows.row import Region, Row
-from .claims import CLOSE, DIGITS, WORKING, Claim, Line
+from .claims import (
+    CLOSE,
+    WORKING,
+    Claim,
+    Entries,
+    Line,
+    Printed,
+    Stored,
+    Values,
+    holds,
+    name_in_print,
+    name_of,
+    stated,
+)
 from .compare import worst_residual
-from .printed import Printed, Values, holds, name_in_print, name_of, named
-
-Entries = Mapping[str, Entry]
 
 
 def _point(entry: Entry, place: sp.Symbol | None, ratio: sp.Rational) -> Values:
@@ -51,15 +61,18 @@ def definitions(compact: Entries, complete: Entries) -> list[Line]:
         entries = complete if label.startswith(whole) else compact
         place, ratio = {"p": (nt.r, INSIDE), "w": (nt.r, OUTSIDE)}.get(suffix, (None, sp.S.One))
         values = _point(entries["F"], place, ratio)
-        want = evaluate(case_at(entries[suffix], values).expr, values, DIGITS)
-        with mp.workdps(WORKING):
-            env = _with_functions(entries, values)
-        found.append(Claim(env, want, name_of(entries[suffix])).line(f"definition: {label}", tex))
+        found.append(_with_functions(entries, suffix, values).line(f"definition: {label}", tex))
     return found
 
 
-def _with_functions(entries: Entries, values: Values) -> dict[str, Any]:
-    """The names of a point, with the profile, its depth function and the sunk profile as functions."""
+def _with_functions(entries: Entries, suffix: str, values: Values) -> Claim:
+    """A quantity at a point, by the profile, its depth function and the sunk profile as functions."""
+    with mp.workdps(WORKING):
+        env = _functions(entries, values)
+    return stated(case_at(entries[suffix], values).expr, values, name_of(entries[suffix]), **env)
+
+
+def _functions(entries: Entries, values: Values) -> dict[str, Any]:
     env = Printed(entries, entries).environment(values)
     profile = entries["F"].profile
     shape = profile.pieces[-1].expr
@@ -97,12 +110,12 @@ OF_DEPTH, POWER = "cone", r",\qquad m=2"
 """A contact whose force is printed as a function of the depth, and the power of the depth that it goes with."""
 
 
-def rules(stored: Callable[[str], Entries]) -> list[Line]:
+def rules(stored: Stored) -> list[Line]:
     """The rules for every profile, each against an entry that follows from it, in any text of its own."""
     return [Line(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front_rules.rule_rows()]
 
 
-def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callable[[str], bool]:
+def _ruled(one: front_rules.RuleRow, stored: Stored) -> Callable[[str], bool]:
     of_depth = one.suffix in ("step", "ramp")
     key = f"{OF_DEPTH}.vis" if of_depth else BY_NAME[one.system].said.subject
     entries, below = stored(key), problem(key).base
@@ -121,12 +134,10 @@ def _ruled(one: front_rules.RuleRow, stored: Callable[[str], Entries]) -> Callab
 
 def _integral(entries: Entries, suffix: str) -> Callable[[str], bool]:
     """A defining integral with the functions of these entries put in."""
-    ((case, values),) = points_of(entries[suffix], "formula", entries, 1, 23)
+    ((_, values),) = points_of(entries[suffix], "formula", entries, 1, 23)
     # an end of the integral that is less singular leaves more digits
     values = values | {nt.k: sp.Rational(3, 5)}
-    want = evaluate(case.expr, values, DIGITS)
-    with mp.workdps(WORKING):
-        return Claim(_with_functions(entries, values), want, name_of(entries[suffix])).wrong
+    return _with_functions(entries, suffix, values).wrong
 
 
 def functions() -> list[Line]:
@@ -147,11 +158,11 @@ def laws_of_materials() -> list[Line]:
     values: Values = {s: sp.Rational(7 + 4 * i, 9 + i) for i, s in enumerate(names)} | {nt.alpha: sp.Rational(2, 5)}
     exponent = sp.Rational(5, 3)
     with mp.workdps(WORKING):
-        env = named(values) | {"m": number(exponent)}
+        power = number(exponent)
     for law, text in zip(viscoelastic.LAWS, laws.laws(), strict=True):
         for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
-            want = evaluate(expr.subs(laws.EXPONENT, exponent), values, DIGITS)
-            found.append(Claim(env, want, name.replace("()", "(t)")).line(f"law: {text.name}", tex))
+            own = stated(expr.subs(laws.EXPONENT, exponent), values, name.replace("()", "(t)"), m=power)
+            found.append(own.line(f"law: {text.name}", tex))
     return found
 
 
@@ -194,12 +205,11 @@ def _panel_point(profile: Profile, place: sp.Symbol, last: bool) -> Values:
 
 
 def _at(place: str, tex: str, values: Values, expr: sp.Expr, name: str, condition: str = "") -> Line:
-    with mp.workdps(WORKING):
-        env = named(values)
-        if condition and not holds(condition, env):
-            message = f"{place}: {condition} does not hold where the piece does"
-            raise LookupError(message)
-    return Claim(env, evaluate(expr, values, DIGITS), name).line(place, tex)
+    own = stated(expr, values, name)
+    if condition and not holds(condition, own.env):
+        message = f"{place}: {condition} does not hold where the piece does"
+        raise LookupError(message)
+    return own.line(place, tex)
 
 
 def master_table(profile_id: str, entries: Entries) -> list[Line]:
@@ -211,8 +221,6 @@ def master_table(profile_id: str, entries: Entries) -> list[Line]:
             continue
         entry = entries["P" if name == "F" and "P" in entries else name]
         values = _point(entry, None, sp.S.One)
-        with mp.workdps(WORKING):
-            env = Printed(entries, entries).environment(values)
-        want = evaluate(case_at(entry, values).expr, values, DIGITS)
-        found.append(Claim(env, want).line(f"table of profiles: {profile_id}", tex[1]))
+        own = stated(case_at(entry, values).expr, values, **Printed(entries, entries).kappa)
+        found.append(own.line(f"table of profiles: {profile_id}", tex[1]))
     return found

@@ -98,21 +98,22 @@ def read(tex: str) -> list[Statement]:
     SyntaxError
         If the source is not of the printed subset.
     """
+    return _parsed(tex)[0]
+
+
+def _parsed(tex: str) -> tuple[list[Statement], _Parser]:
     parser = _Parser(tex)
     found = [parser.statement()]
     while parser.separator():
         found.append(parser.statement())
     if parser.peek() is not None:
         raise SyntaxError(parser.message("end of formula"))
-    return found
+    return found, parser
 
 
 def names(tex: str) -> set[str]:
     """What a reader has to know to read a printed row: its symbols and functions that it does not define itself."""
-    parser = _Parser(tex)
-    found = [parser.statement()]
-    while parser.separator():
-        found.append(parser.statement())
+    found, parser = _parsed(tex)
     defined = {one.members[0].name for one in found[1:]}
     return parser.used - parser.bound - defined
 
@@ -157,14 +158,11 @@ class _Parser(Tokens):
         return meaning.product(factors)
 
     def factor(self) -> Node:
-        """Reads an atom with its powers and factorials."""
+        """Reads an atom with its powers."""
         base = self.atom()
         while self.peek() == "^":
             self.take()
             base = meaning.power(base, self.argument())
-        while self.peek() == "!":
-            self.take()
-            base = meaning.factorial(base)
         return base
 
     def argument(self) -> Node:
@@ -200,11 +198,8 @@ class _Parser(Tokens):
             return Node(lambda env: abs(inner(env)))
         if token == r"\prescript":
             return self.hypergeometric()
-        if token == r"\min" and self.peek() == "_":
-            self.take()
-            return meaning.least(self.text(), self.product())
-        if token in (r"\max", r"\min"):
-            return self.function(token[1:])
+        if token == r"\max":
+            return self.function("max")
         if token == r"\sqrt":
             return self.root()
         if token == r"\int":

@@ -73,7 +73,7 @@ BRACKETED: dict[str, Callable[..., Value]] = {
     "E": lambda phi, k=None: mp.ellipe(phi * phi) if k is None else mp.ellipe(phi, k * k),
     "K": lambda k: mp.ellipk(k * k),
     "B": lambda *x: mp.beta(*x) if len(x) == 2 else mp.re(mp.betainc(x[1], x[2], 0, x[0])),
-    "2F_1": mp.hyp2f1, "1F_1": mp.hyp1f1, "J": _cap_moment, "max": max, "min": min, "sgn": mp.sign,
+    "2F_1": mp.hyp2f1, "1F_1": mp.hyp1f1, "J": _cap_moment, "max": max, "sgn": mp.sign,
 }  # fmt: skip
 STRUVE: dict[str, Callable[..., Value]] = {"H": mp.struveh, "L": mp.struvel}
 """Bold letters with the order as index."""
@@ -121,11 +121,6 @@ def power(base: Node, exponent: Node) -> Node:
     return Node(lambda env: mp.power(base(env), exponent(env)))
 
 
-def factorial(of: Node) -> Node:
-    """The node of n!."""
-    return Node(lambda env: mp.factorial(of(env)))
-
-
 def total(terms: list[tuple[int, Node]]) -> Node:
     """Terms with their signs."""
     if len(terms) == 1 and terms[0][0] == 1:
@@ -166,11 +161,6 @@ def series(lower: Node, upper: Node, body: Node, variable: str) -> Node:
         return total
 
     return Node(value)
-
-
-def least(variable: str, body: Node) -> Node:
-    """The least value over the terms of a sum whose coefficients are in the environment."""
-    return Node(lambda env: min(body({**env, variable: mp.mpf(i + 1)}) for i in range(len(env[f"A_{variable}"]))))
 
 
 def _looked_up(env: Environment, name: str) -> Value:

@@ -15,14 +15,13 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import evaluate
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..profiles.profile import Profile
-from ..rows.points import points_of
+from ..rows.claims import points_of
+from ..rows.limits import BEYOND
 from ..rows.ranges import positive_parts
-from .claims import DIGITS, Claim, Line
+from .claims import Line, holds, name_in_print, stated
 from .grammar import read
-from .printed import holds, name_in_print, named
 
 Truth = Callable[[Mapping[str, Any]], bool]
 DRAWS = 200
@@ -96,12 +95,10 @@ def rules(profile: Profile, plane: bool = False) -> Iterator[Line]:
         yield Line(profile.name, f"{low} < {high}", in_order([sp.sympify(low), sp.sympify(high)]))
     for symbol, expr in profile.abbreviations:
         values = {s: sp.Rational(3 + 2 * i, 7 + i) for i, s in enumerate(sorted(expr.free_symbols, key=str))}
-        with mp.workdps(2 * DIGITS):
-            shorthand = Claim(named(values), evaluate(expr, values, DIGITS), name_in_print(symbol))
-        yield shorthand.line(profile.name, f"{symbol} = {expr}")
-    for limit in profile.limits:
-        wrong = approach(limit.symbol, sp.sympify(limit.value))
-        yield Line(profile.name, f"{limit.symbol} -> {limit.value}", wrong)
+        yield stated(expr, values, name_in_print(symbol)).line(profile.name, f"{symbol} = {expr}")
+    limits = [(limit.symbol, sp.sympify(limit.value)) for limit in profile.limits]
+    for symbol, end in (*limits, *((one.symbol, one.end) for one in BEYOND.get(profile.name, ()))):
+        yield Line(profile.name, f"{symbol} -> {end}", approach(symbol, end))
 
 
 def approach(symbol: sp.Symbol, value: sp.Expr) -> Callable[[str], bool]:
@@ -111,7 +108,10 @@ def approach(symbol: sp.Symbol, value: sp.Expr) -> Callable[[str], bool]:
         left, arrow, right = tex.partition(r"\to ")
         if not arrow or read(left)[0].members[0].name != name_in_print(symbol):
             return True
-        return bool(read(right)[0].members[0]({}) != (mp.inf if value is sp.oo else value))
+        end = read(right)[0].members[0]
+        if value.is_Symbol:
+            return end.name != name_in_print(value)
+        return bool(end.name or end({}) != (mp.inf if value is sp.oo else value))
 
     return wrong
 

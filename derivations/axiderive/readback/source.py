@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-Kind = Literal["row", "definition", "function", "cell", "panel", "slope", "further", "special"]
+Kind = Literal["row", "definition", "function", "cell", "panel", "slope", "special"]
 
 
 @dataclass(frozen=True)
@@ -52,18 +52,10 @@ def formulas(text: str) -> list[Formula]:
             found += [Formula("panel", tex) for tex in _SHAPE.findall(content)]
         elif label == "Shorthand":
             found += [Formula("panel", tex) for tex in _SHORTHAND.findall(content)]
-        elif line.startswith(r"\frow"):
-            *_, tex, suffix = arguments(line.removeprefix(r"\frow"))
-            found.append(Formula("row", without_remark(tex), suffix))
-        elif line.startswith(r"\fpair"):
-            for half in arguments(line.removeprefix(r"\fpair")):
+        elif line.startswith((r"\frow", r"\fpair")):
+            for half in arguments(line) if line.startswith(r"\fpair") else [line]:
                 *_, tex, suffix = arguments(half)
                 found.append(Formula("row", without_remark(tex), suffix))
-        elif line.startswith(r"\furtherpair"):
-            halves = [arguments(half) for half in arguments(line.removeprefix(r"\furtherpair"))]
-            found += [Formula("further", half[2]) for half in halves if len(half) > 2]
-        elif line.startswith(r"\further"):
-            found.append(Formula("further", without_remark(arguments(line.removeprefix(r"\further"))[2])))
     return found
 
 
@@ -148,7 +140,7 @@ class Inline:
 
 def inline(text: str) -> list[Inline]:
     """The formulas within the words of one source file, in their order."""
-    own = {one.tex for one in formulas(text) if one.kind not in ("row", "further")}
+    own = {one.tex for one in formulas(text) if one.kind != "row"}
     found = [one for where, line in _places(text) for one in _in_line(where, line)]
     return [one for one in found if one.tex.removeprefix(r"\displaystyle ") not in own]
 

@@ -1,27 +1,186 @@
-"""What the normal contact approaches: at the edge, far away, at the axis, for a small contact, at its onset."""
+"""What a contact approaches, as rows without a key: at the edge, far away, at the axis, for a small contact, at onset.
+
+Each formula is the way there in print, and is checked against its entry on that way.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
+import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import IncompleteBeta
+from ..abel.masters import C0, IncompleteBeta, StruveH
 from ..entry import Case, Entry
 from ..notation import E_star, P, a, b, r, x
+from ..oracle.evaluate import evaluate, evaluate_case, evaluated, holds
 from ..physics.normal import derive
+from ..print.box import width
 from ..print.formula import Printer
+from ..print.shorthand import LINE, with_kappa
 from ..profiles import load
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
-from .approach import NEAR, Approach, approach_row
+from .claims import points_of
 
 Entries = Mapping[str, Entry]
-Rows = list[dict[str, Any]]
+NEAR = sp.Symbol("near", positive=True)
+"""What is left of the way, zero where the formula is exact."""
+DISTANCE = sp.Rational(1, 10**40)
+DIGITS = 40
+REQUIRED = 20
+"""Digits that agree at DISTANCE; at points where two lengths differ by 1e-9 the next order takes 10 of its 40."""
+SEED = 41
+HALF, HALF_LIMIT, LINKED = 132.0, 139.0, 90.0
+"""Points for the formulas of half a row, of half a limit, and for the name of the simpler profile behind them."""
+GAP = r",\enspace "
 PRINTABLE = 40
 """Operations of a derivative that may fit into a row."""
+
+
+@dataclass(frozen=True)
+class Further:
+    """A row without a key of its own: an approach, a limit, a universal curve, a sum."""
+
+    kind: str
+    keys: tuple[str, ...]
+    """The entries that it is about."""
+    label: str
+    small: str
+    tex: str
+    remark: str = ""
+    half: bool = False
+    """Whether it takes half a line."""
+    ruled: bool = False
+    """Whether a rule in front of the book says it for every profile."""
+    words: str = ""
+    """In place of the formula, on the web."""
+    checks: tuple[Mapping[str, Any], ...] = ()
+    """How well each of its formulas agreed with its entry, where that is recorded nowhere else."""
+
+    @property
+    def comment(self) -> str:
+        """What stands above it in the source."""
+        return " ".join([self.kind, *self.keys])
+
+
+Rows = list[Further]
+
+
+@dataclass(frozen=True)
+class Approach:
+    """One quantity on its way: `way` gives the symbols that move, `cases` the leading formula by region."""
+
+    entry: Entry
+    way: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    cases: tuple[Case, ...]
+    named: str = ""
+    """The formula by the name of another row, for where it is too long to be spelled out."""
+    recorded: bool = False
+    """Whether the record of the profile holds a check of it, passed."""
+
+    @property
+    def left(self) -> str:
+        """What stands before the arrow."""
+        return self.entry.quantity.called
+
+    @property
+    def spelled(self) -> str:
+        """The formula itself, or nothing where it has several regions."""
+        if len({case.expr for case in self.cases}) > 1 or self.cases[-1].expr.has(sp.Integral):
+            return ""
+        case = self.cases[-1]
+        short = with_kappa(case.expr)
+        return Printer(tuple(x for x in case.chain if x.is_Symbol), short.names)(short.expr)
+
+    def tex(self, room: float) -> str:
+        """What is printed within so many points: the formula, else its name, else nothing."""
+        for text in filter(None, (self.spelled, self.named)):
+            printed = rf"{self.left}\to {text}"
+            if width(printed) <= room:
+                return printed
+        return ""
+
+    def is_named(self, printed: str) -> bool:
+        """Whether the formula stands there by the name of another row, as it does for every profile."""
+        return bool(self.named) and printed == rf"{self.left}\to {self.named}"
+
+    @cached_property
+    def check(self) -> dict[str, Any]:
+        """How many digits of entry and formula agree next to the end of the way, and at how many points."""
+        worst, count = mp.mpf(0), 0
+        for values in self.points():
+            leading = next((case for case in self.cases if holds(case, values)), None)
+            own = next((case for case in self.entry.cases if holds(case, values)), None)
+            if leading is None or own is None:
+                continue
+            with mp.workdps(2 * DIGITS):
+                wanted = self._leading(leading, values)
+                worst = max(worst, abs(self.value(own, values) / wanted - 1))
+            count += 1
+        digits = int(min(DIGITS, -mp.log10(worst))) if worst else DIGITS
+        return {"key": self.entry.key, "digits": digits if count else 0, "count": count}
+
+    @staticmethod
+    def _leading(case: Case, values: Mapping[Any, Any]) -> Any:
+        if case.expr.has(sp.Integral):
+            return evaluated(case.expr, dict(values))
+        if case.expr.has(C0):
+            return evaluate_case(case, dict(values), DIGITS)
+        return evaluate(case.expr, dict(values), DIGITS)
+
+    def value(self, case: Case, values: Mapping[Any, Any]) -> Any:
+        """The entry itself in one of its cases."""
+        if self.entry.profile.contact == "prescribed":  # Arb has no complete elliptic integrals
+            return evaluate(case.expr, dict(values), DIGITS)
+        if case.expr.has(sp.Integral) and case.expr.has(StruveH):  # boxes around zero are not enclosed
+            return evaluated(case.expr, dict(values))
+        return evaluate_case(case, dict(values), DIGITS)
+
+    def points(self) -> list[dict[Any, Any]]:
+        """Points at DISTANCE from the end, one or two for every case of the entry."""
+        found = []
+        for _, values in points_of(self.entry, "formula", {self.entry.suffix: self.entry}, 2, SEED):
+            at = dict(values)
+            for symbol, expr in self.way:
+                at[symbol] = expr.xreplace({**at, NEAR: DISTANCE})
+            found.append(at)
+        return found
+
+    @property
+    def holds(self) -> bool:
+        """Whether it is recorded, or was checked at a point at least and agrees to enough digits."""
+        return self.recorded or (self.check["count"] > 0 and self.check["digits"] >= REQUIRED)
+
+
+def approach_row(label: str, small: str, parts: list[Approach], *, half: bool = True, kind: str = "") -> Rows:
+    """A row of the parts that hold and fit into half a line or a whole one, none if there is none."""
+    if kind == "limit":
+        room = HALF_LIMIT if half else LINE - LINKED
+    else:
+        room = HALF if half else LINE
+    kept: dict[str, Approach] = {}
+    for part in parts:
+        printed = part.tex(room - sum(map(width, kept)) - width(GAP) * len(kept))
+        if printed and part.holds:
+            kept[printed] = part
+    if not kept:
+        return []
+    kind = kind or label.lower().replace(" ", "-")
+    ruled = kind == "far-field" or all(part.is_named(text) for text, part in kept.items())
+    checks = tuple(part.check | {"tex": text} for text, part in kept.items() if not part.recorded)
+    keys = tuple(part.entry.key for part in kept.values())
+    return [Further(kind, keys, label, f"${small}$", GAP.join(kept), half=half, ruled=ruled, checks=checks)]
+
+
+def fitted_row(label: str, small: str, parts: list[Approach], *, half: bool = True, kind: str = "") -> Rows:
+    """The row on half a line, or on a whole one where that is wanted or nothing fits."""
+    narrow = approach_row(label, small, parts, kind=kind) if half else []
+    return narrow or approach_row(label, small, parts, half=False, kind=kind)
 
 
 def approach_rows(profile: Profile, entries: Entries) -> Rows:
@@ -44,15 +203,14 @@ def approach_rows(profile: Profile, entries: Entries) -> Rows:
 def _far(entries: Entries) -> Approach:
     """The displacement of the whole force in a point."""
     cases = tuple(Case(c.chain, c.expr / (sp.pi * E_star * r)) for c in entries["F"].cases)
-    return Approach(entries["w"], "w(r)", ((r, a / NEAR),), cases, r"\frac{F_{\mathrm N}}{\pi E^{*}r}")
+    return Approach(entries["w"], ((r, a / NEAR),), cases, r"\frac{F_{\mathrm N}}{\pi E^{*}r}")
 
 
 def _far_slope(entries: Entries) -> Approach:
     """The slope beside the whole load in a line."""
     loads = entries["P"].cases if "P" in entries else (Case((), P),)
     cases = tuple(Case(c.chain, -2 * c.expr / (sp.pi * E_star * x)) for c in loads)
-    left = r"\frac{\mathrm{d}w}{\mathrm{d}x}"
-    return Approach(entries["s"], left, ((x, a / NEAR),), cases, r"-\frac{2 P}{\pi E^{*}x}")
+    return Approach(entries["s"], ((x, a / NEAR),), cases, r"-\frac{2 P}{\pi E^{*}x}")
 
 
 def _edge(profile: Profile, entries: Entries, place: sp.Symbol) -> Rows:
@@ -61,7 +219,7 @@ def _edge(profile: Profile, entries: Entries, place: sp.Symbol) -> Rows:
     part = _sharp_edge(entries, place)
     beyond = part.cases[0].chain[part.cases[0].chain.index(a) + 1 :]
     small = rf"{place}\to a" + "".join(rf",\; a<{Printer()(length)}" for length in beyond)
-    return approach_row("Edge", small, [part]) or approach_row("Edge", small, [part], half=False)
+    return fitted_row("Edge", small, [part])
 
 
 def _root_edge(entries: Entries, place: sp.Symbol) -> Approach:
@@ -71,7 +229,7 @@ def _root_edge(entries: Entries, place: sp.Symbol) -> Approach:
         Case(c.chain, scale * _factored(sp.diff(c.expr, a)) / (sp.pi * a) * _face(place)) for c in grown.cases
     )
     text = rf"\frac{{{named}}}{{\pi}}\sqrt{{\frac{{2 (a-{place})}}{{a}}}}"
-    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases, text)
+    return Approach(entries["p"], ((place, a * (1 - NEAR)),), cases, text)
 
 
 def _factored(expr: sp.Expr) -> sp.Expr:
@@ -87,16 +245,12 @@ def _sharp_edge(entries: Entries, place: sp.Symbol) -> Approach:
         Case(c.chain, scale * sp.expand(sp.expand(c.expr * root).subs(place, a) / scale) / _face(place))
         for c in reached
     )
-    return Approach(entries["p"], _pressure(place), ((place, a * (1 - NEAR)),), cases)
+    return Approach(entries["p"], ((place, a * (1 - NEAR)),), cases)
 
 
 def _face(place: sp.Symbol) -> sp.Expr:
     """sqrt(a**2 - r**2) next to the edge."""
     return sp.sqrt(2 * a * (a - place))
-
-
-def _pressure(place: sp.Symbol) -> str:
-    return f"p({place})"
 
 
 def _axis(entries: Entries, place: sp.Symbol) -> Rows:
@@ -113,9 +267,9 @@ def _axis(entries: Entries, place: sp.Symbol) -> Rows:
         if value.has(sp.Integral) and entries["p"].profile.breaks:
             continue  # its integral ends on a branch point, next to which no quadrature reaches the digits of a check
         named = MIDDLE if value.has(sp.Integral) else ""
-        part = Approach(entries["p"], _pressure(place), ((place, a * NEAR),), tuple(cases), named)
+        part = Approach(entries["p"], ((place, a * NEAR),), tuple(cases), named)
         small = rf"{place}\to 0" + _told_apart(cases, len(found) > 1) + (r",\; n>1" if value.has(nt.n) else "")
-        rows += approach_row(name, small, [part]) or approach_row(name, small, [part], half=False)
+        rows += fitted_row(name, small, [part])
     return rows
 
 
@@ -165,18 +319,14 @@ def _small(profile: Profile, entries: Entries) -> Rows:
     parts = [
         Approach(
             entries[suffix],
-            entries[suffix].quantity.called,
             ((a, least * NEAR),),
             tuple(Case((), c.expr.subs(nt.R, 1 / curvature)) for c in simpler[suffix].cases),
         )
         for suffix in ("d", "F")
     ]
     found = approach_row("Small contact", r"a\to 0", parts)
-    both = found and len(found[0]["checks"]) == len(parts)
+    both = found and len(found[0].checks) == len(parts)
     return found if both else approach_row("Small contact", r"a\to 0", parts, half=False)
-
-
-ORDERS = 6
 
 
 def _onset(profile: Profile, entries: Entries) -> Rows:
@@ -188,8 +338,7 @@ def _onset(profile: Profile, entries: Entries) -> Rows:
         if suffix in entries and not any(nt.L in c.chain for c in entries[suffix].cases):
             value = _leading(entries[suffix].cases[0].expr)
             if value is not None and value != entries[suffix].cases[0].expr:
-                left = entries[suffix].quantity.called
-                parts.append(Approach(entries[suffix], left, ((a, b * (1 + NEAR)),), (Case((b, a), value),)))
+                parts.append(Approach(entries[suffix], ((a, b * (1 + NEAR)),), (Case((b, a), value),)))
     return approach_row("Onset", r"a\to b", parts, half=len(parts) == 1)
 
 
@@ -197,7 +346,7 @@ def _leading(expr: sp.Expr) -> sp.Expr | None:
     """The first term of the Taylor series in t, with a = b sqrt(1 + t^2) and arccos(b/a) = arctan t."""
     t, root = sp.Symbol("t", positive=True), sp.sqrt(a**2 - b**2)
     series = expr.subs(sp.acos(b / a), sp.atan(t)).subs(root, b * t).subs(a, b * sp.sqrt(1 + t**2))
-    for order in range(ORDERS):
+    for order in range(6):
         coefficient = series.subs(t, 0)
         if coefficient != 0:
             return sp.cancel(coefficient / sp.factorial(order) / b**order) * root**order
@@ -209,9 +358,9 @@ def _load_rows(profile: Load, entries: Entries) -> Rows:
     """A prescribed pressure: its force in a point far away, the displacement in the middle."""
     force = sp.pi * nt.p_0 * a**2 / (profile.exponent + 1)
     (inside,) = (c.expr for c in entries["w"].cases if c.chain[0] == r)
-    far = Approach(entries["w"], "w(r)", ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
+    far = Approach(entries["w"], ((r, a / NEAR),), (Case((), force / (sp.pi * E_star * r)),))
     rows = approach_row("Far field", r"r\to\infty", [far])
     if inside.has(r):
-        middle = Approach(entries["w"], "w(r)", ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
+        middle = Approach(entries["w"], ((r, a * NEAR),), (Case((), inside.subs(r, 0)),))
         rows += approach_row("Middle", r"r\to 0", [middle])
     return rows

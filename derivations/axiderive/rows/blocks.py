@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..entry import Entry
@@ -11,7 +11,7 @@ from ..physics.pools import BODIES, ROUND
 from ..physics.systems import SYSTEMS, Problem, System, of, pool_of
 from ..print.words import prose
 from . import laws
-from .approaches import approach_rows
+from .approaches import Further, approach_rows
 from .in_print import printed as in_print
 from .laws import universal_rows
 from .limits import limit_rows, reduction_rows
@@ -30,9 +30,9 @@ class Block:
     lines: list[list[dict[str, Any]]]
     listed: list[str]
     """Ends of the keys whose rule stands in front of the book."""
-    further: list[list[dict[str, Any]]] = field(default_factory=list)
+    further: list[list[Further]] = field(default_factory=list)
     """Lines of rows without a key: approaches, limits, the universal curve."""
-    approached: list[dict[str, Any]] = field(default_factory=list)
+    approached: list[Further] = field(default_factory=list)
     """All of them, with those that a rule in front of the book says for every profile."""
     words: str = ""
     """In place of rows: why there are none."""
@@ -121,7 +121,7 @@ def blocks(
 
 def _further(
     problem: Problem, derived: Mapping[str, Mapping[str, Entry]], evidence: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+) -> list[Further]:
     """Rows that follow from those of the problem: approaches, limits as checked, adhesive power-law curves."""
     system, entries, base = problem.system, derived[problem.key], problem.base
     if base:
@@ -134,31 +134,27 @@ def _further(
         limits = [*limit_rows(problem.profile, entries, evidence), *limits]
     approached = approach_rows(problem.profile, entries)
     if problem.profile_id in TIPS:
-        approached = [one | {"ruled": one["ruled"] or ON_TIP in one["small"]} for one in approached]
+        approached = [replace(one, ruled=one.ruled or ON_TIP in one.small) for one in approached]
     own = [*sum_rows(problem.profile_id), *tip_rows(problem.profile_id)]
     return [*own, *approached, *_limits(problem, limits)]
 
 
-def _limits(problem: Problem, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def _limits(problem: Problem, rows: list[Further]) -> list[Further]:
     """The limits; a profile of the plane names them in its panel, and special cases stand in the entry."""
     named = problem.system.pool.strip or problem.profile_id in HOSTS.values()
-    return [one | {"ruled": True} for one in rows] if named else rows
+    return [replace(one, ruled=True) for one in rows] if named else rows
 
 
-def halved(rows: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
-    """Lines of one row, or of two of a kind that take half a line each."""
-    lines: list[list[dict[str, Any]]] = []
+def halved(rows: list[Further]) -> list[list[Further]]:
+    """Lines of one row, or of two limits or two others that take half a line each."""
+    lines: list[list[Further]] = []
     for one in rows:
         last = lines[-1] if lines else []
-        if len(last) == 1 and one["half"] and last[0]["half"] and _kind(one) == _kind(last[0]):
+        if len(last) == 1 and one.half and last[0].half and (one.kind == "limit") == (last[0].kind == "limit"):
             last.append(one)
         else:
             lines.append([one])
     return lines
-
-
-def _kind(one: Mapping[str, Any]) -> str:
-    return str(one.get("kind") or one["comment"].partition(" ")[0])
 
 
 def _reason(message: str) -> str:
@@ -179,15 +175,13 @@ def rows_of(
     return laws.rows(entries, derived[base.key]) if base and system.physics.laws else ordered(entries)
 
 
-def _block(
-    system: System, profile_id: str, rows: list[Row], further: list[dict[str, Any]], head: tuple[str, str]
-) -> Block:
+def _block(system: System, profile_id: str, rows: list[Row], further: list[Further], head: tuple[str, str]) -> Block:
     shown = [one for one in rows if not one.listed]
     pairs = [(one,) for one in shown] if system.physics.laws else lines(shown)
     return Block(
         *head,
         [[printed(one, profile_id) for one in pair] for pair in pairs],
         [ending(entry, profile_id) for one in rows if one.listed for entry in (one.entry, *one.also)],
-        halved([one for one in further if not one.get("ruled")]),
+        halved([one for one in further if not one.ruled]),
         further,
     )

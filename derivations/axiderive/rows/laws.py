@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import sympy as sp
 
@@ -20,6 +19,7 @@ from ..physics.medium import GRADED, Medium
 from ..print.box import width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, with_kappa
+from .approaches import Further
 from .row import HALF, Region, Row
 
 EXPONENT = sp.Symbol("m", positive=True)
@@ -134,7 +134,7 @@ RATIO = sp.Symbol("x", positive=True)
 """a/a_c, the contact radius over that of pull-off under force control."""
 
 
-def universal_rows(key: str, depth: Entry, medium: Medium) -> list[dict[str, Any]]:
+def universal_rows(key: str, depth: Entry, medium: Medium) -> list[Further]:
     """Rows of an adhesive problem whose depth is one power of the contact radius, one if they fit on a line.
 
     At pull-off the retraction is 2 n/xi of the depth g, by the condition of
@@ -150,20 +150,8 @@ def universal_rows(key: str, depth: Entry, medium: Medium) -> list[dict[str, Any
         f"{key}.d": rf"\frac{{d_{{\mathrm{{adh}}}}}}{{d_{{\mathrm c}}}}={depth_ratio}",
     }
     joined = r",\qquad ".join(found.values()) + ratio
-    if width(joined) <= LINE:
-        return [_universal_row(" ".join(found), joined)]
-    return [_universal_row(key, text + ratio) for key, text in found.items()]
-
-
-def _universal_row(keys: str, tex: str) -> dict[str, Any]:
-    return {
-        "half": False,
-        "comment": f"universal {keys}",
-        "label": "Universal curve",
-        "small": "",
-        "tex": tex,
-        "remark": "",
-    }
+    rows = {tuple(found): joined} if width(joined) <= LINE else {(key,): text + ratio for key, text in found.items()}
+    return [Further("universal", keys, "Universal curve", "", text) for keys, text in rows.items()]
 
 
 def power_of_depth(depth: Entry) -> sp.Expr | None:
@@ -194,20 +182,10 @@ def _power(exponent: sp.Expr) -> sp.Expr:
 
 def _quotient(number: int, factor: sp.Expr, pulled: sp.Expr, xi: sp.Expr, elastic: sp.Expr, below: sp.Expr) -> str:
     """(number factor pulled - xi elastic)/below, with plain numbers divided."""
-    if below.is_number:
-        return Printer(names=_names(pulled))(number * factor / below * pulled - xi / below * elastic)
-    names = _names(pulled)
-    shares = [sp.cancel(part / below) for part in (number * factor, xi)]
-    if all(share.is_number for share in shares):
-        return Printer(names=names)(shares[0] * pulled - shares[1] * elastic)
-    if factor.is_Add:  # 2 (k + 2) is read better than 2 k + 4
-        whole = sp.Symbol("whole", positive=True)
-        names[whole] = f"({Printer()(factor)})"
-        factor = whole
-    if below.xreplace({GRADED.k: sp.S.Zero}).is_negative:
-        number, xi, below = -number, -xi, -below
-    return rf"\frac{{{Printer(names=names)(number * factor * pulled - xi * elastic)}}}{{{Printer()(below)}}}"
-
-
-def _names(pulled: sp.Expr) -> dict[sp.Symbol, str]:
-    return {pulled: pulled.name} if isinstance(pulled, sp.Symbol) else {}
+    printer = Printer(names={pulled: pulled.name} if isinstance(pulled, sp.Symbol) else {})
+    total = number * factor * pulled - xi * elastic
+    whole = total / below if below.is_number else sp.factor_terms(total / below)
+    if sp.fraction(whole)[1].is_number:
+        return printer(whole)
+    sign = -1 if below.xreplace({GRADED.k: sp.S.Zero}).is_negative else 1
+    return rf"\frac{{{printer(sp.factor_terms(sign * total))}}}{{{Printer()(sign * below)}}}"

@@ -19,6 +19,7 @@ from ..physics.systems import pool_of, problem
 from ..print.formula import Printer
 from ..print.words import prose
 from ..profiles.profile import Piece
+from .approaches import Further
 from .row import Region
 
 HOSTS = {
@@ -139,28 +140,18 @@ TIPS = {"plane.rounded_wedge": Part(1, "plane.parabola", {R: b / sp.tan(theta)})
 ON_TIP = "a<b"
 
 
-def tip_rows(name: str) -> list[dict[str, Any]]:
+def tip_rows(name: str) -> list[Further]:
     """The row that stands for all formulas of a contact that ends on the tip."""
     if name not in TIPS:
         return []
     part, entries = TIPS[name], problem(name).derive().values()
     link, values = _linked(part), _values(part)
-    several = [entry.key for entry in entries if entry.status == "closed" and len(entry.cases) > 1]
-    return [
-        {
-            "half": False,
-            "kind": "sum",
-            "comment": " ".join(["sum", *several]),
-            "label": "Tip",
-            "small": f"${ON_TIP}$",
-            "tex": rf"\text{{{link}, page~\pageref{{sec:{part.name}}}, with }}{values}",
-            "remark": "",
-            "words": f"{link} with ${values}$",
-        }
-    ]
+    several = tuple(entry.key for entry in entries if entry.status == "closed" and len(entry.cases) > 1)
+    text = rf"\text{{{link}, page~\pageref{{sec:{part.name}}}, with }}{values}"
+    return [Further("sum", several, "Tip", f"${ON_TIP}$", text, words=f"{link} with ${values}$")]
 
 
-def sum_rows(name: str) -> list[dict[str, Any]]:
+def sum_rows(name: str) -> list[Further]:
     """The row of a profile that is a sum, none of any other."""
     if name not in SUMS:
         return []
@@ -169,18 +160,10 @@ def sum_rows(name: str) -> list[dict[str, Any]]:
         rf"\text{{{sign}{link}, page~\pageref{{sec:{part.name}}}, with }}{values}"
         for (sign, link, values), part in zip(parts, SUMS[name], strict=True)
     )
-    return [
-        {
-            "half": False,
-            "kind": "sum",
-            "comment": f"sum {name}.d {name}.F {name}.p {name}.w",
-            "label": "Sum",
-            "small": "at equal $a$",
-            "tex": Region("", tuple(lines)).tex,
-            "remark": "where $a>b$; $p$ and $w$ too",
-            "words": ", ".join(f"{sign}{link} with ${values}$" for sign, link, values in parts) + " where $a>b$",
-        }
-    ]
+    keys = tuple(f"{name}.{suffix}" for suffix in ("d", "F", "p", "w"))
+    words = ", ".join(f"{sign}{link} with ${values}$" for sign, link, values in parts) + " where $a>b$"
+    remark = "where $a>b$; $p$ and $w$ too"
+    return [Further("sum", keys, "Sum", "at equal $a$", Region("", tuple(lines)).tex, remark, words=words)]
 
 
 def _sign(part: Part, index: int) -> str:

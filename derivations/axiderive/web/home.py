@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from ..book.evidence import LEFT_OUT
 from ..book.guide import TITLE, cited
-from ..book.readme import LEFT_OUT
 from ..book.word_index import WORDS
 from ..figures.svg import svg
 from ..physics.systems import SYSTEMS

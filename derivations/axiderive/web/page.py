@@ -15,6 +15,7 @@ from ..figures.axes import SCREEN, drawn
 from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
 from ..print.words import prose
+from ..rows.approaches import Further as Printed
 from ..rows.blocks import ending, heading
 from .words import formula
 
@@ -36,20 +37,6 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class WebRow:
-    """A row of the book with everything the page knows about the entries it prints."""
-
-    label: str
-    small: str
-    regions: list[tuple[Any, Any]]
-    """Formula and condition, ready for KaTeX."""
-    remark: str
-    uses: str
-    note: str
-    entries: list[Formula]
-
-
-@dataclass(frozen=True)
 class Further:
     """A row without a key of its own: a limit, a universal curve."""
 
@@ -67,7 +54,8 @@ class Section:
     anchor: str
     title: str
     note: str
-    rows: list[WebRow]
+    rows: list[dict[str, Any]]
+    """The rows of the book with everything the page knows about the entries they print."""
     words: str = ""
     further: Sequence[Further] = ()
     figures: Sequence[Picture] = ()
@@ -98,19 +86,13 @@ class Known:
         measured = _measured(agreed["evaluation"])
         return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
 
-    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> WebRow:
-        """A row as the page shows it, its formulas as LaTeX in HTML, from what `rows.blocks.told` says of it."""
-        first, *more = (entries[key] for key in one["comment"].split())
-        shown = ((formula(r["tex"], display=True), r["condition"]) for r in one["regions"])
-        return WebRow(
-            one["label"],
-            one["small"],
-            [(tex, formula(condition) if condition else "") for tex, condition in shown],
-            one["remark"],
-            one["uses"],
-            prose(first.note),
-            [self.formula(entry) for entry in (first, *more)],
-        )
+    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> dict[str, Any]:
+        """A row as the page shows it, its formulas ready for KaTeX, from what `rows.blocks.told` says of it."""
+        own = [entries[key] for key in one["comment"].split()]
+        regions = [
+            (formula(r["tex"], display=True), r["condition"] and formula(r["condition"])) for r in one["regions"]
+        ]
+        return {**one, "regions": regions, "note": prose(own[0].note), "entries": list(map(self.formula, own))}
 
 
 def _measured(evaluation: Sequence[str]) -> str:
@@ -135,14 +117,12 @@ def _in_ulp(cell: str) -> str:
 TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
 
 
-def _further(one: Mapping[str, Any], profile_id: str) -> Further:
+def _further(one: Printed, profile_id: str) -> Further:
     """Its address is limit.cone of what it tends to, or universal.adh.F of the first formula it gives."""
-    target = TARGET.search(one["label"] + one["remark"])
-    kind, key = one["comment"].split()[:2]
-    anchor = f"{kind}.{target[1] if target else key.removeprefix(profile_id + '.')}"
-    if "words" in one:
-        return Further(anchor, one["label"], one["small"], "", one["words"])
-    return Further(anchor, one["label"], one["small"], formula(one["tex"], display=True), one["remark"])
+    target = TARGET.search(one.label + one.remark)
+    anchor = f"{one.kind}.{target[1] if target else one.keys[0].removeprefix(profile_id + '.')}"
+    tex = "" if one.words else formula(one.tex, display=True)
+    return Further(anchor, one.label, one.small, tex, one.words or one.remark)
 
 
 def _apart(rows: list[Further]) -> list[Further]:
@@ -162,8 +142,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
     sections, pictures = [], figures(model)
     for name, block in model["blocks"].items():
         anchor = f"about.{name}"
-        if block["words"]:
-            sections.append(Section(anchor, block["title"], "", [], block["words"]))
+        if block.words:
+            sections.append(Section(anchor, block.title, "", [], block.words))
             continue
         problem = problems[name]
         title, note = heading(problem.system, derived[problem.key])
@@ -171,7 +151,7 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
         source = modules[problem.module]
         known = Known(problem, records, agreed, signatures(source), examples(source))
         entries = {entry.key: entry for entry in derived[problem.key].values()}
-        further = _apart([_further(one, model["name"]) for one in block["approached"]])
+        further = _apart([_further(one, model["name"]) for one in block.approached])
         shown = [known.row(one, entries) for one in model["rows"][name]]
         sections.append(Section(anchor, title, note, shown, further=further, figures=pictures.get(name, ())))
     return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}

@@ -14,8 +14,8 @@ import jinja2
 from markupsafe import Markup, escape
 
 from ..book import book
-from ..book.handbook import Model, page_models, ruled, summary
-from ..book.readme import LEFT_OUT, LEGEND
+from ..book.evidence import LEFT_OUT, LEGEND
+from ..book.handbook import Model, page_models, ruled
 from ..code.python import package_sources
 from ..physics.pools import ROUND
 from ..physics.systems import SYSTEMS, pool_of
@@ -66,7 +66,7 @@ def html_sources(
     keys = frozenset(e.key for entries in derived.values() for e in entries.values())
     equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
     site = Site(frozenset(ids), keys, equations, bool(studies))
-    front = book.model([summary(model) for model in models.values()], chapter11, studies)
+    front = book.model(list(models.values()), chapter11, studies)
     measured = (studies or {}).get("error")
     files = {}
     for i in ids:
