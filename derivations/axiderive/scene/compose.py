@@ -17,7 +17,8 @@ from ..exits import USAGE, CommandError
 from . import interface
 from .linker import assembled, sources
 from .linker.assembled import Assembled
-from .linker.linking import OWN, Module, Wanted
+from .linker.library import Module, definition
+from .linker.linking import OWN, Wanted
 from .linker.module import Constant, head, module_text
 from .page import page_sources
 from .reading import Request
@@ -32,8 +33,8 @@ if TYPE_CHECKING:
 
 Typesetter = Callable[[Mapping[str, bytes]], None]
 OF_RUNTIME = {
-    "adhesive": {"retraction": ("_runtime.physics.adhesion", "hess_retraction")},
-    "graded.adhesive": {"retraction": ("_runtime.graded.punch", "graded_retraction")},
+    "adhesive": {"retraction": "_runtime.physics.adhesion:hess_retraction"},
+    "graded.adhesive": {"retraction": "_runtime.graded.punch:graded_retraction"},
 }
 """What is the same for all profiles."""
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
@@ -184,18 +185,19 @@ class _Composition:
         plain = interface.functions(kind.below or interface.NORMAL, contact)
         own = interface.functions(kind, contact)
         function = own.get(quantity) or plain.get(quantity) or interface.peaks(self.profile)[quantity]
-        key = (f"{function.module}.{name}", f"_{function.quantity.function}")
-        if key[1] not in modules[key[0]].definitions:
+        module, private = f"{function.module}.{name}", f"_{function.quantity.function}"
+        key = f"{module}:{private}"
+        if private not in modules[module].definitions:
             # the shape is that of any medium
-            key = OF_RUNTIME.get(kind.name, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
+            key = OF_RUNTIME.get(kind.name, {}).get(quantity, f"normal.{name}:_{quantity}")
         fields = interface.arguments(function, self.entries)
-        needs = [p for p in modules[key[0]].definitions[key[1]].parameters if p not in fields]
+        needs = [p for p in definition(modules, key).parameters if p not in fields]
         doc, keywords = function.doc(name), self._keywords(needs)
         if not fields:
             return assembled.number(modules, key, quantity, doc, keywords, array=self._bisected(function.name))
         if function.leaning:
             texts.append(assembled.leaning(key, quantity))
-            key = (OWN, quantity)
+            key = f"{OWN}:{quantity}"
         return Wanted(key, quantity, fields, keywords, doc, function.signed, function.parity)
 
     def _pull_off(self, modules: Mapping[str, Module]) -> Assembled:

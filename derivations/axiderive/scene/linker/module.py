@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Mapping, MutableMapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -15,9 +15,9 @@ from ...profiles.profile import Profile
 from ..reading import Request
 from ..values.contact import Contact, worked
 from .assembled import REQUIRE_ORDER, Assembled
-from .linking import OWN, SHARED, Key, Linker, Module, Wanted
-from .rewriting import documented
-from .specialising import specialised
+from .library import Module, parameters, references
+from .linking import OWN, Linker, Wanted
+from .written import documented
 
 if TYPE_CHECKING:
     from ...expression.answer import Answer
@@ -121,7 +121,7 @@ class Constant:
 
 def module_text(
     head: str,
-    modules: MutableMapping[str, Module],
+    modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
     constants: Sequence[Constant],
     domains: Mapping[str, tuple[str, str]],
@@ -152,30 +152,28 @@ def module_text(
     """
     frozen = frozenset(c.name for c in constants)
     positive = frozenset(c.name for c in constants if c.value > 0.0)
-    roots = (*(one.key for one in above), *([(OWN, REQUIRE_ORDER)] if order else []))
-    modules = specialised(modules, [*(one.key for one in wanted), *roots], frozenset(SHARED))
+    roots = (*(one.key for one in above), *([f"{OWN}:{REQUIRE_ORDER}"] if order else []))
     linker = Linker(modules, wanted, frozen, positive, roots)
-    checks = _Checks(frozen, order)
-    public, merged = [], set()
+    checks, counts = _Checks(frozen, order), _counts(linker)
+    public = []
     for one in wanted:
         options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
         decorator = f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise"
-        if linker.merged(one):
-            merged.add(one.key)
+        if one.key in linker.merged:
             text = linker.text(one.key, one.doc)
         else:
             text = _wrapper(linker, one, checks)
         mirrored = f"@_{one.parity}\n" if one.parity else ""
         public.append(f"{mirrored}{decorator}\n{text}")
     public += [_assembled(linker, one, checks) for one in above]
-    hidden = {*merged, *linker.inlined, *(one.key for one in above)}
-    private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
+    hidden = {*linker.merged, *(one.key for one in above)}
+    private = [linker.text(key) for key in linker.program.functions if key not in hidden]
     values = [linker.text(key) for key in _constants(linker)]
     body = "\n\n\n".join([*public, *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
     if "_NODES[" in body:
-        values.append(_nodes(modules["_runtime.nodes"], _counts(linker)))
+        values.append(_nodes(modules["_runtime.nodes"], counts))
     free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
     if free:
         rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
@@ -230,7 +228,7 @@ class _Checks:
 
 def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
     """A public function in front of a private one that takes more than the fields."""
-    passed = [p for p in linker.reached[one.key].parameters if p not in linker.dropped[one.key]]
+    passed = parameters(linker.program.trees[one.key])
     signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
     call = f"{linker.names[one.key]}({', '.join(passed)})"
     head = f"def {one.name}({signature}):"
@@ -239,37 +237,31 @@ def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
 
 def _assembled(linker: Linker, own: Assembled, checks: _Checks) -> str:
     """The linked function with its docstring and the check of what stays free."""
-    _, *body = linker.text(own.key).splitlines()
     signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
-    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc)]
-    return "\n".join([*head, *checks.lines(own.keywords), *body])
+    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc), *checks.lines(own.keywords)]
+    return linker.text(own.key, head=head)
 
 
-def _constants(linker: Linker) -> list[Key]:
+def _constants(linker: Linker) -> list[str]:
     """What is no function, each after those it is made of."""
-    found: dict[Key, None] = {}
+    found: dict[str, None] = {}
+    trees, functions = linker.program.trees, linker.program.functions
 
-    def add(key: Key) -> None:
-        definition = linker.reached.get(key)
-        if definition is not None and not definition.function and key not in found:
-            for _, needed in definition.references():
-                if needed != key:
-                    add(needed)
+    def add(key: str) -> None:
+        if key in trees and key not in functions and key not in found:
+            for name in references(trees[key]):
+                add(name.id)
             found[key] = None
 
-    for key in linker.reached:
+    for key in trees:
         add(key)
     return list(found)
 
 
 def _counts(linker: Linker) -> list[int]:
     """The numbers of nodes that the linked text can ask for."""
-    found = {
-        node.value
-        for definition in linker.reached.values()
-        for node in ast.walk(definition.node)
-        if isinstance(node, ast.Constant) and isinstance(node.value, int)
-    }
+    nodes = (node for tree in linker.program.trees.values() for node in ast.walk(tree))
+    found = {node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, int)}
     return [count for count in NODE_COUNTS if count in found]
 
 
