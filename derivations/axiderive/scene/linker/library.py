@@ -187,7 +187,7 @@ class Module:
 
 
 class _Plain(ast.NodeTransformer):
-    """A function without annotations, and without what it imports, which its module does."""
+    """A function without annotations, conditions of traced bodies, and without what it imports, as its module does."""
 
     def __init__(self, module: Module) -> None:
         self.module = module
@@ -201,6 +201,10 @@ class _Plain(ast.NodeTransformer):
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
         node.returns = None
         return self.generic_visit(node)
+
+    def visit_If(self, node: ast.If) -> ast.AST | None:
+        """What is asked of a body that is traced holds in no scene."""
+        return None if ast.unparse(node.test).startswith("hasattr(") else self.generic_visit(node)
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
         assert node.value is not None
