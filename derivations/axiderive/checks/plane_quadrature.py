@@ -96,7 +96,7 @@ def defined(profile: Profile, suffix: str, values: Values, digits: int) -> Numbe
     return scale * (edge * strips[suffix]() - own)
 
 
-def _level(face: integrals.Face, a: Number, x: Number, digits: int) -> Number:
+def level(face: integrals.Face, a: Number, x: Number, digits: int) -> Number:
     """The load over E* under which the pressure at x is zero."""
     weighted = mp.pi * mp.sqrt((a - x) * (a + x)) * integrals.pressure(face, a, x, digits)
     return weighted - integrals.load(face, a, digits)
@@ -108,12 +108,12 @@ def _threshold_residual(
     """The least load is the level at x_0; the level falls on both sides of x_0 and, inside, is stationary there."""
     face, a = integrals.face(profile, values), number(values[nt.a])
     x_0 = zero_distance(case_at(entries["xz"], values), values)
-    top = _level(face, a, x_0, digits)
+    top = level(face, a, x_0, digits)
     if suffix == "Pmin":
         least = at_precision(entries["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
         return residual(least / number(values[nt.E_star]), top)
     step = a * mp.mpf(10) ** -3 * (1 - x_0 / a)
-    if _level(face, a, x_0 + step, digits) >= top or (x_0 > 0 and _level(face, a, x_0 - step, digits) >= top):
+    if level(face, a, x_0 + step, digits) >= top or (x_0 > 0 and level(face, a, x_0 - step, digits) >= top):
         return mp.mpf(1)
     if x_0 == 0:
         return mp.mpf(0)

@@ -14,7 +14,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case, Entry
-from ..oracle.definitions import Contact, contact, greatest, ring
+from ..oracle.definitions import Contact, contact, greatest, level, ring
 from ..oracle.evaluate import at_precision, case_at, evaluate, evaluate_case, holds
 from ..oracle.evidence import Evidence, judge, residual
 from ..oracle.integrals import GUARD
@@ -136,7 +136,8 @@ def _ring(
     profile: Profile, items: tuple[tuple[sp.Symbol, sp.Expr], ...], prec: int, digits: int
 ) -> tuple[Number, Number]:
     values = dict(items)
-    return ring(shape(profile, values), at_precision(nt.a, values), digits)
+    face, a = shape(profile, values), at_precision(nt.a, values)
+    return ring(lambda r, digits: level(face, a, r, digits), a, digits)
 
 
 def _peak_residual(profile: Profile, entries: Entries, suffix: str, values: Values, digits: int) -> Number:

@@ -32,17 +32,20 @@ def level(face: Shape, a: Number, r: Number, digits: int) -> Number:
     return integrals.depth(face, a, digits) - weighted
 
 
-def ring(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:
-    """Radius at which the pressure first vanishes on unloading, and the depth at which it does."""
+def ring(level: Callable[[Number, int], Number], a: Number, digits: int) -> tuple[Number, Number]:
+    """Where the pressure first vanishes on unloading, and the level at which it does.
+
+    `level` gives the depth, or load, at which it vanishes at a place, to some digits.
+    """
     with mp.workdps(2 * COARSE):
         radii = [a * i / SCAN for i in range(SCAN)]
-        levels = [level(face, a, r, COARSE) for r in radii]
+        levels = [level(r, COARSE) for r in radii]
         best = max(range(SCAN), key=lambda i: levels[i])
-        curve, width = (lambda r: level(face, a, r, COARSE)), min(a / SCAN, (a - radii[best]) / 2)
-        rough = _vertex(curve, radii[best], width, a, a) if best else mp.mpf(0)
+        width = min(a / SCAN, (a - radii[best]) / 2)
+        rough = _vertex(lambda r: level(r, COARSE), radii[best], width, a, a) if best else mp.mpf(0)
     if best == 0:
-        return rough, level(face, a, rough, digits)
-    return stationary(lambda r: level(face, a, r, digits), rough, a)
+        return rough, level(rough, digits)
+    return stationary(lambda r: level(r, digits), rough, a)
 
 
 def greatest(face: Shape, a: Number, digits: int) -> tuple[Number, Number]:

@@ -87,6 +87,23 @@ def sketch_values(profile: Profile) -> Values:
     return values
 
 
+def least(curve: Callable[[Any], Any], low: Any, high: Any) -> Any:
+    """The least value between two points, by the golden section: exact to the square of the width that is left."""
+    ratio = (mp.sqrt(5) - 1) / 2
+    x, y = high - ratio * (high - low), low + ratio * (high - low)
+    below, above = curve(x), curve(y)
+    for _ in range(40):
+        if below < above:
+            high, y, above = y, x, below
+            x = high - ratio * (high - low)
+            below = curve(x)
+        else:
+            low, x, below = x, y, above
+            y = low + ratio * (high - low)
+            above = curve(y)
+    return min(below, above)
+
+
 class Numbers:
     """Evaluates the entries of one profile."""
 

@@ -12,9 +12,10 @@ import sympy as sp
 
 from .. import notation as nt
 from ..code.plane import document
-from ..code.tables import bounds
 from ..exits import USAGE, CommandError
-from . import interface
+from . import evidence, interface
+from .contact import Contact, values_of
+from .evidence import Run, measured, test_text
 from .linker import assembled, sources
 from .linker.assembled import Assembled
 from .linker.library import Module, definition
@@ -22,10 +23,7 @@ from .linker.linking import OWN, Wanted
 from .linker.module import Constant, head, module_text
 from .page import page_sources
 from .reading import Request
-from .values import evidence
-from .values.check import check_values
-from .values.contact import Contact, values_of
-from .values.evidence import Run, measured, test_text
+from .references import check_values
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -173,7 +171,10 @@ class _Composition:
             for parameter, value in self._ordered(request.values).items()
         ]
         free = [p for p in (*self.parameters, *self.request.kind.material) if p not in request.values]
-        domains = {p: _interval(interface.record(p, self.profile)) for p in free}
+        ends = {p: interface.interval(interface.record(p, self.profile)) for p in free}
+        domains = {
+            p: (low.replace("-inf", "-np.inf"), high.replace("inf", "np.inf")) for p, (low, high) in ends.items()
+        }
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.record(name, self.profile).unit for name in {*fields, *free}}
         title = head(request, self.profile, self.answer, self.contact)
@@ -181,10 +182,8 @@ class _Composition:
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
         """One function of the interface; the text of a new one below it is added to `texts`."""
-        kind, name, contact = self.request.kind, self.profile.name, interface.contact_of(self.profile)
-        plain = interface.functions(kind.below or interface.NORMAL, contact)
-        own = interface.functions(kind, contact)
-        function = own.get(quantity) or plain.get(quantity) or interface.peaks(self.profile)[quantity]
+        kind, name = self.request.kind, self.profile.name
+        function = interface.function(kind, self.profile, quantity)
         module, private = f"{function.module}.{name}", f"_{function.quantity.function}"
         key = f"{module}:{private}"
         if private not in modules[module].definitions:
@@ -240,11 +239,3 @@ def manifest(files: Mapping[str, bytes]) -> bytes:
 
 def _json(record: Any) -> bytes:
     return (json.dumps(record, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-def _interval(record: nt.Notation) -> tuple[str, str]:
-    try:
-        low, high, _ = bounds(record.domain)
-    except (ValueError, TypeError):
-        low, high = "0.0" if record.symbol.is_positive else "-np.inf", "inf"
-    return low, "np.inf" if high == "inf" else high

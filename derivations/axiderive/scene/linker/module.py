@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 from ... import __version__
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
+from ..contact import Contact, worked
 from ..reading import Request
-from ..values.contact import Contact, worked
 from .assembled import REQUIRE_ORDER, Assembled
 from .library import Module, parameters, references
 from .linking import OWN, Linker, Wanted

@@ -30,8 +30,10 @@ from ..interface import NORMAL, Kind
 from .library import Module
 
 CREEPING = BY_NAME["viscoelastic"]
-FOLDERS = (RUNTIME, Path(__file__).with_name("runtime"))
-"""The run time, and new modules of it, or definitions in place of others of the same name."""
+FOR_SCENES = "over_profile"
+"""A module of the run time that scenes alone have."""
+SHORTER = {"functions": ("rational", "beside"), "special": ("dawson",), "shapes/arcs": ("arc_strips",)}
+"""Functions of which it has a shorter equal, by their file."""
 
 
 class _Runtime(dict[str, Module]):
@@ -44,13 +46,13 @@ class _Runtime(dict[str, Module]):
         elif path == f"{PLACE}/kernels.py":
             found = _polynomials(Module(name, stored(path) or kernels_source()))
         else:
-            below = path.removeprefix(f"{PLACE}/")
-            paths = [folder / below for folder in FOLDERS if below != path and (folder / below).is_file()]
-            if not paths:
+            file = path.removeprefix(f"{PLACE}/").removesuffix(".py")
+            folder = Path(__file__).with_name("runtime") if file == FOR_SCENES else RUNTIME
+            if not path.startswith(f"{PLACE}/") or not (folder / f"{file}.py").is_file():
                 raise KeyError(name)
-            found, *over = (Module(name, path.read_text()) for path in paths)
-            for other in over:
-                found.definitions.update(other.definitions)
+            found = Module(name, (folder / f"{file}.py").read_text())
+            for own in SHORTER.get(file, ()):
+                found.definitions[own] = self[f"{PLACE}.{FOR_SCENES}"].definitions[own]
         return self.setdefault(name, found)
 
 

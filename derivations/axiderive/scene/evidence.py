@@ -12,18 +12,16 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from ...exits import FAILED, CommandError
-from ...profiles.profile import Profile
-from .. import interface
-from ..linker import sources
-from ..reading import Request
-from .check import Value
+from ..exits import FAILED, CommandError
+from ..profiles.profile import Profile
+from . import interface
 from .contact import DIGITS, Contact
-from .references import State, detached
+from .linker import sources
+from .reading import Request
+from .references import State, Value, detached
 
 if TYPE_CHECKING:
-    from ...expression.answer import Answer
-    from ..reading import Request
+    from ..expression.answer import Answer
 
 
 LARGEST_ERROR = 1e-6
@@ -107,7 +105,7 @@ def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping
 
 def _found(answer: Answer, suffix: str) -> dict[str, Any]:
     """Certificate and comparisons of one entry as the handbook prints them."""
-    from ...expression.answer import DIGITS
+    from ..expression.answer import DIGITS
 
     proof = answer.certificates.get(suffix)
     rows = [c for c in answer.comparisons if c.suffix == suffix]
