@@ -31,7 +31,7 @@ from ..expression.profile import OwnProfile, own_profile
 from ..scene import interface, text
 from ..scene.compose import Result, Typesetter, composed, manifest
 from ..scene.page import Typesetting
-from ..scene.reading import Request, Scene, read
+from ..scene.reading import Scene, read
 from ..store.writing import write_atomic
 
 if TYPE_CHECKING:
@@ -65,11 +65,10 @@ def emit(arguments: argparse.Namespace) -> int:
         print("\n".join(_plan(scene, folder)))
         return 0
     with Typesetting() as typesetting:
-        request = _request(scene, source.text)
         if "pdf" in scene.formats:
-            result = limited(_composed, request, hear=typesetting.start)
+            result = limited(_composed, scene, hear=typesetting.start)
         else:
-            result = limited(composed, request)
+            result = limited(composed, scene)
         for line in result.lines:
             print(line)
         page = typesetting.page()
@@ -78,16 +77,9 @@ def emit(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _composed(request: Request, typeset: Typesetter) -> Result:
+def _composed(scene: Scene, typeset: Typesetter) -> Result:
     """In the worker: the files, the page of which is handed out before the rest is written."""
-    return composed(request, typeset=typeset)
-
-
-def _request(scene: Scene, source: str) -> Request:
-    return Request(
-        scene.title, scene.module, scene.profile, scene.own, scene.kind, scene.quantities, scene.values,
-        scene.formats, scene.at, source,
-    )  # fmt: skip
+    return composed(scene, typeset=typeset)
 
 
 def _plan(scene: Scene, folder: Path) -> list[str]:
@@ -181,7 +173,6 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
     from ..scene import interface
     from ..scene.compose import composed
     from ..scene.linker.sources import graded_refusal
-    from ..scene.reading import Request
 
     kind = interface.KINDS["graded" if exponent else "normal"]
     values = {"k": float(exponent)} if exponent else {}
@@ -192,17 +183,11 @@ def shown(text: str, k: str = "0", *, write: bool = False) -> tuple[list[str], R
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
         lines += [f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}"] if write else []
-    request = Request(
-        "Contact of a profile of one's own",
-        f"{own.profile.name}.py",
-        None,
-        own,
-        kind,
-        names,
-        values,
-        formats=("python", "json"),
-    )
-    result = composed(request, answer)
+    scene = Scene(
+        own.profile.name, "Contact of a profile of one's own", own=own, kind=kind, quantities=names, values=values,
+        module=f"{own.profile.name}.py",
+    )  # fmt: skip
+    result = composed(scene, answer)
     return [*lines, *(line for line in result.lines if line not in lines)], result if write else None
 
 

@@ -20,9 +20,9 @@ from .linker import assembled, sources
 from .linker.assembled import Assembled
 from .linker.library import Module, definition
 from .linker.linking import OWN, Wanted
-from .linker.module import Constant, head, module_text
+from .linker.module import head, module_text
 from .page import page_sources
-from .reading import Request
+from .reading import Scene
 from .references import check_values
 
 if TYPE_CHECKING:
@@ -46,12 +46,12 @@ class Result:
     lines: tuple[str, ...]
 
 
-def composed(request: Request, answer: Answer | None = None, typeset: Typesetter = lambda page: None) -> Result:
+def composed(request: Scene, answer: Answer | None = None, typeset: Typesetter = lambda page: None) -> Result:
     """The files of a request.
 
     Parameters
     ----------
-    request : Request
+    request : Scene
         What is to be composed.
     answer : Answer, optional
         The answer to its expression, if it is known already.
@@ -70,7 +70,7 @@ def _derived(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational]) -> Answer
 
 
 class _Composition:
-    def __init__(self, request: Request, answer: Answer | None) -> None:
+    def __init__(self, request: Scene, answer: Answer | None) -> None:
         self.request, self.answer = request, answer
         if request.own is not None:
             fields = {name for own in interface.functions(request.kind).values() for name in own.fields}
@@ -129,8 +129,8 @@ class _Composition:
                     self.request, self.profile, self.answer, self._ordered(self.request.values), values, errors
                 )
             )
-        if self.request.scene:
-            files["scene.toml"] = self.request.scene.encode()
+        if self.request.text:
+            files["scene.toml"] = self.request.text.encode()
         return Result(files, tuple(self._lines(run)))
 
     def _free(self) -> dict[str, float]:
@@ -166,10 +166,7 @@ class _Composition:
                 above.append(one)
         texts += [one.text for one in above]
         modules = modules | ({OWN: assembled.module(texts)} if texts else {})
-        constants = [
-            Constant(parameter, value, self._comment(parameter))
-            for parameter, value in self._ordered(request.values).items()
-        ]
+        constants = {k: (value, self._comment(k)) for k, value in self._ordered(request.values).items()}
         free = [p for p in (*self.parameters, *self.request.kind.material) if p not in request.values]
         ends = {p: interface.interval(interface.record(p, self.profile)) for p in free}
         domains = {

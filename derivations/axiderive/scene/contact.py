@@ -25,7 +25,7 @@ from ..profiles.profile import Profile
 from . import interface
 
 if TYPE_CHECKING:
-    from .reading import Request
+    from .reading import Scene
 
 DIGITS = 20
 UNITS = {"a": "m", "d": "m", "F": "N"}
@@ -36,7 +36,7 @@ SYMBOLS = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu
 """Of the half-space, by their letters."""
 
 
-def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
+def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float]:
     """Values of all parameters, and the radius up to which the contact is compact.
 
     Free parameters of an expression are all drawn as 1, where q and 1/q are the
@@ -131,7 +131,7 @@ class Defined(HalfSpace):
 class Contact:
     """Numbers of one contact at frozen and chosen values."""
 
-    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
+    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Scene) -> None:
         self.profile, self.entries, self.request = profile, entries, request
         self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}

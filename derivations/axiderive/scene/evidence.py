@@ -17,7 +17,7 @@ from ..profiles.profile import Profile
 from . import interface
 from .contact import DIGITS, Contact
 from .linker import sources
-from .reading import Request
+from .reading import Scene
 from .references import State, Value, detached
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Run:
     """The states in which a contact with adhesion breaks, by what is held."""
 
 
-def measured(text: str, values: Sequence[Value], request: Request, free: Mapping[str, float], contact: Contact) -> Run:
+def measured(text: str, values: Sequence[Value], request: Scene, free: Mapping[str, float], contact: Contact) -> Run:
     """Run the text of a module against its check values.
 
     Raises
@@ -95,7 +95,7 @@ def _states(
     return found
 
 
-def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
+def stored(request: Scene, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
         kept = sources.evidence(request.kind.system.pool.id(profile.name))
@@ -119,7 +119,7 @@ def _found(answer: Answer, suffix: str) -> dict[str, Any]:
 
 
 def record(
-    request: Request,
+    request: Scene,
     profile: Profile,
     answer: Answer | None,
     frozen: Mapping[str, float],

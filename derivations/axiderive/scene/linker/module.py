@@ -6,14 +6,13 @@ import ast
 import re
 import textwrap
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ... import __version__
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
 from ..contact import Contact, worked
-from ..reading import Request
+from ..reading import Scene
 from .assembled import REQUIRE_ORDER, Assembled
 from .library import Module, parameters, references
 from .linking import OWN, Linker, Wanted
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from ...expression.answer import Answer
 
 
-def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
+def head(request: Scene, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
     law = request.kind.law
     kind = {"normal": "without adhesion", "adhesive": "with adhesion", "tangential": "under a tangential load",
@@ -110,20 +109,11 @@ INTEGRAL = '''def _integral(integrand, stop, count):
     return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
 
 
-@dataclass(frozen=True)
-class Constant:
-    """A frozen parameter: its value and what it is."""
-
-    name: str
-    value: float
-    comment: str
-
-
 def module_text(
     head: str,
     modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
-    constants: Sequence[Constant],
+    constants: Mapping[str, tuple[float, str]],
     domains: Mapping[str, tuple[str, str]],
     units: Mapping[str, str],
     above: Sequence[Assembled] = (),
@@ -139,8 +129,8 @@ def module_text(
         The library by name of module.
     wanted : sequence of Wanted
         The functions of the interface, in order.
-    constants : sequence of Constant
-        The frozen parameters; those that nothing needs are left out.
+    constants : mapping
+        Values of the frozen parameters and what they are; those that nothing needs are left out.
     domains : mapping
         Open interval of each parameter that is left free.
     units : mapping
@@ -150,11 +140,10 @@ def module_text(
     order : sequence of str
         Arguments of the check of the rules between parameters, empty if there is none.
     """
-    frozen = frozenset(c.name for c in constants)
-    positive = frozenset(c.name for c in constants if c.value > 0.0)
+    frozen, positive = frozenset(constants), frozenset(name for name, (value, _) in constants.items() if value > 0.0)
     roots = (*(one.key for one in above), *([f"{OWN}:{REQUIRE_ORDER}"] if order else []))
     linker = Linker(modules, wanted, frozen, positive, roots)
-    checks, counts = _Checks(frozen, order), _counts(linker)
+    left, counts = [name for name in order if name not in frozen], _counts(linker)
     public = []
     for one in wanted:
         options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
@@ -162,10 +151,10 @@ def module_text(
         if one.key in linker.merged:
             text = linker.text(one.key, one.doc)
         else:
-            text = _wrapper(linker, one, checks)
+            text = _wrapper(linker, one, left)
         mirrored = f"@_{one.parity}\n" if one.parity else ""
         public.append(f"{mirrored}{decorator}\n{text}")
-    public += [_assembled(linker, one, checks) for one in above]
+    public += [_assembled(linker, one, left) for one in above]
     hidden = {*linker.merged, *(one.key for one in above)}
     private = [linker.text(key) for key in linker.program.functions if key not in hidden]
     values = [linker.text(key) for key in _constants(linker)]
@@ -182,13 +171,13 @@ def module_text(
     given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
     if given:
         values.append(f"_UNITS = {{{', '.join(f'{name!r}: {units[name]!r}' for name in given)}}}".replace("'", '"'))
-    used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
+    used = {k: own for k, own in constants.items() if re.search(rf"\b{re.escape(k)}\b", body + "\n".join(values))}
     for parity, text in (("odd", ODD), ("even", EVEN)):
         if any(one.parity == parity for one in wanted):
             body = f"{text}\n\n\n{body}"
     body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
     body = f"{BARE}\n\n\n{body}" if given else body
-    shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
+    shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
 
@@ -210,35 +199,27 @@ def _core(wanted: Sequence[Wanted]) -> str:
     )
 
 
-@dataclass(frozen=True)
-class _Checks:
-    """What a public function asks of its keywords before it computes."""
-
-    frozen: frozenset[str]
-    order: tuple[str, ...]
-
-    def lines(self, keywords: Sequence[str]) -> list[str]:
-        """The lines that check these keywords: their domains, and their order where all it concerns are keywords."""
-        if not keywords:
-            return []
-        found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
-        left = [name for name in self.order if name not in self.frozen]
-        return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
+def _checks(keywords: Sequence[str], left: Sequence[str]) -> list[str]:
+    """What a public function asks of its keywords first: their domains, and the order of those `left` to them alone."""
+    if not keywords:
+        return []
+    found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
+    return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
 
 
-def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
+def _wrapper(linker: Linker, one: Wanted, left: Sequence[str]) -> str:
     """A public function in front of a private one that takes more than the fields."""
     passed = parameters(linker.program.trees[one.key])
     signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
     call = f"{linker.names[one.key]}({', '.join(passed)})"
     head = f"def {one.name}({signature}):"
-    return "\n".join([head, *documented(one.doc), *checks.lines(one.keywords), f"    return {call}"])
+    return "\n".join([head, *documented(one.doc), *_checks(one.keywords, left), f"    return {call}"])
 
 
-def _assembled(linker: Linker, own: Assembled, checks: _Checks) -> str:
+def _assembled(linker: Linker, own: Assembled, left: Sequence[str]) -> str:
     """The linked function with its docstring and the check of what stays free."""
     signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
-    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc), *checks.lines(own.keywords)]
+    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc), *_checks(own.keywords, left)]
     return linker.text(own.key, head=head)
 
 
