@@ -55,6 +55,7 @@ class _Binding(ast.NodeTransformer):
         """Expressions that the constants decide, with their values."""
 
     def generic_visit(self, node: ast.AST) -> ast.AST:
+        """Also without the statements that are no longer reached."""
         super().generic_visit(node)
         for name in ("body", "orelse"):
             if isinstance(block := getattr(node, name, None), list):
@@ -72,6 +73,7 @@ class _Binding(ast.NodeTransformer):
         return node
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
+        """The value of a parameter."""
         if node.id not in self.values:
             return node
         found = deepcopy(self.values[node.id])
@@ -83,6 +85,7 @@ class _Binding(ast.NodeTransformer):
         return found
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
+        """Of a value that is known."""
         self.generic_visit(node)
         if node.operand in self.decided and isinstance(node.op, (ast.Not, ast.USub)):
             value = self.decided[node.operand]
@@ -90,6 +93,7 @@ class _Binding(ast.NodeTransformer):
         return node
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
+        """True or false, where both sides are known."""
         self.generic_visit(node)
         sides = [node.left, *node.comparators]
         if len(sides) == 2 and any(side in self.decided for side in sides) and type(node.ops[0]) in RELATIONS:
@@ -99,6 +103,7 @@ class _Binding(ast.NodeTransformer):
         return node
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
+        """What is left of the conditions."""
         self.generic_visit(node)
         decisive = isinstance(node.op, ast.Or)
         if any(part in self.decided and bool(self.decided[part]) == decisive for part in node.values):
@@ -107,6 +112,7 @@ class _Binding(ast.NodeTransformer):
         return node if len(node.values) > 1 else node.values[0] if node.values else self._decide(not decisive)
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        """The other side, where a value leaves it as it is."""
         self.generic_visit(node)
         for part, other, neutral in ((node.right, node.left, RIGHT), (node.left, node.right, LEFT)):
             value = self.decided.get(part)
@@ -116,6 +122,7 @@ class _Binding(ast.NodeTransformer):
         return node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
+        """The side of a choice that is certain, or the only one that can be an end."""
         self.generic_visit(node)
         name = ast.unparse(node.func)
         known = [part for part in node.args if part in self.decided]
@@ -128,10 +135,12 @@ class _Binding(ast.NodeTransformer):
         return node
 
     def visit_IfExp(self, node: ast.IfExp) -> ast.AST:
+        """The branch that is taken."""
         self.generic_visit(node)
         return node if node.test not in self.decided else node.body if self.decided[node.test] else node.orelse
 
     def visit_If(self, node: ast.If) -> Any:
+        """The statements of the branch that is taken."""
         self.generic_visit(node)
         if node.test not in self.decided:
             return node

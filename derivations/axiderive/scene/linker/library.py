@@ -193,12 +193,15 @@ class _Plain(ast.NodeTransformer):
         self.module = module
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> None:
+        """Goes to the module."""
         self.module.imports(node)
 
     def visit_arg(self, node: ast.arg) -> ast.arg:
+        """The name alone."""
         return ast.arg(node.arg)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        """Without the type of its result."""
         node.returns = None
         return self.generic_visit(node)
 
@@ -207,6 +210,7 @@ class _Plain(ast.NodeTransformer):
         return None if ast.unparse(node.test).startswith("hasattr(") else self.generic_visit(node)
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        """A plain assignment."""
         assert node.value is not None
         return ast.copy_location(ast.Assign(targets=[node.target], value=node.value), node)
 
@@ -245,6 +249,7 @@ class _Resolved(ast.NodeTransformer):
         return loaded(key if key in self.kept else definition(self.modules, key).key)
 
     def visit_Name(self, node: ast.Name) -> ast.Name:
+        """The key of what it means at the top of the module."""
         own = self.own.module
         if node.id in self.own.bound or isinstance(node.ctx, ast.Store):
             return node
@@ -252,10 +257,12 @@ class _Resolved(ast.NodeTransformer):
         return self._name(key) if ":" in key else node
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
+        """The key of what another module has."""
         alias = self.own.module.aliases.get(node.value.id) if isinstance(node.value, ast.Name) else None
         return self._name(f"{alias}:{node.attr}") if alias else self.generic_visit(node)
 
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        """A field of a class, whose type stays as it is."""
         if node.value is not None:
             node.value = self.visit(node.value)
         return node

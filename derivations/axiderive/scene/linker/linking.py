@@ -122,6 +122,7 @@ class _Shortened(ast.NodeTransformer):
         self.functions = functions
 
     def visit_Lambda(self, node: ast.Lambda) -> ast.AST:
+        """The function, if it is handed what the lambda takes."""
         self.generic_visit(node)
         match node.body:
             case ast.Call(func=ast.Name(id=key) as function, args=given, keywords=[]) if key in self.functions:
@@ -146,6 +147,7 @@ class Exchanged(ast.NodeTransformer):
         self.others = others
 
     def visit(self, node: ast.AST) -> ast.AST:
+        """The other expression, if there is one."""
         return self.others.get(node) or super().visit(node)
 
 
@@ -154,6 +156,7 @@ class _Renamed(ast.NodeTransformer):
         self.names = names
 
     def visit_Name(self, node: ast.Name) -> ast.Name:
+        """Another name."""
         return ast.Name(self.names.get(node.id, node.id), node.ctx)
 
 

@@ -15,12 +15,13 @@ WIDTH = 110
 NEGATIVE = re.compile(r"\*\* \((-[\w.]+)\)")
 SIMPLE = re.compile(r"(?<![\w.])([A-Za-z_][\w.]*|[\d.]+(?:e-?\d+)?) \*\* (-?[\w.]+(?:e-\d+)?)(?![\w.(\[])")
 """A power of which both sides are a name or a number has no spaces."""
+SLICE = re.compile(r"\[:(?=\w+\()")
 
 
 def written(node: ast.AST, names: Mapping[str, str]) -> str:
     """The text of a tree, with names for the keys of the library; longer than a line where it is."""
     text = source(_Written(names).visit(node))
-    return SIMPLE.sub(r"\1**\2", NEGATIVE.sub(r"** \1", text))
+    return SLICE.sub("[: ", SIMPLE.sub(r"\1**\2", NEGATIVE.sub(r"** \1", text)))
 
 
 class _Written(ast.NodeTransformer):
@@ -30,24 +31,29 @@ class _Written(ast.NodeTransformer):
         self.names = names
 
     def visit_Name(self, node: ast.Name) -> ast.Name:
+        """The name for a key."""
         return ast.Name(self.names[node.id]) if ":" in node.id else node
 
     def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        """Texts in double quotes, numbers as they were written."""
         if isinstance(node.value, str):
             return ast.Name(json.dumps(node.value, ensure_ascii=False))
         return ast.Name(node.kind) if node.kind else node
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
+        """What is generated has the brackets of the call."""
         self.generic_visit(node)
         if len(node.args) == 1 and not node.keywords and isinstance(node.args[0], ast.GeneratorExp):
             node.args = [ast.Name(source(node.args[0])[1:-1])]
         return node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        """With the brackets that the source has."""
         node.left, node.right = map(self._bracketed, (node.left, node.right))
         return node
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
+        """The same."""
         node.operand = self._bracketed(node.operand)
         return node
 
@@ -57,6 +63,7 @@ class _Written(ast.NodeTransformer):
         return ast.Name(f"({source(node)})") if kept else node
 
     def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.Name:
+        """In double quotes."""
         parts = [
             "{" + source(part.value) + (f"!{chr(part.conversion)}" if part.conversion > 0 else "") + "}"
             if isinstance(part, ast.FormattedValue) else json.dumps(ast.literal_eval(part), ensure_ascii=False)[1:-1]
@@ -65,31 +72,31 @@ class _Written(ast.NodeTransformer):
         return ast.Name(f'f"{"".join(parts)}"')
 
     def visit_Expr(self, node: ast.Expr) -> ast.AST:
+        """A line of comment, or a docstring."""
         text = text_in(node)
         if text:
             return ast.Expr(ast.Name(text if text.startswith("#") else f'"""{text}"""'))
         return self.generic_visit(node)
 
     def visit_Return(self, node: ast.Return) -> ast.AST:
+        """Several values without brackets."""
         self.generic_visit(node)
         node.value = _listed(node.value) if node.value else None
         return node
 
     def visit_Assign(self, node: ast.Assign) -> ast.AST:
+        """The same where they are unpacked."""
         self.generic_visit(node)
         if isinstance(node.targets[0], ast.Tuple):
             node.targets, node.value = [*map(_listed, node.targets)], _listed(node.value)
         return node
 
-    def visit_For(self, node: ast.For) -> ast.AST:
+    def _unpacking(self, node: ast.For | ast.comprehension) -> ast.AST:
         self.generic_visit(node)
         node.target = _listed(node.target)
         return node
 
-    def visit_comprehension(self, node: ast.comprehension) -> ast.AST:
-        self.generic_visit(node)
-        node.target = _listed(node.target)
-        return node
+    visit_For = visit_comprehension = _unpacking
 
 
 def _listed(node: ast.expr) -> ast.expr:
