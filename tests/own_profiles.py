@@ -8,7 +8,8 @@ from axiderive import notation as nt
 from axiderive.expression import own_profile
 from axiderive.expression.answer import Answer, answered
 from axiderive.scene import interface
-from axiderive.scene.compose import Request, Result, composed
+from axiderive.scene.compose import Result, composed
+from axiderive.scene.reading import Scene
 
 ALL = list(interface.functions(interface.NORMAL))
 AGREEMENT = 1e-20
@@ -25,7 +26,7 @@ def answer_to(text: str) -> Answer:
 
 def module_of(text: str, values: dict[str, float] | None = None, names: list[str] = ALL) -> Result:
     own = own_profile(text)
-    return composed(Request("Own", "own.py", None, own, interface.NORMAL, names, values or {}, ("python", "json")))
+    return composed(Scene("own", "Own", own=own, quantities=names, values=values or {}, module="own.py"))
 
 
 def errors_of(result: Result) -> list[float]:

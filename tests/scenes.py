@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
 from axiderive.scene.compose import Result, composed
 from axiderive.scene.text import SceneError
@@ -24,7 +23,7 @@ OUTSIDE = "h*(1 - 1/cosh(r/q))"
 
 
 def composed_from(source: str) -> Result:
-    return composed(request_of(reading.read(text.parse("scene", source.encode())), source))
+    return composed(reading.read(text.parse("scene", source.encode())))
 
 
 def problems(source: str) -> str:

@@ -26,8 +26,9 @@ from axiderive.expression.definition import Definition
 from axiderive.notation import R, a, b, theta
 from axiderive.physics import normal
 from axiderive.physics.medium import HOMOGENEOUS
-from axiderive.scene.compose import Request, composed
+from axiderive.scene.compose import composed
 from axiderive.scene.interface import NORMAL
+from axiderive.scene.reading import Scene
 
 
 @pytest.mark.parametrize(
@@ -183,7 +184,9 @@ def held_out(seed: int) -> None:
     assert all(answer.certificates[suffix].proved for suffix in ("d", "F", "p", "w")), text
     assert answer.worst < AGREEMENT, text
     own = own_profile(text)
-    request = Request("Own", "own.py", None, own, NORMAL, ALL, {"E_star": 2.0}, ("json",))
+    request = Scene(
+        "own", "Own", own=own, kind=NORMAL, quantities=ALL, values={"E_star": 2.0}, module="own.py", formats=("json",)
+    )
     errors = errors_of(composed(request, answer))
     assert errors
     assert max(errors) < ROUNDING, (text, errors)

@@ -10,7 +10,6 @@ from scenes import NEEDLE, NO_PDF, OUTSIDE
 
 from axiderive.book.handbook import templates
 from axiderive.build import pdf
-from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
 from axiderive.scene.compose import composed
 
@@ -42,7 +41,7 @@ def test_the_page_of_a_scene_needs_one_pass(source: str, monkeypatch: pytest.Mon
     passes, one_pass = [], pdf._one_pass
     monkeypatch.setattr(pdf, "_one_pass", lambda *given: passes.append(one_pass(*given)))
     pages: list[dict[str, bytes]] = []
-    composed(request_of(reading.read(text.parse("scene", source.encode())), source), typeset=pages.append)
+    composed(reading.read(text.parse("scene", source.encode())), typeset=pages.append)
     assert pdf.compile_page(pages[0]).startswith(b"%PDF")
     assert len(passes) == 1
 

@@ -113,12 +113,12 @@ def test_a_load_seen_from_the_wrong_side_does_not_pass(monkeypatch):
 )
 def test_a_wrong_pull_off_does_not_pass_alone(profile, right, wrong, monkeypatch):
     """Also where no force and no depth is wanted that the state could be compared with."""
-    module = sources._module
+    module = sources.Module
 
     def changed(name: str, text: str) -> object:
         return module(name, text.replace(right, wrong) if name.startswith("adhesive.") else text)
 
-    monkeypatch.setattr(sources, "_module", changed)
+    monkeypatch.setattr(sources, "Module", changed)
     source = f'profile = "{profile}"\n[physics]\nadhesive = true\n[want]\nquantities = ["pull_off"]\n'
     with pytest.raises(ArithmeticError, match="pull_off"):
         composed_from(source + NO_PDF)

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 
 import pytest
 
-from axiderive.commands.scene import _request as request_of
 from axiderive.scene import reading, text
 from axiderive.scene.compose import composed
 
@@ -35,7 +34,7 @@ CHECKED = (
 
 def files_of(source: tuple[str, str]) -> tuple[str, str]:
     whole = "".join(source) + '[output]\nformats = ["python"]\n'
-    files = composed(request_of(reading.read(text.parse("scene", whole.encode())), whole)).files
+    files = composed(reading.read(text.parse("scene", whole.encode()))).files
     return files["scene.py"].decode(), files["test_scene.py"].decode()
 
 

@@ -10,7 +10,6 @@ import pytest
 from scenes import BAD, EXAMPLES, NEEDLE, OUTSIDE, problems, random_scene
 
 from axiderive.cli import main
-from axiderive.commands.scene import _request as request_of
 from axiderive.exits import CommandError
 from axiderive.scene import reading, text
 from axiderive.scene.compose import composed
@@ -168,7 +167,7 @@ def test_many_random_scenes_are_read_or_refused():
 
 def test_a_parameter_is_not_the_radius_of_stick() -> None:
     scene = 'profile = "q*r**2 + c*r**4"\n[physics]\ntangential = true\n[want]\nquantities = ["traction"]\n'
-    request = request_of(reading.read(text.parse("scene", scene.encode())), scene)
+    request = reading.read(text.parse("scene", scene.encode()))
     with pytest.raises(CommandError, match="c is the radius of stick"):
         composed(request)
 

@@ -8,8 +8,9 @@ import re
 import pytest
 from scenes import EXAMPLES, composed_from
 
-from axiderive.scene.linker.linking import Module
-from axiderive.scene.linker.specialising import specialised
+from axiderive.scene.linker.binding import bind
+from axiderive.scene.linker.library import Module, Program
+from axiderive.scene.linker.written import function_head, function_text
 
 RULE = '''
 LENGTHS = (1.0, 2.0)
@@ -40,12 +41,17 @@ def many(x, width=1.0):
 '''
 
 
-def texts(callers: str) -> dict[str, str]:
-    modules = {"rules": Module("rules", RULE), "own": Module("own", f"from .rules import many, rule\n{callers}")}
-    found = specialised(modules, [("own", "f")], frozenset())
+def texts(callers: str, rules: str = RULE, wanted: str = "own:f") -> dict[str, str]:
+    """The functions by name, after what all calls of one agree on is bound to it."""
+    names = ", ".join(node.name for node in ast.parse(rules).body if isinstance(node, ast.FunctionDef))
+    modules = {"rules": Module("rules", rules), "own": Module("own", f"from .rules import {names}\n{callers}")}
+    program = Program(modules, [wanted], frozenset())
+    bind(program, frozenset(), frozenset())
+    own = {key: key.partition(":")[2] for key in program.trees}
     return {
-        name: found["rules"].source(found["rules"].definitions[name].node) for name in ("rule", "many")
-    } | {"f": found["own"].source(found["own"].definitions["f"].node)}  # fmt: skip
+        own[key]: function_text(function_head(own[key], node, own), node, own)
+        for key, node in program.functions.items()
+    }  # fmt: skip
 
 
 CHAIN = """
@@ -83,14 +89,8 @@ def chain(x, first=None, second=None, third=0.0):
 )  # fmt: skip
 def test_a_chain_of_conditions_stays_one(call: str, body: list[str]) -> None:
     """An `elif` takes the place of what is decided before it, or becomes the `else` of what is not."""
-    modules = {
-        "rules": Module("rules", CHAIN),
-        "own": Module("own", f"from .rules import chain\ndef f(x):\n    return {call}\n"),
-    }
-    found = specialised(modules, [("own", "f")], frozenset())["rules"]
-    text = found.source(found.definitions["chain"].node)
-    ast.parse(text)
-    assert [line.removeprefix("    ") for line in text.splitlines()[1:]] == body
+    found = texts(f"def f(x):\n    return {call}\n", CHAIN)
+    assert [line.removeprefix("    ") for line in found["chain"].splitlines()[1:]] == body
 
 
 def test_what_a_default_decides_is_decided():
@@ -135,8 +135,7 @@ def test_a_default_that_no_call_leaves_to_stand_goes():
 
 
 def test_what_is_asked_of_the_scene_stays():
-    found = specialised({"rules": Module("rules", RULE)}, [("rules", "many")], frozenset())
-    assert found["rules"].text == RULE
+    assert texts("", wanted="rules:many")["many"] == RULE[RULE.index("def many") :].strip()
 
 
 @pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)

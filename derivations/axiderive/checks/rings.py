@@ -14,7 +14,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Case
-from ..oracle.definitions import greatest, ring, stationary
+from ..oracle.definitions import first_zero, greatest, stationary
 from ..oracle.evaluate import case_at, evaluate, evaluated, holds
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
@@ -48,7 +48,7 @@ def check(own: Comparison, suffix: str) -> Evidence:
 
 def _residual(own: Comparison, suffix: str, peak: bool, values: Values) -> Number:
     """Against the pressure of the definition, whose greatest value, or first zero, is searched for."""
-    place, symbol, search = ("rp", nt.r_peak, greatest) if peak else ("rz", nt.r_zero, ring)
+    place, symbol, search = ("rp", nt.r_peak, greatest) if peak else ("rz", nt.r_zero, first_zero)
     profile, digits = own.profile, own.digits
     radius, level = _searched(search, profile, tuple(values.items()), int(mp.mp.prec), digits)
     equation = case_at(own.entries[place], values).expr

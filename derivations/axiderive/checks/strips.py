@@ -24,7 +24,7 @@ from .. import notation as nt
 from ..entry import Case
 from ..oracle import rules
 from ..oracle.evaluate import case_at, evaluate, evaluated, holds
-from ..oracle.plane import GUARD, Strip, defined, strip
+from ..oracle.plane import GUARD, defined, strip
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, numeric_symbols
 from .comparison import Comparison, Evidence, Rows, inverse, not_available, residual, root
@@ -79,21 +79,16 @@ def _residual(own: Comparison, suffix: str, values: Values) -> Number:
     return residual(found, number(values[nt.a]))
 
 
-def _level(own: Strip, x: Number) -> Number:
-    """The load over E* under which the pressure at x is zero."""
-    return mp.pi * mp.sqrt((own.a - x) * (own.a + x)) * own.pressure(x) - own.load()
-
-
 def _threshold(own: Comparison, suffix: str, values: Values) -> Number:
     """The least load is the level at x_0; the level falls on both sides of x_0 and, inside, is stationary there."""
     face = strip(own.profile, values, own.digits)
     a, x_0 = face.a, zero_distance(case_at(own.entries["xz"], values), values)
-    top = _level(face, x_0)
+    top = face.level(x_0)
     if suffix == "Pmin":
         least = evaluated(own.entries["Pmin"].cases[0].expr, {**values, nt.x_zero: x_0})
         return residual(least / number(values[nt.E_star]), top)
     step = a * mp.mpf(10) ** -3 * (1 - x_0 / a)
-    if _level(face, x_0 + step) >= top or (x_0 > 0 and _level(face, x_0 - step) >= top):
+    if face.level(x_0 + step) >= top or (x_0 > 0 and face.level(x_0 - step) >= top):
         return mp.mpf(1)
     if x_0 == 0:
         return mp.mpf(0)

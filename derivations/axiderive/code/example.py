@@ -14,6 +14,7 @@ from .. import notation as nt
 from ..abel.masters import MASTERS
 from ..entry import COMPACT, Case, Entry
 from ..letters import name_of
+from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
 from ..physics.systems import System
 from ..profiles.profile import Profile
@@ -229,7 +230,7 @@ class Example:
             values = [force(x) for x in grid]
             best = min(range(len(grid)), key=lambda i: values[i])
             below, above = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
-            return sp.Float(str(min(values[best], _least(force, below, above))), 30)
+            return sp.Float(str(min(values[best], least(force, below, above))), 30)
 
 
 class _Numeric:
@@ -246,20 +247,3 @@ class _Numeric:
             expr = _plain(self.form(case.expr))
             self.compiled[case] = function(expr, self.at, self.unknown)
         return mp.re(self.compiled[case](x))
-
-
-def _least(function: Callable[[Any], Any], low: Any, high: Any) -> Any:
-    """The least value between two points, by the golden section: exact to the square of the width that is left."""
-    ratio = (mp.sqrt(5) - 1) / 2
-    x, y = high - ratio * (high - low), low + ratio * (high - low)
-    fx, fy = function(x), function(y)
-    for _ in range(40):
-        if fx < fy:
-            high, y, fy = y, x, fx
-            x = high - ratio * (high - low)
-            fx = function(x)
-        else:
-            low, x, fx = x, y, fy
-            y = low + ratio * (high - low)
-            fy = function(y)
-    return min(fx, fy)

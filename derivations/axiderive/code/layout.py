@@ -75,17 +75,22 @@ def fit(line: str, indent: int = 4) -> list[str]:
     place = _opening(line, close)
     head, parts = line[:place], split(line[place + 1 : close])
     # a comma behind the only part of a bracket that calls nothing would make it a tuple
-    if len(parts) == 1 and not re.search(r"\w$", head):
-        return [f"{head}(", f"    {parts[0]}", line[close:]]
+    if parts[-1].startswith("for ") or (len(parts) == 1 and not re.search(r"\w$", head)):
+        inside = line[place + 1 : close]
+        parts = [inside] if indent + 4 + len(inside) <= LINE else parts
+        return [f"{head}(", *(f"    {part}" for part in parts), line[close:]]
     return call(head, parts, line[close:], indent)
 
 
 def split(text: str) -> list[str]:
-    """The parts between the commas outside all brackets."""
-    parts, depth = [""], 0
-    for character in text:
+    """The parts between the commas outside all brackets and quotes; of what is generated the value, and the rest."""
+    parts, depth, quoted = [""], 0, False
+    for place, character in enumerate(text):
+        quoted ^= character == '"'
         depth += (character in "([{") - (character in ")]}")
-        if character == "," and depth == 0:
+        if depth == 0 and text.startswith(" for ", place):
+            return [text[:place], text[place + 1 :]]
+        if character == "," and depth == 0 and not quoted:
             parts.append("")
         else:
             parts[-1] += character

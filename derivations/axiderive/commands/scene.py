@@ -31,7 +31,7 @@ from ..scene import interface, text
 from ..scene.compose import Result, composed, manifest
 from ..scene.linker.sources import graded_refusal
 from ..scene.page import Typesetting
-from ..scene.reading import Request, Scene, read
+from ..scene.reading import Scene, read
 from ..store.writing import write_atomic
 
 
@@ -57,21 +57,13 @@ def emit(arguments: argparse.Namespace) -> int:
         print("\n".join(_plan(scene, folder)))
         return 0
     with Typesetting() as typesetting:
-        request = _request(scene, source.text)
-        result = limited(composed, request, None, hear=typesetting.start if "pdf" in scene.formats else None)
+        result = limited(composed, scene, None, hear=typesetting.start if "pdf" in scene.formats else None)
         for line in result.lines:
             print(line)
         page = typesetting.page()
     _write(result, folder, {"page.pdf": page} if page else {})
     print(f"{time.perf_counter() - started:.1f} s in all")
     return 0
-
-
-def _request(scene: Scene, source: str) -> Request:
-    return Request(
-        scene.title, scene.module, scene.profile, scene.own, scene.kind, scene.quantities, scene.values,
-        scene.formats, scene.at, source,
-    )  # fmt: skip
 
 
 def _plan(scene: Scene, folder: Path) -> list[str]:
@@ -171,9 +163,11 @@ def shown(text: str, k: str = "0", write: bool = False) -> tuple[list[str], Resu
         names = [name for name in names if name not in interface.INVERSES]
         reason = "how far the contact is compact depends on the values; freeze them in a scene"
         lines += [f"left out  {', '.join(sorted(interface.INVERSES))}: {reason}"] if write else []
-    title, formats = "Contact of a profile of one's own", ("python", "json")
-    request = Request(title, f"{own.profile.name}.py", None, own, kind, names, values, formats)
-    result = composed(request, answer)
+    scene = Scene(
+        own.profile.name, "Contact of a profile of one's own", own=own, kind=kind, quantities=names, values=values,
+        module=f"{own.profile.name}.py",
+    )  # fmt: skip
+    result = composed(scene, answer)
     return [*lines, *(line for line in result.lines if line not in lines)], result if write else None
 
 

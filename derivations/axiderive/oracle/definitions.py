@@ -19,22 +19,31 @@ SCAN, DENSE = 16, 40
 STENCIL = 9
 
 
-def ring(shape: Shape, a: Number, digits: int) -> tuple[Number, Number]:
-    """Radius at which the pressure first vanishes on unloading, and the depth at which it does."""
-    with mp.workdps(2 * COARSE):
-        radii, curve = [a * i / SCAN for i in range(SCAN)], _level(shape, a, COARSE)
-        levels = [curve(r) for r in radii]
-        best = max(range(SCAN), key=lambda i: levels[i])
-        rough = _vertex(curve, radii[best], min(a / SCAN, (a - radii[best]) / 2), a, a) if best else mp.mpf(0)
-    if best == 0:
-        return rough, _level(shape, a, digits)(rough)
-    return stationary(_level(shape, a, digits), rough, a)
-
-
-def _level(shape: Shape, a: Number, digits: int) -> Callable[[Number], Number]:
+def level(shape: Shape, a: Number, r: Number, digits: int) -> Number:
     """The depth at which the pressure at r is zero."""
     face = Homogeneous(shape, mp.mpf(0), digits)
-    return lambda r: face.depth(a) - mp.pi * mp.sqrt((a - r) * (a + r)) * face.pressure(a, r)
+    return face.depth(a) - mp.pi * mp.sqrt((a - r) * (a + r)) * face.pressure(a, r)
+
+
+def ring(level: Callable[[Number, int], Number], a: Number, digits: int) -> tuple[Number, Number]:
+    """Where the pressure first vanishes on unloading, and the level at which it does.
+
+    `level` gives the depth, or load, at which it vanishes at a place, to some digits.
+    """
+    with mp.workdps(2 * COARSE):
+        radii = [a * i / SCAN for i in range(SCAN)]
+        levels = [level(r, COARSE) for r in radii]
+        best = max(range(SCAN), key=lambda i: levels[i])
+        width = min(a / SCAN, (a - radii[best]) / 2)
+        rough = _vertex(lambda r: level(r, COARSE), radii[best], width, a, a) if best else mp.mpf(0)
+    if best == 0:
+        return rough, level(rough, digits)
+    return stationary(lambda r: level(r, digits), rough, a)
+
+
+def first_zero(shape: Shape, a: Number, digits: int) -> tuple[Number, Number]:
+    """Radius at which the pressure of a round contact first vanishes on unloading, and the depth at which it does."""
+    return ring(lambda r, digits: level(shape, a, r, digits), a, digits)
 
 
 def greatest(shape: Shape, a: Number, digits: int) -> tuple[Number, Number]:
@@ -57,6 +66,23 @@ def greatest(shape: Shape, a: Number, digits: int) -> tuple[Number, Number]:
         scale = min(above, radii[best] - radii[best - 1])
         rough = _vertex(pressure(COARSE), radii[best], scale / 2, a, scale)
     return stationary(pressure(digits), rough, scale)
+
+
+def least(curve: Callable[[Number], Number], low: Number, high: Number) -> Number:
+    """The least value between two points, by the golden section: exact to the square of the width that is left."""
+    ratio = (mp.sqrt(5) - 1) / 2
+    x, y = high - ratio * (high - low), low + ratio * (high - low)
+    below, above = curve(x), curve(y)
+    for _ in range(40):
+        if below < above:
+            high, y, above = y, x, below
+            x = high - ratio * (high - low)
+            below = curve(x)
+        else:
+            low, x, below = x, y, above
+            y = low + ratio * (high - low)
+            above = curve(y)
+    return min(below, above)
 
 
 def _vertex(curve: Callable[[Number], Number], start: Number, width: Number, end: Number, scale: Number) -> Number:

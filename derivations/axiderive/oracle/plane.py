@@ -73,6 +73,10 @@ class Strip:
 
         return self._superposed(x, kernel, x) / mp.pi
 
+    def level(self, x: Number) -> Number:
+        """The load over E* under which the pressure at x is zero."""
+        return mp.pi * mp.sqrt((self.a - x) * (self.a + x)) * self.pressure(x) - self.load()
+
     def slope(self, x: Number) -> Number:
         """dw/dx at a point of the free surface: -2 int_0^a P'(t)/sqrt(x^2 - t^2) dt/(pi E*)."""
         return -2 / mp.pi * self._superposed(mp.mpf(0), lambda t, root, lo: 1 / mp.sqrt((x - t) * (x + t)), x)

@@ -12,19 +12,18 @@ import sympy as sp
 
 from .. import notation as nt
 from ..code.plane import document
-from ..code.tables import bounds
 from ..exits import USAGE, CommandError
-from . import interface
+from . import evidence, interface
+from .contact import Contact, values_of
+from .evidence import Run, measured, test_text
 from .linker import assembled, sources
 from .linker.assembled import Assembled
-from .linker.linking import OWN, Module, Wanted
-from .linker.module import Constant, head, module_text
+from .linker.library import Module, definition
+from .linker.linking import OWN, Wanted
+from .linker.module import head, module_text
 from .page import page_sources
-from .reading import Request
-from .values import evidence
-from .values.check import check_values
-from .values.contact import Contact, values_of
-from .values.evidence import Run, measured, test_text
+from .reading import Scene
+from .references import check_values
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -32,8 +31,8 @@ if TYPE_CHECKING:
 
 Typesetter = Callable[[Mapping[str, bytes]], None]
 OF_RUNTIME = {
-    "adhesive": {"retraction": ("_runtime.physics.adhesion", "hess_retraction")},
-    "graded.adhesive": {"retraction": ("_runtime.graded.punch", "graded_retraction")},
+    "adhesive": {"retraction": "_runtime.physics.adhesion:hess_retraction"},
+    "graded.adhesive": {"retraction": "_runtime.graded.punch:graded_retraction"},
 }
 """What is the same for all profiles."""
 PULL_OFF_DOC = 'Radius, force and depth [m, N, m] at which the contact breaks, control of "force" or "depth".'
@@ -47,12 +46,12 @@ class Result:
     lines: tuple[str, ...]
 
 
-def composed(request: Request, answer: Answer | None = None, typeset: Typesetter = lambda page: None) -> Result:
+def composed(request: Scene, answer: Answer | None = None, typeset: Typesetter = lambda page: None) -> Result:
     """The files of a request.
 
     Parameters
     ----------
-    request : Request
+    request : Scene
         What is to be composed.
     answer : Answer, optional
         The answer to its expression, if it is known already.
@@ -71,7 +70,7 @@ def _derived(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational]) -> Answer
 
 
 class _Composition:
-    def __init__(self, request: Request, answer: Answer | None) -> None:
+    def __init__(self, request: Scene, answer: Answer | None) -> None:
         self.request, self.answer = request, answer
         if request.own is not None:
             fields = {name for own in interface.functions(request.kind).values() for name in own.fields}
@@ -130,8 +129,8 @@ class _Composition:
                     self.request, self.profile, self.answer, self._ordered(self.request.values), values, errors
                 )
             )
-        if self.request.scene:
-            files["scene.toml"] = self.request.scene.encode()
+        if self.request.text:
+            files["scene.toml"] = self.request.text.encode()
         return Result(files, tuple(self._lines(run)))
 
     def _free(self) -> dict[str, float]:
@@ -167,12 +166,12 @@ class _Composition:
                 above.append(one)
         texts += [one.text for one in above]
         modules = modules | ({OWN: assembled.module(texts)} if texts else {})
-        constants = [
-            Constant(parameter, value, self._comment(parameter))
-            for parameter, value in self._ordered(request.values).items()
-        ]
+        constants = {k: (value, self._comment(k)) for k, value in self._ordered(request.values).items()}
         free = [p for p in (*self.parameters, *self.request.kind.material) if p not in request.values]
-        domains = {p: _interval(interface.record(p, self.profile)) for p in free}
+        ends = {p: interface.interval(interface.record(p, self.profile)) for p in free}
+        domains = {
+            p: (low.replace("-inf", "-np.inf"), high.replace("inf", "np.inf")) for p, (low, high) in ends.items()
+        }
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.record(name, self.profile).unit for name in {*fields, *free}}
         title = head(request, self.profile, self.answer, self.contact)
@@ -180,22 +179,21 @@ class _Composition:
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
         """One function of the interface; the text of a new one below it is added to `texts`."""
-        kind, name, contact = self.request.kind, self.profile.name, interface.contact_of(self.profile)
-        plain = interface.functions(kind.below or interface.NORMAL, contact)
-        own = interface.functions(kind, contact)
-        function = own.get(quantity) or plain.get(quantity) or interface.peaks(self.profile)[quantity]
-        key = (f"{function.module}.{name}", f"_{function.quantity.function}")
-        if key[1] not in modules[key[0]].definitions:
+        kind, name = self.request.kind, self.profile.name
+        function = interface.function(kind, self.profile, quantity)
+        module, private = f"{function.module}.{name}", f"_{function.quantity.function}"
+        key = f"{module}:{private}"
+        if private not in modules[module].definitions:
             # the shape is that of any medium
-            key = OF_RUNTIME.get(kind.name, {}).get(quantity, (f"normal.{name}", f"_{quantity}"))
+            key = OF_RUNTIME.get(kind.name, {}).get(quantity, f"normal.{name}:_{quantity}")
         fields = interface.arguments(function, self.entries)
-        needs = [p for p in modules[key[0]].definitions[key[1]].parameters if p not in fields]
+        needs = [p for p in definition(modules, key).parameters if p not in fields]
         doc, keywords = function.doc(name), self._keywords(needs)
         if not fields:
             return assembled.number(modules, key, quantity, doc, keywords, array=self._bisected(function.name))
         if function.leaning:
             texts.append(assembled.leaning(key, quantity))
-            key = (OWN, quantity)
+            key = f"{OWN}:{quantity}"
         return Wanted(key, quantity, fields, keywords, doc, function.signed, function.parity)
 
     def _pull_off(self, modules: Mapping[str, Module]) -> Assembled:
@@ -238,11 +236,3 @@ def manifest(files: Mapping[str, bytes]) -> bytes:
 
 def _json(record: Any) -> bytes:
     return (json.dumps(record, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-def _interval(record: nt.Notation) -> tuple[str, str]:
-    try:
-        low, high, _ = bounds(record.domain)
-    except (ValueError, TypeError):
-        low, high = "0.0" if record.symbol.is_positive else "-np.inf", "inf"
-    return low, "np.inf" if high == "inf" else high

@@ -10,6 +10,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..code.plane.interface import SHAPE
+from ..code.tables import bounds
 from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace
@@ -167,6 +168,13 @@ def peaks(profile: Profile | None) -> dict[str, Function]:
     return {q.function: Function(NORMAL, q) for q in alone}
 
 
+def function(kind: Kind, profile: Profile, name: str) -> Function:
+    """The function of a kind of contact, or of the one that comes with it."""
+    contact = contact_of(profile)
+    plain = functions(kind.below or NORMAL, contact)
+    return functions(kind, contact).get(name) or plain.get(name) or peaks(profile)[name]
+
+
 def _viscoelastic(kind: Kind, law: Law, contact: str) -> dict[str, Function]:
     # the radius after a step of the load is a question of a contact that grows
     quantities = [viscoelastic.QUANTITIES[f"{load}_{law.suffix}"] for load in LOADED]
@@ -178,6 +186,15 @@ def record(name: str, profile: Profile | None = None) -> nt.Notation:
     """The notation of a parameter by its name in the functions."""
     own = parameters(profile) if profile is not None else {}
     return nt.describe(own.get(name, LETTERS.get(name, name)))
+
+
+def interval(record: nt.Notation) -> tuple[str, str]:
+    """The ends of the domain of a parameter, as Python writes them."""
+    try:
+        low, high, _ = bounds(record.domain)
+    except (ValueError, TypeError):
+        low, high = "0.0" if record.symbol.is_positive else "-inf", "inf"
+    return low, high
 
 
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:

@@ -1,21 +1,149 @@
-"""Values and half-space of a scene.
+"""Values and half-space of a scene: numbers with units as SI, checked against the domain of their symbol.
 
-Values of a scene: read with their units, checked against the domain of their symbol, kept as SI.
-
-The half-space of a scene: an effective modulus, given or out of E and nu; left free if nothing is said.
+A unit of another kind is named as such. The half-space has an effective modulus, given or out of E and nu, or those of
+a graded one; what is not said stays free.
 """
 
 from __future__ import annotations
 
+import difflib
 import math
+import re
+from fractions import Fraction
 from typing import Any
 
 from .. import notation as nt
-from ..code.tables import bounds
 from ..profiles.profile import Profile
 from . import interface
 from .text import SceneText, near
-from .units import UnitError, kind_of, value_of
+
+KINDS: dict[str, dict[str, Fraction]] = {
+    "length": {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "um": Fraction(1, 10**6),
+               "nm": Fraction(1, 10**9)},
+    "pressure": {"Pa": Fraction(1), "kPa": Fraction(1000), "MPa": Fraction(10**6), "GPa": Fraction(10**9)},
+    "force": {"N": Fraction(1), "kN": Fraction(1000), "mN": Fraction(1, 1000), "uN": Fraction(1, 10**6),
+              "nN": Fraction(1, 10**9)},
+    "energy per area": {"J/m^2": Fraction(1), "mJ/m^2": Fraction(1, 1000), "N/m": Fraction(1),
+                        "mN/m": Fraction(1, 1000)},
+    "viscosity": {"Pa s": Fraction(1), "kPa s": Fraction(1000), "MPa s": Fraction(10**6), "GPa s": Fraction(10**9)},
+    "time": {"s": Fraction(1), "ms": Fraction(1, 1000), "min": Fraction(60), "h": Fraction(3600)},
+    "angle": {"rad": Fraction(1), "deg": Fraction(0)},
+    "number": {"1": Fraction(1)},
+}  # fmt: skip
+OTHERS = {"grad": "deg", "degree": "deg", "degrees": "deg", "n/mm^2": "MPa", "n/mm2": "MPa", "micron": "um"}
+"""Other words for units, in small letters."""
+NOT_HERE = frozenset(["kg", "g"])
+"""Near to the name of a unit, and another thing."""
+NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?)\s*(.*?)\s*")
+POWER = re.compile(r"([a-z]+)\^\(?([-+]?\d{1,2}(?:\.\d+)?)\)?")
+
+
+class UnitError(ValueError):
+    """A value that cannot be read as the quantity it stands for."""
+
+
+def kind_of(record: nt.Notation) -> str:
+    """What the values of a parameter are called."""
+    if record.unit == "rad":
+        return "angle"
+    known = {nt.LENGTH: "length", nt.STRESS: "pressure", nt.FORCE: "force", nt.NUMBER: "number"}
+    if record.unit in ("s", "Pa s"):
+        return "time" if record.unit == "s" else "viscosity"
+    if record.name == "dgamma":
+        return "energy per area"
+    return known.get(record.dimension, record.unit)
+
+
+def value_of(raw: object, kind: str) -> float:
+    """The value in SI units.
+
+    Parameters
+    ----------
+    raw : object
+        A number in SI units, or a text with a number and a unit.
+    kind : str
+        Key of `KINDS`, or a power of a length such as "m^(-3)".
+    """
+    if isinstance(raw, bool) or not isinstance(raw, (int, float, str)):
+        message = f"must be a number or a text with a unit, not {type(raw).__name__}; write {_example(kind)!r}"
+        raise UnitError(message)
+    value = _with_unit(raw, kind) if isinstance(raw, str) else _plain(raw)
+    if not math.isfinite(value):
+        message = f"{raw!r} is no finite number; write {_example(kind)!r}"
+        raise UnitError(message)
+    return value
+
+
+def _plain(raw: float) -> float:
+    try:
+        return float(raw)
+    except OverflowError:
+        return math.inf
+
+
+def _with_unit(text: str, kind: str) -> float:
+    match = NUMBER.fullmatch(text)
+    example = f"write {_example(kind)!r}"
+    if match is None:
+        message = f"{text[:40]!r} is no number with a unit; {example}"
+        raise UnitError(message)
+    number, unit = Fraction(match[1]), match[2].replace("µ", "u").replace("°", "deg")
+    if not unit:
+        return _plain(number)  # type: ignore[arg-type]
+    factor = _factor(unit, kind, text, example)
+    return math.radians(float(number)) if unit == "deg" else _plain(number * factor)  # type: ignore[arg-type]
+
+
+def _factor(unit: str, kind: str, text: str, example: str) -> Fraction:
+    own = KINDS.get(kind, {})
+    if unit in own:
+        return own[unit]
+    power = POWER.fullmatch(unit)
+    wanted = POWER.fullmatch(kind)
+    if power and wanted and power[1] in KINDS["length"] and float(power[2]) == float(wanted[2]):
+        scale = KINDS["length"][power[1]]
+        return scale ** int(power[2]) if "." not in power[2] else Fraction(float(scale) ** float(power[2]))
+    other = next((name for name, units in KINDS.items() if unit in units), None)
+    if other is not None:
+        message = f"must be {_article(kind)}, but {text[:40]!r} is {_article(other)}; {example}"
+        raise UnitError(message)
+    if re.match(r",\d", unit):
+        message = f"{text[:40]!r} has a comma, and decimals have a point; write '{text.replace(',', '.')[:40].strip()}'"
+        raise UnitError(message)
+    known = {name.lower(): name for name in own} | {wrong: right for wrong, right in OTHERS.items() if right in own}
+    near = difflib.get_close_matches(unit.lower(), known, n=1, cutoff=0.4) if unit not in NOT_HERE else []
+    hint = f"did you mean {known[near[0]]!r}?" if near else example
+    message = f"unit {unit[:20]!r} in {text[:40]!r} is unknown; {hint}"
+    raise UnitError(message)
+
+
+def _article(kind: str) -> str:
+    return f"{'an' if kind[0] in 'ae' else 'a'} {kind}" if kind in KINDS else f"in {kind}"
+
+
+def _example(kind: str) -> str:
+    units = {
+        "length": "mm",
+        "pressure": "MPa",
+        "force": "mN",
+        "energy per area": "mJ/m^2",
+        "angle": "deg",
+        "viscosity": "kPa s",
+        "time": "s",
+    }
+    return f"5 {units[kind]}" if kind in units else "0.3" if kind == "number" else f"5 {kind}"
+
+
+def given(
+    text: SceneText, section: str, key: str, raw: object, kind: str, *, name: str = "", after: str = ""
+) -> float | None:
+    """The value in SI units; None where it cannot be read, which is a problem of the text at this key."""
+    try:
+        return value_of(raw, kind)
+    except UnitError as error:
+        colon = "" if after or str(error).startswith("must") else ":"
+        text.problem(section, key, f"{name or key}{colon} {error}{after}")
+        return None
 
 
 def frozen(
@@ -23,27 +151,17 @@ def frozen(
 ) -> None:
     """Read, check and keep one value; `key` names a parameter of the functions."""
     record = interface.record(key, profile)
-    try:
-        value = value_of(raw, kind_of(record))
-    except UnitError as error:
-        text.problem(section, key, f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+    value = given(text, section, key, raw, kind_of(record))
+    if value is None:
         return
-    low, high = _bounds(record)
+    low, high = map(float, interface.interval(record))
     if not low < value < high:
         bare = record.unit == "rad" and not isinstance(raw, str) and high < value < 90
         hint = f'degrees need a unit: {key} = "{value:g} deg"' if bare else "change the value"
-        given = repr(raw) if isinstance(raw, str) else f"{value:g}"
-        text.problem(section, key, f"{key} = {given:.40} is outside {record.domain}; {hint}")
+        shown = repr(raw) if isinstance(raw, str) else f"{value:g}"
+        text.problem(section, key, f"{key} = {shown:.40} is outside {record.domain}; {hint}")
         return
     values[key] = value
-
-
-def _bounds(record: nt.Notation) -> tuple[float, float]:
-    try:
-        low, high, _ = bounds(record.domain)
-    except (ValueError, TypeError):
-        return 0.0 if record.symbol.is_positive else -math.inf, math.inf
-    return float(low), float(high)
 
 
 def inline(text: SceneText, values: dict[str, float], name: str, key: str, value: Any) -> None:
@@ -56,75 +174,54 @@ def inline(text: SceneText, values: dict[str, float], name: str, key: str, value
         text.problems[i] = (line, text.at(line, message))
 
 
-KINDS = ("homogeneous", "power_law")
-KEYS = ("kind", "E_star", "E", "nu", "G_star", "H", "k", "H_x")
+MEDIA = {"homogeneous": ("E_star", "E", "nu", "G_star"), "power_law": ("H", "k", "H_x")}
+"""The constants of a half-space."""
+KEYS = ("kind", *(key for keys in MEDIA.values() for key in keys))
+FOREIGN = {
+    "homogeneous": 'belongs to a graded half-space; add kind = "power_law", or leave it out',
+    "power_law": "belongs to a homogeneous half-space; a graded one has H and k",
+}
 
 
 def medium_values(text: SceneText) -> dict[str, float]:
-    """E_star and G_star, or H and k, as far as they are frozen."""
+    """E_star and G_star, or H, k and H_x of the foundation moduli H |x|^k and H_x |x|^k, as far as they are frozen."""
     table = text.table("medium", KEYS)
     kind = table.get("kind", "homogeneous")
-    if kind == "power_law":
-        return _graded(text, table)
-    if kind != "homogeneous":
-        text.problem("medium", "kind", f"unknown medium {str(kind)[:40]!r}{near(str(kind), KINDS)}")
+    if not isinstance(kind, str) or kind not in MEDIA:
+        text.problem("medium", "kind", f"unknown medium {str(kind)[:40]!r}{near(str(kind), MEDIA)}")
         return {}
-    for key in ("k", "H", "H_x"):
-        if key in table:
-            text.problem(
-                "medium", key, f'{key} belongs to a graded half-space; add kind = "power_law", or leave it out'
-            )
     values: dict[str, float] = {}
-    for key in ("E_star", "E", "nu", "G_star"):
-        if key in table:
-            _read(text, values, key, table[key])
+    for key in (key for key in KEYS[1:] if key in table):
+        if key not in MEDIA[kind]:
+            text.problem("medium", key, f"{key} {FOREIGN[kind]}")
+        else:
+            _constant(text, values, key, table[key], graded=kind == "power_law")
     if "E_star" in table and ("E" in table or "nu" in table):
         text.problem("medium", "E_star", "give either E_star, or E and nu of a half-space under a rigid indenter")
     elif ("E" in table) != ("nu" in table):
-        missing = "nu" if "E" in table else "E"
-        text.problem(
-            "medium",
-            "E" if "E" in table else "nu",
-            f"{missing} is missing: E_star = E/(1 - nu^2) needs both; give {missing}, or E_star alone",
-        )
+        there, missing = ("E", "nu") if "E" in table else ("nu", "E")
+        message = f"{missing} is missing: E_star = E/(1 - nu^2) needs both; give {missing}, or E_star alone"
+        text.problem("medium", there, message)
     elif "E" in values and "nu" in values:
         nu, E = values.pop("nu"), values.pop("E")
         values["E_star"] = E / ((1.0 - nu) * (1.0 + nu))
         values.setdefault("G_star", 2.0 * E / ((1.0 + nu) * (2.0 - nu)))
-    return {key: values[key] for key in ("E_star", "G_star") if key in values}
+    return {key: value for key, value in values.items() if key not in ("E", "nu")}
 
 
-def _graded(text: SceneText, table: dict[str, Any]) -> dict[str, float]:
-    """H, k and H_x of a half-space with the foundation moduli H |x|^k and H_x |x|^k."""
-    values: dict[str, float] = {}
-    for key in ("E_star", "E", "nu", "G_star"):
-        if key in table:
-            text.problem("medium", key, f"{key} belongs to a homogeneous half-space; a graded one has H and k")
-    for key in ("H", "k", "H_x"):
-        if key not in table:
-            continue
-        try:
-            value = value_of(table[key], "number")
-        except UnitError as error:
-            text.problem("medium", key, f"{key} {error}; H and H_x are in Pa m^(-k), without a unit")
-            continue
-        low, high, rule = (-1.0, 1.0, "-1 < k < 1") if key == "k" else (0.0, math.inf, f"{key} > 0")
-        if low < value < high:
-            values[key] = value
-        else:
-            text.problem("medium", key, f"{key} = {value:g} is outside {rule}; change the value")
-    return values
-
-
-def _read(text: SceneText, values: dict[str, float], key: str, raw: object) -> None:
-    try:
-        value = value_of(raw, "number" if key == "nu" else "pressure")
-    except UnitError as error:
-        text.problem("medium", key, f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+def _constant(text: SceneText, values: dict[str, float], key: str, raw: object, *, graded: bool) -> None:
+    """Read, check and keep one constant of the half-space."""
+    after = "; H and H_x are in Pa m^(-k), without a unit" if graded else ""
+    value = given(text, "medium", key, raw, "number" if graded or key == "nu" else "pressure", after=after)
+    if value is None:
         return
-    if key == "nu" and not -1.0 < value <= 0.5:
-        text.problem("medium", key, f"nu = {value:g} is outside -1 < nu <= 0.5; 0.5 is an incompressible half-space")
-    elif key != "nu" and value <= 0.0:
-        text.problem("medium", key, f"{key} = {value:g} is outside {key} > 0; a modulus is positive")
-    else:
+    rules = {
+        "nu": (-1.0 < value <= 0.5, "-1 < nu <= 0.5; 0.5 is an incompressible half-space"),
+        "k": (-1.0 < value < 1.0, "-1 < k < 1; change the value"),
+    }
+    positive = f"{key} > 0; {'change the value' if graded else 'a modulus is positive'}"
+    holds, rule = rules.get(key, (0.0 < value < math.inf, positive))
+    if holds:
         values[key] = value
+    else:
+        text.problem("medium", key, f"{key} = {value:g} is outside {rule}")

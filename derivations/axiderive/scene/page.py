@@ -31,7 +31,7 @@ from ..rows.row import Row, ordered
 from ..store.index import NoCatalogueError, package
 from . import interface
 from .linker import sources
-from .reading import Request
+from .reading import Scene
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
 \documentclass[10pt,a4paper,twoside]{article}
@@ -70,7 +70,7 @@ def escaped(text: str) -> str:
 
 
 def page_sources(
-    request: Request, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
+    request: Scene, profile: Profile, entries: Mapping[str, Entry], evidence: Mapping[str, Any]
 ) -> dict[str, bytes]:
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     name = request.kind.system.pool.id(profile.name)
@@ -114,7 +114,7 @@ def _printed(entries: Mapping[str, Entry]) -> set[str]:
     return {s.name for s in found if isinstance(s, sp.Symbol)}
 
 
-def _meant(request: Request, profile: Profile) -> dict[str, str]:
+def _meant(request: Scene, profile: Profile) -> dict[str, str]:
     """What the letters mean under a strip, where they mean something else."""
     if not request.kind.system.pool.strip:
         return {}
@@ -122,7 +122,7 @@ def _meant(request: Request, profile: Profile) -> dict[str, str]:
     return {nt.describe(s).latex: prose(document.meaning(profile, s)) for s in own}
 
 
-def _law(request: Request) -> str:
+def _law(request: Scene) -> str:
     """The material law of a viscoelastic contact, which the page of the profile names only."""
     law = request.kind.law
     if law is None:

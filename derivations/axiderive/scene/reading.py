@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -27,10 +27,12 @@ MEANT = {"material": "medium", "half_space": "medium", "contact": "physics", "lo
 
 @dataclass
 class Scene:
-    """What a scene asks for; `values` are the frozen parameters in SI units."""
+    """What is asked for; `values` are the frozen parameters in SI units."""
 
     name: str
     title: str
+    text: str = ""
+    """Copied into the folder; empty for an expression alone."""
     profile: Profile | None = None
     own: OwnProfile | None = None
     kind: interface.Kind = interface.NORMAL
@@ -38,9 +40,9 @@ class Scene:
     values: dict[str, float] = field(default_factory=dict)
     folder: str = ""
     module: str = ""
-    formats: list[str] = field(default_factory=list)
+    formats: Sequence[str] = ("python", "json")
     at: tuple[str, float] | None = None
-    """What the worked example is given at: a, d or F."""
+    """Name and value of what the worked example is given at: a, d or F."""
 
     @property
     def notation(self) -> tuple[nt.Notation, ...]:
@@ -62,7 +64,7 @@ def read(text: SceneText) -> Scene:
             below = kind == "key" and bool(_home(key))
             hint = f"; write it below [{_home(key)}]" if below else near(MEANT.get(key, key), SECTIONS)
             text.problem(key, "", f"unknown {kind} {key[:40]!r}{hint}")
-    scene = Scene(_string(text, "name", "scene"), _string(text, "title", ""))
+    scene = Scene(_string(text, "name", "scene"), _string(text, "title", ""), text.text)
     _profile(text, scene)
     with nt.extended(scene.notation):
         _parameters(text, scene)
@@ -193,21 +195,3 @@ def _place(text: SceneText, symbols: Sequence[sp.Symbol]) -> tuple[str, str]:
 def _keys(text: SceneText, section: str) -> Collection[str]:
     table = text.values.get(section)
     return table if isinstance(table, dict) else ()
-
-
-@dataclass(frozen=True)
-class Request:
-    """What is to be composed."""
-
-    title: str
-    module: str
-    profile: Profile | None
-    own: OwnProfile | None
-    kind: interface.Kind
-    quantities: Sequence[str]
-    values: Mapping[str, float] = field(default_factory=dict)
-    formats: Sequence[str] = ("python", "tex", "json")
-    at: tuple[str, float] | None = None
-    """Name and value of what the worked example is given at: a, d or F."""
-    scene: str = ""
-    """Text of the scene, copied into the folder."""

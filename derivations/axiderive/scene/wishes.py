@@ -13,8 +13,8 @@ from .. import notation as nt
 from ..physics.pools import ROUND
 from . import interface
 from .linker.sources import ramps
+from .medium import given, kind_of
 from .text import SceneText, near
-from .units import UnitError, kind_of, value_of
 
 if TYPE_CHECKING:
     from .reading import Scene
@@ -72,11 +72,9 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
     if not isinstance(raw, dict) or len(raw) != 1 or not set(raw) <= {"a", "d", "F"}:
         text.problem("want", "at", f"at names one field of the contact; write {form}")
         return
-    ((key, given),) = raw.items()
-    try:
-        value = value_of(given, kind_of(nt.describe(key)))
-    except UnitError as error:
-        text.problem("want", "at", f"{key} {error}" if str(error).startswith("must") else f"{key}: {error}")
+    ((key, at),) = raw.items()
+    value = given(text, "want", "at", at, kind_of(nt.describe(key)), name=key)
+    if value is None:
         return
     if not value > 0.0 and (key == "a" or not scene.kind.physics.tension):
         text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from .given import worked_bodies, worked_given
-from .normal import worked
+from .normal import worked, worked_bodies, worked_given
 
 __all__ = ["worked", "worked_bodies", "worked_given"]

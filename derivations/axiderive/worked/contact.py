@@ -12,10 +12,11 @@ import sympy as sp
 from .. import notation as nt
 from ..entry import Entry
 from ..figures.values import Numbers, Values
-from ..oracle.shape import coefficient
+from ..oracle.definitions import least
+from ..oracle.shape import coefficient, number
 from ..profiles.profile import Profile
 from .cases import Case
-from .quantities import DIGITS
+from .shown import DIGITS
 
 
 def parameters(profile: Profile, case: Case) -> Values:
@@ -24,11 +25,6 @@ def parameters(profile: Profile, case: Case) -> Values:
         found: Values = {coefficient(int(name[2:])): sp.Rational(text) for name, text in case.parameters.items()}
         return found | {nt.N: sp.Integer(len(found))}
     return {nt.describe(name).symbol: sp.Rational(text) for name, text in case.parameters.items()}
-
-
-def number(value: sp.Rational) -> Any:
-    """The rational as an mpmath number at the precision in force."""
-    return mp.mpf(int(value.p)) / int(value.q)
 
 
 def loaded(
@@ -59,8 +55,8 @@ def radius_of(
         return mp.exp((lo + hi) / 2)
 
 
-GRID, NARROWED = 24, 20
-"""Places of a pressure between two breaks, and steps that narrow the place of the largest one down."""
+GRID = 24
+"""Places of a pressure between two breaks."""
 
 
 def infinite(profile: Profile, values: Values) -> str:
@@ -86,23 +82,11 @@ def largest(pressure: Callable[[Any], Any], ends: Sequence[Any]) -> Any:
     found = [pressure(place) for place in places]
     best = max(range(len(places)), key=lambda i: found[i])
     lo, hi = places[max(best - 1, 0)], places[min(best + 1, len(places) - 1)]
-    ratio = (mp.sqrt(5) - 1) / 2
-    left, right = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
-    below, above = pressure(left), pressure(right)
-    for _ in range(NARROWED):
-        if below < above:
-            lo, left, below = left, right, above
-            right = lo + ratio * (hi - lo)
-            above = pressure(right)
-        else:
-            hi, right, above = right, left, below
-            left = hi - ratio * (hi - lo)
-            below = pressure(left)
-    return max(found[best], below, above)
+    return max(found[best], -least(lambda place: -pressure(place), lo, hi))
 
 
 def pull_off(numbers: Numbers, case: Case) -> Any:
-    """The least of F_N(a) - sqrt(8 pi E* dgamma a^3) by golden section in the logarithm of the radius."""
+    """The least of F_N(a) - sqrt(8 pi E* dgamma a^3) in the logarithm of the radius."""
     modulus = number(case.material.modulus)
 
     def force(logarithm: Any) -> Any:
@@ -110,9 +94,5 @@ def pull_off(numbers: Numbers, case: Case) -> Any:
         return numbers.at(a=radius)("F") - mp.sqrt(8 * mp.pi * modulus * case.material.separation * radius**3)
 
     with mp.workdps(DIGITS):
-        lo, hi = mp.log(numbers["a"]) - 14, mp.log(numbers["a"])
-        ratio = (mp.sqrt(5) - 1) / 2
-        for _ in range(60):
-            left, right = hi - ratio * (hi - lo), lo + ratio * (hi - lo)
-            lo, hi = (lo, right) if force(left) < force(right) else (left, hi)
-        return force((lo + hi) / 2)
+        end = mp.log(numbers["a"])
+        return least(force, end - 14, end)

@@ -12,10 +12,11 @@ from .. import notation as nt
 from ..entry import Entry
 from ..figures.values import Numbers, Values
 from ..oracle.evaluate import case_at, evaluated
+from ..oracle.shape import number
 from ..physics import materials
 from .cases import ACRYLIC, CARTILAGE, CERAMIC, ELASTOMER, PMMA, POLYETHYLENE, POLYMER, SILICONE, Case
-from .contact import loaded, number
-from .quantities import DIGITS, given_text, quantity_text, stated_text
+from .contact import loaded
+from .shown import DIGITS, given_text, quantity_text, stated_text
 
 GRADED, SOLIDS = {SILICONE: CARTILAGE, PMMA: POLYMER}, {SILICONE: ELASTOMER, PMMA: ACRYLIC}
 """Materials that an indenter of the same size is pressed into; those of steel are a ceramic and polyethylene."""
@@ -84,7 +85,7 @@ def _graded(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple
     """A rigid body of this shape under the same force."""
     medium = GRADED.get(case.material, CERAMIC)
     own: Values = {nt.describe(name).symbol: sp.Rational(getattr(medium, name)) for name in ("E_0", "c_0", "k", "nu")}
-    modulus = _foundation_modulus(own)
+    modulus = foundation_modulus(materials.derive(), own)
     values = {s: x for s, x in contact.values.items() if s not in (nt.a, nt.E_star)} | own | {nt.H: modulus}
     if not contact.compact:
         values[nt.a] = contact.values[nt.a]
@@ -103,13 +104,11 @@ def _graded(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple
     return "Graded half-space", f"{medium.words}; " + "; ".join(given), shown
 
 
-def _foundation_modulus(values: Values) -> Any:
-    """H from Young's modulus at a depth."""
-    entry = materials.derive()["H"]
-    known = dict(values)
-    for symbol, expr in entry.profile.abbreviations:
-        known[symbol] = evaluated(expr, known)
-    return evaluated(entry.cases[0].expr, known)
+def foundation_modulus(entries: Entries, values: Values) -> Any:
+    """H from Young's modulus at a depth; the values get what it is short for."""
+    for symbol, expr in entries["H"].profile.abbreviations:
+        values[symbol] = evaluated(expr, values)
+    return value_of(entries["H"], values)
 
 
 def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tuple[str, str, Shown]:
@@ -120,7 +119,7 @@ def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tup
     values = contact.values | solid | {nt.d: contact.depth}
 
     def force(t: Any) -> Any:
-        return _value(entries["step_sls"], values | {nt.time: t})
+        return value_of(entries["step_sls"], values | {nt.time: t})
 
     first = force(mp.mpf(0))
     shown: Shown = [
@@ -143,7 +142,7 @@ def _relaxing(entries: Mapping[str, Entry], case: Case, contact: Numbers) -> tup
     return "Standard solid", "; ".join([rubber.words, *given, held]), shown
 
 
-def _value(entry: Entry, values: Values) -> Any:
+def value_of(entry: Entry, values: Values) -> Any:
     """The value of an explicit entry, or of the right side of its equation."""
     expr = case_at(entry, values).expr
     return mp.re(evaluated(expr.rhs if isinstance(expr, sp.Equality) else expr, values))
@@ -152,7 +151,7 @@ def _value(entry: Entry, values: Values) -> Any:
 def _grown(entry: Entry, values: Values) -> Any:
     """The contact radius, larger than that of the first moment, which the values hold."""
     if entry.status == "closed":
-        return _value(entry, values)
+        return value_of(entry, values)
 
     def excess(logarithm: Any) -> Any:
         at = values | {nt.a: mp.exp(logarithm)}

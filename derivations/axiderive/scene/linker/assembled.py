@@ -9,7 +9,8 @@ from ... import notation as nt
 from ...code.text import python
 from ...profiles.profile import Profile, Rule
 from .. import interface
-from .linking import OWN, Key, Module
+from .library import Module, definition
+from .linking import OWN
 
 NUMBER = """from .{module} import {private}
 
@@ -51,10 +52,9 @@ def {name}(x, P, a, e):
 """
 ORDER = """def _require_order({names}):
     if not {relation}:
-        raise ValueError(
-            f"{given}: {shown} is violated; "
-            "{reason}"
-        )
+        given = f"{given}"
+        reason = "{reason}"
+        raise ValueError(f"{{given}}: {shown} is violated; {{reason}}")
 """
 WAVES = "from ._runtime.graded.waves import steepest_waves\n\n"
 PLAIN = frozenset(["_runtime.physics.adhesion", "_runtime.interface"])
@@ -76,9 +76,9 @@ class Assembled:
     decorators: tuple[str, ...] = ()
 
     @property
-    def key(self) -> Key:
+    def key(self) -> str:
         """Its place in the module of the scene."""
-        return OWN, self.name
+        return f"{OWN}:{self.name}"
 
 
 def module(texts: Iterable[str]) -> Module:
@@ -95,19 +95,19 @@ def _float(value: str, *, array: bool) -> str:
     return f"float(np.squeeze({value}))" if array else f"float({value})"
 
 
-def _call(modules: Mapping[str, Module], key: Key) -> str:
-    return f"{key[1]}({', '.join(modules[key[0]].definitions[key[1]].parameters)})"
+def _call(modules: Mapping[str, Module], key: str) -> str:
+    own = definition(modules, key)
+    return f"{own.name}({', '.join(own.parameters)})"
 
 
 def number(
-    modules: Mapping[str, Module], key: Key, name: str, doc: str, keywords: tuple[str, ...], *, array: bool
+    modules: Mapping[str, Module], key: str, name: str, doc: str, keywords: tuple[str, ...], *, array: bool
 ) -> Assembled:
     """A result without fields; `array` where its rules give an array of one."""
-    call = _call(modules, key)
+    own = definition(modules, key)
     text = NUMBER.format(
-        module=key[0], private=key[1], name=name,
-        parameters=", ".join(modules[key[0]].definitions[key[1]].parameters),
-        value=_float(call, array=array),
+        module=own.module.name, private=own.name, name=name, parameters=", ".join(own.parameters),
+        value=_float(_call(modules, key), array=array),
     )  # fmt: skip
     return Assembled(name, text, doc, keywords, decorators=SILENT if array else ())
 
@@ -127,22 +127,23 @@ def pull_off(
         f"_pull_off_{name}" if f"_pull_off_{name}" in defined else f"_{name}" for name in ("force", "depth")
     )
     radius = "_pull_off_radius"
-    plain = {source for source, _ in modules[key].imported.values()} <= PLAIN
+    plain = {source.partition(":")[0] for source in modules[key].imported.values()} <= PLAIN
     form = PULL_OFF + (AT_NUMBERS if plain else IN_ARRAYS) if radius in defined else PEELING
     text = form.format(
         module=key, radius=radius, force=force, depth=depth, parameters=", ".join(["control", *parameters]),
-        radius_call=_call(modules, (key, radius)) if radius in defined else "",
-        force_call=_call(modules, (key, force)), depth_call=_call(modules, (key, depth)),
-        force_value=_float(_call(modules, (key, force)), array=array),
-        depth_value=_float(_call(modules, (key, depth)), array=array),
+        radius_call=_call(modules, f"{key}:{radius}") if radius in defined else "",
+        force_call=_call(modules, f"{key}:{force}"), depth_call=_call(modules, f"{key}:{depth}"),
+        force_value=_float(_call(modules, f"{key}:{force}"), array=array),
+        depth_value=_float(_call(modules, f"{key}:{depth}"), array=array),
     )  # fmt: skip
     decorators = SILENT if radius in defined or array else ()
     return Assembled(interface.PULL_OFF, text, doc, keywords, 'control="force"', decorators)
 
 
-def leaning(key: Key, name: str) -> str:
+def leaning(key: str, name: str) -> str:
     """A field under a load on either side of the middle."""
-    return LEANING.format(module=key[0], private=key[1], name=name)
+    module, _, private = key.partition(":")
+    return LEANING.format(module=module, private=private, name=name)
 
 
 def order(

@@ -1,167 +1,49 @@
-"""A self-contained module out of generated ones.
+"""A self-contained module out of generated ones: what the wanted functions reach, frozen parameters as constants.
 
-Generated modules as a library of definitions: what each one is, and what the names in it refer to.
-
-A self-contained module out of generated ones: what the wanted functions reach, frozen parameters as constants.
-
-A frozen parameter is dropped from every signature through which only itself is
-passed; the constant of the same name takes its place.
+Functions are written where they are called if they are used once, straight lines, with plain names as arguments.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+import re
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from ...code.module import PLACE
-from .inlining import inlined
-from .rewriting import rewritten
-from .source import Source, arguments
-
-Key = tuple[str, str]
-"""Module and name."""
-
-
-@dataclass(frozen=True, eq=False)
-class Definition:
-    """A function, class or constant at the top of a module, with its text."""
-
-    module: Module
-    name: str
-    node: ast.stmt
-
-    @property
-    def key(self) -> Key:
-        """Names of its module and of itself."""
-        return self.module.name, self.name
-
-    @property
-    def function(self) -> ast.FunctionDef | None:
-        """The syntax tree if this is a function, else None."""
-        return self.node if isinstance(self.node, ast.FunctionDef) else None
-
-    @property
-    def parameters(self) -> list[str]:
-        """Names of the positional parameters of a function; none for anything else."""
-        return [arg.arg for arg in self.function.args.args] if self.function else []
-
-    @cached_property
-    def bound(self) -> frozenset[str]:
-        """Names bound anywhere inside: they do not refer to the module."""
-        if self.function is None:
-            return frozenset()
-        found = {node.arg for node in ast.walk(self.node) if isinstance(node, ast.arg)} | self.stored
-        return frozenset(found | {n.name for n in ast.walk(self.node) if isinstance(n, ast.FunctionDef)} - {self.name})
-
-    @cached_property
-    def stored(self) -> frozenset[str]:
-        """Names that are given a value inside; a parameter among them is no longer what was passed."""
-        names = (node for node in ast.walk(self.node) if isinstance(node, ast.Name))
-        return frozenset(node.id for node in names if isinstance(node.ctx, ast.Store))
-
-    def references(self) -> Iterator[tuple[ast.expr, Key]]:
-        """Names inside that refer to definitions, annotations left out."""
-        skipped = _annotations(self.node)
-        for node in ast.walk(self.node):
-            if id(node) in skipped:
-                continue
-            if isinstance(node, ast.Name) and node.id not in self.bound:
-                key = self.module.resolve(node.id)
-                if key is not None:
-                    yield node, key
-            elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
-                alias = self.module.aliases.get(node.value.id)
-                if alias is not None:
-                    yield node, (alias, node.attr)
-
-
-class Module(Source):
-    """One module, parsed."""
-
-    def __init__(self, name: str, text: str) -> None:
-        super().__init__(_with_imports_outside(text))
-        self.name = name
-        self.definitions: dict[str, Definition] = {}
-        self.imported: dict[str, Key] = {}
-        self.aliases: dict[str, str] = {}
-        self.notes: dict[str, str] = {}
-        """What the text under a constant says of it."""
-        body = self.tree.body
-        for node, below in zip(body, [*body[1:], None], strict=True):
-            self._define(node)
-            match node, below:
-                case ast.Assign(targets=[ast.Name(id=name)]), ast.Expr(value=ast.Constant(value=str(note))):
-                    self.notes[name] = note.splitlines()[0].rstrip(".")
-
-    def _define(self, node: ast.stmt) -> None:
-        match node:
-            case ast.FunctionDef(name=name) | ast.ClassDef(name=name):
-                self.definitions[name] = Definition(self, name, node)
-            case ast.Assign(targets=[ast.Name(id=name)]):
-                self.definitions[name] = Definition(self, name, node)
-            case ast.Assign(targets=[ast.Tuple(elts=elements)], value=ast.Tuple(elts=values)):
-                for element, value in zip(elements, values, strict=True):
-                    if isinstance(element, ast.Name):
-                        single = ast.copy_location(ast.Assign(targets=[element], value=value), node)
-                        self.definitions[element.id] = Definition(self, element.id, single)
-            case ast.ImportFrom(module="normal", level=level, names=[ast.alias(name=name, asname="normal")]):
-                self.aliases["normal"] = self._below(level, f"normal.{name}")
-            case ast.ImportFrom(module=source, level=level, names=names) if level and source:
-                for alias in names:
-                    self.imported[alias.asname or alias.name] = (self._below(level, source), alias.name)
-
-    def _below(self, level: int, name: str) -> str:
-        """A module named relative to this one, by its name in the package."""
-        return ".".join([*self.name.split(".")[:-level], name])
-
-    def resolve(self, name: str) -> Key | None:
-        """The key of what a name means at the top of the module, defined or imported; None for any other name."""
-        if name in self.definitions:
-            return self.name, name
-        return self.imported.get(name)
-
-
-def _with_imports_outside(text: str) -> str:
-    """The text with what functions import from the package behind it, where it is read as an import of the module."""
-    lines, moved = text.splitlines(keepends=True), []
-    for function in (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)):
-        for node in ast.walk(function):
-            if isinstance(node, ast.ImportFrom) and node.level and node.end_lineno:
-                moved.append(ast.unparse(node) + "\n")
-                blank = node.end_lineno < len(lines) and not lines[node.end_lineno].strip()
-                lines[node.lineno - 1 : node.end_lineno + blank] = [""] * (node.end_lineno + blank - node.lineno + 1)
-    return "".join([*lines, *moved])
-
-
-def _annotations(node: ast.AST) -> set[int]:
-    """Nodes that only the type checker reads."""
-    found: set[int] = set()
-    for inner in ast.walk(node):
-        for name in ("annotation", "returns"):
-            part = getattr(inner, name, None)
-            if part is not None:
-                found |= {id(n) for n in ast.walk(part)}
-    return found
-
-
-def _group(module: str) -> str:
-    """What tells functions of one name apart: their file of the run time, or the package of a module."""
-    file = module.removeprefix(f"{PLACE}.").removeprefix("physics.").removeprefix("shapes.")
-    group = module.rpartition(".")[0] if file == module != OWN else file
-    return group.replace(".", "_")
-
+from .binding import bind
+from .library import (
+    Module,
+    Program,
+    arguments,
+    bound,
+    calls,
+    documentation,
+    is_comment,
+    loaded,
+    parameters,
+    references,
+    source,
+    stored,
+)
+from .written import class_text, constant_text, function_head, function_text
 
 OWN = "scene"
 """Module of functions that are written for the scene: they keep their names."""
+SHARED = {
+    "_runtime.integrals:integral": "_integral",
+    "_runtime.nodes:_LOWER_HALVES": "_NODES",
+}
+"""Names of what is written anew for a scene, in fewer lines."""
+WRITTEN = {*SHARED.values(), "_bare", "_elementwise", "_require", "_DOMAINS", "_UNITS"}
 
 
 @dataclass(frozen=True)
 class Wanted:
     """A function of the interface: the private function behind it, its name, fields, keywords and docstring."""
 
-    key: Key
+    key: str
     name: str
     fields: tuple[str, ...]
     keywords: tuple[str, ...]
@@ -172,131 +54,200 @@ class Wanted:
     """Whether it is even or odd in its first field."""
 
 
-@dataclass
 class Linker:
-    """The reachable definitions with the parameters each one no longer takes, and the names they get."""
+    """The reachable definitions with the parameters that are left to each one, and the names they get.
 
-    modules: Mapping[str, Module]
-    wanted: Sequence[Wanted]
-    frozen: frozenset[str]
-    positive: frozenset[str] = frozenset()
-    """The frozen ones above zero, of which no line needs to ask it."""
-    roots: Sequence[Key] = ()
-    reached: dict[Key, Definition] = field(default_factory=dict)
-    dropped: dict[Key, frozenset[str]] = field(default_factory=dict)
-    names: dict[Key, str] = field(default_factory=dict)
-    inlined: Mapping[Key, str] = field(default_factory=dict)
+    Of the `frozen` parameters no line needs to ask whether those that are `positive` are above zero; `roots` are
+    wanted for themselves, with names of their own.
+    """
 
-    def __post_init__(self) -> None:
-        pending = [*(w.key for w in self.wanted), *self.roots]
-        while pending:
-            key = pending.pop(0)
-            if key in self.reached:
-                continue
-            definition = self.definition(key)
-            self.reached[key] = definition
-            pending += [target for _, target in definition.references() if target not in SHARED]
-        self._drop()
-        self.inlined = inlined(self)
-        self._name()
+    def __init__(
+        self, modules: Mapping[str, Module], wanted: Sequence[Wanted], frozen: frozenset[str],
+        positive: frozenset[str] = frozenset(), roots: Sequence[str] = (),
+    ) -> None:  # fmt: skip
+        self.wanted, self.frozen, self.roots = wanted, frozen, roots
+        self.program = Program(modules, [*(w.key for w in wanted), *roots], frozenset(SHARED))
+        bind(self.program, frozen, positive)
+        self.merged = {w.key for w in wanted if self._merged(w)}
+        names = [*self.program.trees]
+        inline(self.program, frozen)
+        functions = self.program.functions
+        for node in functions.values():
+            _Shortened(functions).visit(node)
+        self.names = self._named(names) | SHARED
 
-    def definition(self, key: Key) -> Definition:
-        """The definition behind a key, followed through imports; KeyError if there is none."""
-        module, name = key
-        found = self.modules[module].definitions.get(name)
-        if found is None:
-            return self.definition(self.modules[module].imported[name])
-        return found
-
-    # which parameters go
-
-    def _drop(self) -> None:
-        self.dropped = {
-            key: frozenset(p for p in d.parameters if p in self.frozen and p not in d.stored)
-            for key, d in self.reached.items()
-            if d.function
-        }
-        for key in self._escaping():
-            self.dropped[key] = frozenset()
-        while self._undropped():
-            pass
-
-    def _escaping(self) -> set[Key]:
-        """Functions that are also handed on as values, whose callers are not known."""
-        found: set[Key] = set()
-        for definition in self.reached.values():
-            called = {id(node.func) for node in ast.walk(definition.node) if isinstance(node, ast.Call)}
-            found |= {key for node, key in definition.references() if id(node) not in called and key in self.dropped}
-        return found
-
-    def _undropped(self) -> bool:
-        """Give a parameter back where a caller passes something else; says whether any was."""
-        changed = False
-        for caller, definition in self.reached.items():
-            own = self.dropped.get(caller, frozenset())
-            references = {id(node): key for node, key in definition.references()}
-            for call in (node for node in ast.walk(definition.node) if isinstance(node, ast.Call)):
-                key = references.get(id(call.func))
-                if key is None or not self.dropped.get(key):
-                    continue
-                given = arguments(call, self.reached[key].parameters)
-                for parameter in sorted(self.dropped[key]):
-                    value = given.get(parameter)
-                    same = isinstance(value, ast.Name) and value.id == parameter
-                    if not same or (parameter in definition.bound and parameter not in own):
-                        self.dropped[key] -= {parameter}
-                        changed = True
-        return changed
-
-    # what they are called
-
-    def merged(self, wanted: Wanted) -> bool:
+    def _merged(self, wanted: Wanted) -> bool:
         """Whether the private function itself can be the public one: it takes the fields and nothing else."""
-        left = [p for p in self.reached[wanted.key].parameters if p not in self.dropped[wanted.key]]
+        trees = self.program.trees
         shadowed = any(
-            wanted.name in d.bound and any(key == wanted.key for _, key in d.references())
-            for d in self.reached.values()
+            wanted.name in bound(node) and any(name.id == wanted.key for name in references(node))
+            for node in self.program.functions.values()
         )
-        plain = left == list(wanted.fields) and wanted.key not in self._escaping()
+        handed_on = any(
+            name.id == wanted.key and id(name) not in {id(call.func) for call, _ in calls(node)}
+            for node in trees.values() for name in references(node)
+        )  # fmt: skip
+        plain = parameters(trees[wanted.key]) == [*wanted.fields] and not handed_on
         return plain and not shadowed and wanted.key not in self.roots
 
-    def _name(self) -> None:
-        public = {w.key: w.name for w in self.wanted if self.merged(w)}
-        public |= {key: key[1] for key in self.roots if key[0] == OWN}
+    def _named(self, keys: Sequence[str]) -> dict[str, str]:
+        names = {w.key: w.name for w in self.wanted if w.key in self.merged}
+        names |= {key: key.partition(":")[2] for key in self.roots if key.startswith(f"{OWN}:")}
         taken = {w.name for w in self.wanted} | self.frozen | WRITTEN
-        for key in self.reached:
-            name = public.get(key)
-            if name is None:
-                stem = key[1].lstrip("_")
+        for key in keys:
+            if key not in names:
+                module, _, own = key.partition(":")
+                stem = own.lstrip("_")
                 name = stem if stem[0].isupper() and stem not in taken else f"_{stem}"
-                if name in taken:
-                    name = f"_{_group(key[0])}_{stem}"
-                taken.add(name)
-            self.names[key] = name
-        self.names |= SHARED
+                names[key] = f"_{_group(module)}_{stem}" if name in taken else name
+                taken.add(names[key])
+        return names
 
-    @staticmethod
-    def given(call: ast.Call, callee: Definition) -> dict[str, ast.expr]:
-        """The arguments of a call by parameter."""
-        return arguments(call, callee.parameters)
+    def text(self, key: str, doc: str = "", head: Sequence[str] = ()) -> str:
+        """The text of a definition; `doc` replaces a docstring, `head` the line of `def`."""
+        node, name = self.program.trees[key], self.names[key]
+        match node:
+            case ast.FunctionDef():
+                return function_text(head or function_head(name, node, self.names), node, self.names, doc)
+            case ast.ClassDef():
+                return class_text(name, node, self.names)
+        assert isinstance(node, ast.Assign)
+        return "\n".join([*self.program.remarks[key], constant_text(name, node.value, self.names)])
 
-    def text(self, key: Key, doc: str = "") -> str:
-        """The text of a reached definition with its new names and fewer parameters; `doc` replaces its docstring."""
-        return rewritten(self, self.reached[key], doc)
+
+class _Shortened(ast.NodeTransformer):
+    """A function for `lambda t: _slope(t)`."""
+
+    def __init__(self, functions: Collection[str]) -> None:
+        self.functions = functions
+
+    def visit_Lambda(self, node: ast.Lambda) -> ast.AST:
+        """The function, if it is handed what the lambda takes."""
+        self.generic_visit(node)
+        match node.body:
+            case ast.Call(func=ast.Name(id=key) as function, args=given, keywords=[]) if key in self.functions:
+                return function if [*map(ast.unparse, given)] == [arg.arg for arg in node.args.args] else node
+        return node
 
 
-SHARED: dict[Key, str] = {
-    ("_runtime.integrals", "integral"): "_integral",
-    ("_runtime.nodes", "_LOWER_HALVES"): "_NODES",
-    ("_runtime.interface", "Array"): "",
-    ("_runtime.interface", "Result"): "",
-    ("_runtime.physics.adhesion", "Load"): "",
-}
-"""Names of what is written anew for a scene, in fewer lines; empty for what is read by the type checker only."""
-WRITTEN = frozenset(name for name in SHARED.values() if name) | {
-    "_bare",
-    "_elementwise",
-    "_require",
-    "_DOMAINS",
-    "_UNITS",
-}
+def _group(module: str) -> str:
+    """What tells functions of one name apart: their file of the run time, or the package of a module."""
+    file = module.removeprefix(f"{PLACE}.").removeprefix("physics.").removeprefix("shapes.")
+    group = module.rpartition(".")[0] if file == module != OWN else file
+    return group.replace(".", "_")
+
+
+WIDTH, KEYS = 107, re.compile(r"[\w.]+:(?=\w)")
+
+
+class Exchanged(ast.NodeTransformer):
+    """Other expressions in the place of some."""
+
+    def __init__(self, others: Mapping[ast.AST, ast.expr]) -> None:
+        self.others = others
+
+    def visit(self, node: ast.AST) -> ast.AST:
+        """The other expression, if there is one."""
+        return self.others.get(node) or super().visit(node)
+
+
+class _Renamed(ast.NodeTransformer):
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        """Another name."""
+        return ast.Name(self.names.get(node.id, node.id), node.ctx)
+
+
+@dataclass
+class _Site:
+    """The one place where a function is used."""
+
+    owner: ast.FunctionDef
+    call: ast.Call
+
+    @property
+    def statement(self) -> ast.stmt:
+        """The statement of the owner that holds it."""
+        return next(s for s in self.owner.body if any(node is self.call for node in ast.walk(s)))
+
+    def fits(self, value: ast.expr) -> bool:
+        """Whether a value fits on the line in the place of the call."""
+        inside = (s for s in ast.walk(self.statement) if isinstance(s, ast.stmt))
+        *outer, line = [s for s in inside if any(node is self.call for node in ast.walk(s))]
+        whole, part, new = (len(KEYS.sub("", source(node))) for node in (line, self.call, value))
+        return 4 * len(outer) + whole - part + new <= WIDTH
+
+    @property
+    def straight(self) -> bool:
+        """Whether the call stands in a simple statement of the function itself, so that lines can go before it."""
+        own = self.statement
+        scopes = (s for s in ast.walk(own) if isinstance(s, (ast.Lambda, ast.GeneratorExp, ast.IfExp)))
+        simple = isinstance(own, (ast.Assign, ast.Return))
+        return simple and not any(node is self.call for scope in scopes for node in ast.walk(scope))
+
+
+def inline(program: Program, frozen: frozenset[str]) -> None:
+    """Write functions out where they are called; `frozen` are the names of constants that all of them know."""
+    uses = Counter(name.id for node in program.trees.values() for name in references(node))
+    for key, count in uses.items():
+        callee = program.functions.get(key)
+        site = next(_sites(program, key), None)
+        if callee is None or key in program.wanted or count > 1 or site is None or site.owner is callee:
+            continue
+        lines = _lines(callee)
+        if lines is None or not _means_the_same(site, callee, frozen):
+            continue
+        name = "" if site.fits(_value(callee)) else f"plain_{key.partition(':')[2].lstrip('_')}"
+        if (lines or name) and not site.straight or name in bound(site.owner):
+            continue
+        _write(site, callee, lines, name)
+        del program.trees[key]
+
+
+def _value(function: ast.FunctionDef) -> ast.expr:
+    """What a function returns at its end."""
+    last = function.body[-1]
+    assert isinstance(last, ast.Return) and last.value is not None
+    return last.value
+
+
+def _sites(program: Program, key: str) -> Iterator[_Site]:
+    for owner in program.functions.values():
+        yield from (_Site(owner, call) for call, called in calls(owner) if called == key)
+
+
+def _lines(function: ast.FunctionDef) -> list[ast.stmt] | None:
+    """The assignments, also under conditions, of a function that is nothing else but what it returns."""
+    *body, last = function.body[1:] if documentation(function) else function.body
+    return body if isinstance(last, ast.Return) and last.value and all(map(_assigns, body)) else None
+
+
+def _assigns(statement: ast.stmt) -> bool:
+    if isinstance(statement, ast.If):
+        return all(_assigns(s) for s in (*statement.body, *statement.orelse))
+    return isinstance(statement, ast.Assign) or is_comment(statement)
+
+
+def _means_the_same(site: _Site, callee: ast.FunctionDef, frozen: frozenset[str]) -> bool:
+    """Whether the lines mean the same in the place of the call, with its arguments for the parameters."""
+    taken, own, outer = set(parameters(callee)), bound(callee), bound(site.owner)
+    given = arguments(site.call, parameters(callee))
+    if not all(isinstance(given.get(name), ast.Name) for name in taken) or stored(callee) & taken:
+        return False
+    free = {n.id.rpartition(":")[2] for n in ast.walk(callee) if isinstance(n, ast.Name)} - own
+    return not (own - taken) & outer and not free & (outer - frozen)
+
+
+def _write(site: _Site, callee: ast.FunctionDef, lines: Sequence[ast.stmt], name: str) -> None:
+    given = arguments(site.call, parameters(callee))
+    renamed = _Renamed({p: value.id for p, value in given.items() if isinstance(value, ast.Name)})
+    before = [renamed.visit(line) for line in lines]
+    value: ast.expr = renamed.visit(_value(callee))
+    if name:
+        before.append(ast.Assign(targets=[ast.Name(name, ast.Store())], value=value))
+        value = loaded(name)
+    place = site.owner.body.index(site.statement)
+    Exchanged({site.call: value}).visit(site.owner)
+    site.owner.body[place:place] = before

@@ -5,25 +5,24 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Mapping, MutableMapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ... import __version__
 from ...code.python import NODE_COUNTS
 from ...profiles.profile import Profile
-from ..reading import Request
-from ..values.contact import Contact, worked
+from ..contact import Contact, worked
+from ..reading import Scene
 from .assembled import REQUIRE_ORDER, Assembled
-from .linking import OWN, SHARED, Key, Linker, Module, Wanted
-from .rewriting import documented
-from .specialising import specialised
+from .library import Module, parameters, references
+from .linking import OWN, Linker, Wanted
+from .written import documented
 
 if TYPE_CHECKING:
     from ...expression.answer import Answer
 
 
-def head(request: Request, profile: Profile, answer: Answer | None, contact: Contact) -> str:
+def head(request: Scene, profile: Profile, answer: Answer | None, contact: Contact) -> str:
     """Title, what the profile is, and the worked example."""
     law = request.kind.law
     kind = f"on {law.material}, while it grows" if law else request.kind.physics.contact
@@ -107,20 +106,11 @@ INTEGRAL = '''def _integral(integrand, stop, count):
     return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
 
 
-@dataclass(frozen=True)
-class Constant:
-    """A frozen parameter: its value and what it is."""
-
-    name: str
-    value: float
-    comment: str
-
-
 def module_text(
     head: str,
-    modules: MutableMapping[str, Module],
+    modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
-    constants: Sequence[Constant],
+    constants: Mapping[str, tuple[float, str]],
     domains: Mapping[str, tuple[str, str]],
     units: Mapping[str, str],
     above: Sequence[Assembled] = (),
@@ -136,8 +126,8 @@ def module_text(
         The library by name of module.
     wanted : sequence of Wanted
         The functions of the interface, in order.
-    constants : sequence of Constant
-        The frozen parameters; those that nothing needs are left out.
+    constants : mapping
+        Values of the frozen parameters and what they are; those that nothing needs are left out.
     domains : mapping
         Open interval of each parameter that is left free.
     units : mapping
@@ -147,32 +137,29 @@ def module_text(
     order : sequence of str
         Arguments of the check of the rules between parameters, empty if there is none.
     """
-    frozen = frozenset(c.name for c in constants)
-    positive = frozenset(c.name for c in constants if c.value > 0.0)
-    roots = (*(one.key for one in above), *([(OWN, REQUIRE_ORDER)] if order else []))
-    modules = specialised(modules, [*(one.key for one in wanted), *roots], frozenset(SHARED))
+    frozen, positive = frozenset(constants), frozenset(name for name, (value, _) in constants.items() if value > 0.0)
+    roots = (*(one.key for one in above), *([f"{OWN}:{REQUIRE_ORDER}"] if order else []))
     linker = Linker(modules, wanted, frozen, positive, roots)
-    checks = _Checks(frozen, order)
-    public, merged = [], set()
+    left, counts = [name for name in order if name not in frozen], _counts(linker)
+    public = []
     for one in wanted:
         options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
         decorator = f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise"
-        if linker.merged(one):
-            merged.add(one.key)
+        if one.key in linker.merged:
             text = linker.text(one.key, one.doc)
         else:
-            text = _wrapper(linker, one, checks)
+            text = _wrapper(linker, one, left)
         mirrored = f"@_{one.parity}\n" if one.parity else ""
         public.append(f"{mirrored}{decorator}\n{text}")
-    public += [_assembled(linker, one, checks) for one in above]
-    hidden = {*merged, *linker.inlined, *(one.key for one in above)}
-    private = [linker.text(key) for key, d in linker.reached.items() if key not in hidden and d.function]
+    public += [_assembled(linker, one, left) for one in above]
+    hidden = {*linker.merged, *(one.key for one in above)}
+    private = [linker.text(key) for key in linker.program.functions if key not in hidden]
     values = [linker.text(key) for key in _constants(linker)]
     body = "\n\n\n".join([*public, *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
     if "_NODES[" in body:
-        values.append(_nodes(modules["_runtime.nodes"], _counts(linker)))
+        values.append(_nodes(modules["_runtime.nodes"], counts))
     free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
     if free:
         rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
@@ -181,13 +168,13 @@ def module_text(
     given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
     if given:
         values.append(f"_UNITS = {{{', '.join(f'{name!r}: {units[name]!r}' for name in given)}}}".replace("'", '"'))
-    used = [c for c in constants if re.search(rf"\b{re.escape(c.name)}\b", body + "\n".join(values))]
+    used = {k: own for k, own in constants.items() if re.search(rf"\b{re.escape(k)}\b", body + "\n".join(values))}
     for parity, text in (("odd", ODD), ("even", EVEN)):
         if any(one.parity == parity for one in wanted):
             body = f"{text}\n\n\n{body}"
     body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
     body = f"{BARE}\n\n\n{body}" if given else body
-    shown = [f"{c.name} = {c.value!r}  # {c.comment}" for c in used]
+    shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
 
@@ -209,64 +196,50 @@ def _core(wanted: Sequence[Wanted]) -> str:
     )
 
 
-@dataclass(frozen=True)
-class _Checks:
-    """What a public function asks of its keywords before it computes."""
-
-    frozen: frozenset[str]
-    order: tuple[str, ...]
-
-    def lines(self, keywords: Sequence[str]) -> list[str]:
-        """The lines that check these keywords: their domains, and their order where all it concerns are keywords."""
-        if not keywords:
-            return []
-        found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
-        left = [name for name in self.order if name not in self.frozen]
-        return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
+def _checks(keywords: Sequence[str], left: Sequence[str]) -> list[str]:
+    """What a public function asks of its keywords first: their domains, and the order of those `left` to them alone."""
+    if not keywords:
+        return []
+    found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
+    return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
 
 
-def _wrapper(linker: Linker, one: Wanted, checks: _Checks) -> str:
+def _wrapper(linker: Linker, one: Wanted, left: Sequence[str]) -> str:
     """A public function in front of a private one that takes more than the fields."""
-    passed = [p for p in linker.reached[one.key].parameters if p not in linker.dropped[one.key]]
+    passed = parameters(linker.program.trees[one.key])
     signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
     call = f"{linker.names[one.key]}({', '.join(passed)})"
     head = f"def {one.name}({signature}):"
-    return "\n".join([head, *documented(one.doc), *checks.lines(one.keywords), f"    return {call}"])
+    return "\n".join([head, *documented(one.doc), *_checks(one.keywords, left), f"    return {call}"])
 
 
-def _assembled(linker: Linker, own: Assembled, checks: _Checks) -> str:
+def _assembled(linker: Linker, own: Assembled, left: Sequence[str]) -> str:
     """The linked function with its docstring and the check of what stays free."""
-    _, *body = linker.text(own.key).splitlines()
     signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
-    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc)]
-    return "\n".join([*head, *checks.lines(own.keywords), *body])
+    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc), *_checks(own.keywords, left)]
+    return linker.text(own.key, head=head)
 
 
-def _constants(linker: Linker) -> list[Key]:
+def _constants(linker: Linker) -> list[str]:
     """What is no function, each after those it is made of."""
-    found: dict[Key, None] = {}
+    found: dict[str, None] = {}
+    trees, functions = linker.program.trees, linker.program.functions
 
-    def add(key: Key) -> None:
-        definition = linker.reached.get(key)
-        if definition is not None and not definition.function and key not in found:
-            for _, needed in definition.references():
-                if needed != key:
-                    add(needed)
+    def add(key: str) -> None:
+        if key in trees and key not in functions and key not in found:
+            for name in references(trees[key]):
+                add(name.id)
             found[key] = None
 
-    for key in linker.reached:
+    for key in trees:
         add(key)
     return list(found)
 
 
 def _counts(linker: Linker) -> list[int]:
     """The numbers of nodes that the linked text can ask for."""
-    found = {
-        node.value
-        for definition in linker.reached.values()
-        for node in ast.walk(definition.node)
-        if isinstance(node, ast.Constant) and isinstance(node.value, int)
-    }
+    nodes = (node for tree in linker.program.trees.values() for node in ast.walk(tree))
+    found = {node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, int)}
     return [count for count in NODE_COUNTS if count in found]
 
 

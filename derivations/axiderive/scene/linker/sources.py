@@ -27,12 +27,13 @@ from ...profiles.profile import Profile
 from ...store.index import NoCatalogueError, package
 from ...store.records import read_entry
 from ..interface import NORMAL, Kind
-from .inlining import rules, ungrouped
-from .linking import Module
+from .library import Module
 
 CREEPING = BY_NAME["viscoelastic"]
-FOLDERS = (RUNTIME, Path(__file__).with_name("runtime"))
-"""The run time, and new modules of it, or definitions in place of others of the same name."""
+FOR_SCENES = "over_profile"
+"""A module of the run time that scenes alone have."""
+SHORTER = {"functions": ("rational", "beside"), "special": ("dawson",), "shapes/arcs": ("arc_strips",)}
+"""Functions of which it has a shorter equal, by their file."""
 
 
 class _Runtime(dict[str, Module]):
@@ -41,48 +42,30 @@ class _Runtime(dict[str, Module]):
     def __missing__(self, name: str) -> Module:
         path = f"{name.replace('.', '/')}.py"
         if path == f"{PLACE}/nodes.py":
-            found = _module(name, nodes_source(NODE_COUNTS))
+            found = Module(name, nodes_source(NODE_COUNTS))
         elif path == f"{PLACE}/kernels.py":
-            found = _module(name, polynomials(stored(path) or kernels_source()))
+            found = _polynomials(Module(name, stored(path) or kernels_source()))
         else:
-            below = path.removeprefix(f"{PLACE}/")
-            paths = [folder / below for folder in FOLDERS if below != path and (folder / below).is_file()]
-            if not paths:
+            file = path.removeprefix(f"{PLACE}/").removesuffix(".py")
+            folder = Path(__file__).with_name("runtime") if file == FOR_SCENES else RUNTIME
+            if not path.startswith(f"{PLACE}/") or not (folder / f"{file}.py").is_file():
                 raise KeyError(name)
-            first, *over = (_module(name, path.read_text()) for path in paths)
-            for other in over:
-                first.definitions.update(other.definitions)
-            found = first
+            found = Module(name, (folder / f"{file}.py").read_text())
+            for own in SHORTER.get(file, ()):
+                found.definitions[own] = self[f"{PLACE}.{FOR_SCENES}"].definitions[own]
         return self.setdefault(name, found)
 
 
-@cache
-def runtime() -> dict[str, Module]:
-    """The modules of the runtime by name, parsed when they are asked for; KeyError for a name that is none."""
-    return _Runtime()
+RUN_TIME = _Runtime()
 
 
-def polynomials(kernels: str) -> str:
+def _polynomials(kernels: Module) -> Module:
     """The module with kernels of denominator 1 as coefficients in descending order, for `np.polyval`."""
-    found = []
-    for node in ast.parse(kernels).body:
-        match node:
-            case ast.Assign(value=ast.Tuple(elts=[ast.Tuple() as top, ast.Tuple(elts=[ast.Constant(value=1.0)])])):
-                rows = "".join(f"    {ast.unparse(coefficient)},\n" for coefficient in reversed(top.elts))
-                found.append((ast.get_source_segment(kernels, node.value) or "", f"(\n{rows})"))
-    for old, new in found:
-        kernels = kernels.replace(old, new)
+    for own in kernels.definitions.values():
+        match own.node:
+            case ast.Assign(value=ast.Tuple(elts=[ast.Tuple(elts=top), ast.Tuple(elts=[ast.Constant(value=1.0)])])):
+                own.node.value = ast.Tuple(top[::-1], ast.Load())
     return kernels
-
-
-@cache
-def _rules() -> dict[str, int]:
-    texts = [(RUNTIME / path).read_text() for path in ("rules.py", "physics/plane.py", "physics/slip.py")]
-    return {name: count for text in texts for name, count in rules(text).items()}
-
-
-def _module(name: str, text: str) -> Module:
-    return Module(name, ungrouped(text, _rules()))
 
 
 def stored(path: str) -> str | None:
@@ -118,7 +101,7 @@ def stored_module(name: str, entries: Mapping[str, Entry], kind: Kind) -> str:
 
 def _parameters(module: Module) -> dict[str, list[str]]:
     """What each function of a module takes."""
-    return {name: own.parameters for name, own in module.definitions.items() if own.function}
+    return {name: own.parameters for name, own in module.definitions.items()}
 
 
 @cache
@@ -182,8 +165,8 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         The kind of contact.
     """
     system, first = wanted.system, f"{wanted.plain.name}.{profile.name}"
-    below = _module(first, normal)
-    modules = ChainMap({first: below}, runtime())
+    below = Module(first, normal)
+    modules = ChainMap({first: below}, RUN_TIME)
     if wanted.graded:
         texts = _graded(profile, [own for own in (system.base, system) if own])
     elif system.base is None:
@@ -194,4 +177,4 @@ def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted:
         own = {} if wanted.law else system.derive(profile, entries)
         above = superposed(system, own, entries, _parameters(below), interface=False)
         texts = {f"{system.name}.{profile.name}": above.source()}
-    return modules | {key: _module(key, text) for key, text in texts.items()}
+    return modules | {key: Module(key, text) for key, text in texts.items()}

@@ -1,13 +1,19 @@
-"""Integrals over the profile itself, for profiles with any number of breaks or without closed forms."""
+"""What the run time has for scenes alone.
+
+Integrals over the profile itself, for profiles with any number of breaks or without closed forms; and shorter equals
+of functions of the run time, in whose place they stand, which do without their speed.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from .integrals import difference_root
 from .interface import BLOCK, Array
+from .kernels import DAWSON
+from .rules import pressure_integral_tanh
 
 Weight = Callable[[Array, Array, Array, Array], Array]
 STEP, HALVINGS, AGREED = 0.25, 4, 1e-8
@@ -81,3 +87,29 @@ def punches(m: Array, a: Array, gap: Array, rest: Array, other: Array) -> Array:
     second, third = -(u * u + u * v + v * v), -u * v * (u + v)
     series = 1.0 - second / 10.0 + third / 14.0 + second * second / 24.0 - 3.0 * second * third / 44.0
     return rest / a / a * series / np.sqrt(mean)
+
+
+def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
+    """P(v)/Q(v) with coefficients in ascending order."""
+    return np.polyval(top[::-1], v) / np.polyval(bottom[::-1], v)
+
+
+def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], float]) -> Array:
+    """pi/2 w(r)/g(a) beside a contact whose depth g is a power of its radius a < r."""
+    square = (a / (r + np.sqrt((r - a) * (r + a)))) ** 2
+    rest = np.polyval(kernel[0][::-1], square) / np.polyval(kernel[1][::-1], square)
+    return a / r * (kernel[2] + square * rest)
+
+
+def dawson(x: Array) -> Array:
+    """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 25/16."""
+    return x / np.polyval(DAWSON, x * x)
+
+
+def arc_strips(r: Array, a: Array, R: Array) -> Array:
+    """Integral of artanh(t/R)/sqrt(t**2 - r**2) from r to a <= R, for r < a."""
+    return pressure_integral_tanh(_arc_rate, (), r, a, R)
+
+
+def _arc_rate(t: Array, root: Array) -> Array:
+    return np.arcsinh(t / root)

@@ -12,18 +12,16 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from ...exits import FAILED, CommandError
-from ...profiles.profile import Profile
-from .. import interface
-from ..linker import sources
-from ..reading import Request
-from .check import Value
+from ..exits import FAILED, CommandError
+from ..profiles.profile import Profile
+from . import interface
 from .contact import DIGITS, Contact
-from .references import State, detached
+from .linker import sources
+from .reading import Scene
+from .references import State, Value, detached
 
 if TYPE_CHECKING:
-    from ...expression.answer import Answer
-    from ..reading import Request
+    from ..expression.answer import Answer
 
 
 LARGEST_ERROR = 1e-6
@@ -47,7 +45,7 @@ class Run:
     """The states in which a contact with adhesion breaks, by what is held."""
 
 
-def measured(text: str, values: Sequence[Value], request: Request, free: Mapping[str, float], contact: Contact) -> Run:
+def measured(text: str, values: Sequence[Value], request: Scene, free: Mapping[str, float], contact: Contact) -> Run:
     """Run the text of a module against its check values.
 
     Raises
@@ -97,7 +95,7 @@ def _states(
     return found
 
 
-def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
+def stored(request: Scene, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
         kept = sources.evidence(request.kind.system.pool.id(profile.name))
@@ -107,7 +105,7 @@ def stored(request: Request, profile: Profile, answer: Answer | None) -> Mapping
 
 def _found(answer: Answer, suffix: str) -> dict[str, Any]:
     """Certificate and comparisons of one entry as the handbook prints them."""
-    from ...expression.answer import DIGITS
+    from ..expression.answer import DIGITS
 
     proof = answer.certificates.get(suffix)
     rows = [c for c in answer.comparisons if c.suffix == suffix]
@@ -121,7 +119,7 @@ def _found(answer: Answer, suffix: str) -> dict[str, Any]:
 
 
 def record(
-    request: Request,
+    request: Scene,
     profile: Profile,
     answer: Answer | None,
     frozen: Mapping[str, float],

@@ -2,40 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import mpmath as mp
 import numpy as np
 import sympy as sp
 
-from ... import notation as nt
-from ...code import example
-from ...entry import Entry
-from ...exits import FAILED, CommandError
-from ...expression import ExpressionError
-from ...expression.definition import Definition, Numeric
-from ...expression.validity import examine
-from ...oracle.definitions import greatest
-from ...oracle.half_space import HalfSpace
-from ...oracle.shape import shape
-from ...profiles.profile import Profile
-from .. import interface
+from .. import notation as nt
+from ..code import example
+from ..entry import Entry
+from ..exits import FAILED, CommandError
+from ..expression import ExpressionError
+from ..expression.definition import Definition, Numeric
+from ..expression.validity import examine
+from ..oracle.definitions import greatest
+from ..oracle.half_space import HalfSpace
+from ..oracle.shape import shape
+from ..profiles.profile import Profile
+from . import interface
 
 if TYPE_CHECKING:
-    from ..reading import Request
+    from .reading import Scene
 
 DIGITS = 20
 UNITS = {"a": "m", "d": "m", "F": "N"}
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free."""
-SYMBOLS = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu}
+SYMBOLS = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu, "G_star": nt.G_star}
 """Of the half-space, by their letters."""
 
 
-def values_of(profile: Profile, request: Request) -> tuple[dict[str, float], float]:
+def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float]:
     """Values of all parameters, and the radius up to which the contact is compact.
 
     Free parameters of an expression are all drawn as 1, where q and 1/q are the
@@ -89,22 +90,53 @@ def worked(contact: Contact) -> str:
     with mp.workdps(DIGITS):
         a = contact.worked
         name, value = contact.request.at or ("a", a)
-        states = {"a": mp.mpf(a), "d": contact.depth(a), "F": contact.force(a)}
+        states = {"a": mp.mpf(a), "d": contact.load("d", a), "F": contact.load("F", a)}
     shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {UNITS[k]}" for k, v in states.items() if k != name)
     return f"Example: at {name} = {value:g} {UNITS[name]} it is {shown}."
+
+
+@dataclass(frozen=True)
+class Defined(HalfSpace):
+    """The homogeneous half-space under any profile that grows, also outside the normal form."""
+
+    over_modulus: Callable[..., Any]
+    """A quantity over E* at a contact radius, and a field at a radius, without an edge that is free."""
+
+    def _punch(self, a: Any, free_depth: Any) -> Any:
+        """How much deeper the flat punch of this radius is pressed."""
+        return mp.mpf(0) if free_depth is None else free_depth - self.depth(a)
+
+    def depth(self, a: Any) -> Any:
+        """g(a)."""
+        return self.over_modulus("d", a)
+
+    def force(self, a: Any, free_depth: Any = None) -> Any:
+        """F of a contact of radius a with the depth g(a), or with the free depth if one is given."""
+        return self.modulus * (self.over_modulus("F", a) + 2 * a * self._punch(a, free_depth))
+
+    def pressure(self, r: Any, a: Any, free_depth: Any = None) -> Any:
+        """p(r) for r < a."""
+        punch = self._punch(a, free_depth) / (mp.pi * mp.sqrt((a - r) * (a + r)))
+        return self.modulus * (self.over_modulus("p", a, r) + punch)
+
+    def displacement(self, r: Any, a: Any, free_depth: Any = None) -> Any:
+        """w(r) for r > a."""
+        return self.over_modulus("w", a, r) + 2 / mp.pi * mp.asin(a / r) * self._punch(a, free_depth)
+
+    def normal(self, suffix: str, a: Any, free_depth: Any = None) -> Any:
+        """d, F, pm, p, w or k, which is that of the flat punch."""
+        return super().normal(suffix, a, self.depth(a) if suffix == "k" and free_depth is None else free_depth)
 
 
 class Contact:
     """Numbers of one contact at frozen and chosen values."""
 
-    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Request) -> None:
+    def __init__(self, profile: Profile, entries: Mapping[str, Entry], request: Scene) -> None:
         self.profile, self.entries, self.request = profile, entries, request
         self.all, self.reach = values_of(profile, request)
         self.exact = {p: sp.Rational(self.all[name]) for name, p in interface.parameters(profile).items()}
         self.compact = profile.compact
-        round_contact = self.compact and not request.kind.system.pool.strip
-        self.definition = Definition(profile, self.given(), DIGITS) if round_contact else None
-        self.found: dict[tuple[str, float, float | None], Any] = {}
+        self.found: dict[tuple[Any, ...], Any] = {}
 
     def given(self) -> dict[sp.Symbol, sp.Expr]:
         """Parameters, and abbreviations as floats of 40 digits."""
@@ -144,22 +176,9 @@ class Contact:
         inner = [b for b in (float(self.given()[b]) for b in self.profile.breaks) if b < a]
         return [0.5 * (inner[-1] + a)] if inner else []
 
-    def normal(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
-        """A quantity without adhesion at contact radius a [SI], by its definition; fields at the radius `at`."""
-        assert self.definition is not None
-        with mp.workdps(DIGITS + 10):
-            if suffix == "w" and at is not None and at <= a:
-                return self.normal("d", a) - self.height(at)
-            if suffix == "p" and at is not None and at >= a:
-                return mp.mpf(0)
-            key = (suffix, a, at)
-            if key not in self.found:
-                self.found[key] = self.definition.quantity(suffix, a, at)
-            return (mp.mpf(self.all.get("E_star", 1.0)) if suffix in ("F", "p") else mp.mpf(1)) * self.found[key]
-
     def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
         """The greatest pressure and its radius, searched for once."""
-        key = ("peak", a, None)
+        key = ("peak", a)
         # the nodes next to the edge are told from it
         with mp.workdps(3 * DIGITS):
             face = shape(self.profile, self.given() | {nt.a: sp.Rational(a)})
@@ -171,43 +190,28 @@ class Contact:
         known = self.given() | {nt.r: sp.Rational(at)}
         return mp.mpf(str(sp.N(example.shape_value(self.profile, known), 30)))
 
-    def moved(self, a: float) -> mp.mpf:
-        """The retraction of Hess; 0 without adhesion."""
-        kind = self.request.kind
-        if kind.graded or not kind.physics.tension:
-            return mp.mpf(0)
-        return mp.sqrt(2 * mp.pi * mp.mpf(a) * mp.mpf(self.all["dgamma"]) / mp.mpf(self.all["E_star"]))
-
     def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
         """The half-space, graded or not, under this profile at the values of the scene; `places` are fields by name."""
         known = {nt.E_star: mp.mpf(self.all.get("E_star", 1.0))}
         known |= {symbol: mp.mpf(self.all[name]) for name, symbol in SYMBOLS.items() if name in self.all}
         fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
-        return HalfSpace(self.profile, {**known, **self.given(), **fields}, digits, graded=self.request.kind.graded)
+        values = {**known, **self.given(), **fields}
+        if self.request.kind.graded or not self.compact:
+            return HalfSpace(self.profile, values, digits, self.request.kind.graded)
+        return Defined(self.profile, values, digits, False, self._defined)
 
-    def quantity(self, suffix: str, a: float, at: float | None = None) -> mp.mpf:
-        """A quantity on the homogeneous half-space, less what adhesion takes; fields at the radius `at`."""
-        E, moved, radius = mp.mpf(self.all.get("E_star", 1.0)), self.moved(a), mp.mpf(a)
-        match suffix:
-            case "Dl":
-                return moved
-            case "k":
-                return 2 * E * radius
-            case "pm":
-                return self.force(a) / (mp.pi * radius**2)
-            case "p" if at is not None:
-                return self.normal("p", a, at) - E * moved / (mp.pi * mp.sqrt((radius - at) * (radius + at)))
-            case "w" if at is not None:
-                return self.normal("w", a, at) - 2 / mp.pi * mp.asin(radius / at) * moved
-        return self.depth(a) if suffix == "d" else self.force(a)
+    @cached_property
+    def _defined(self) -> Callable[..., Any]:
+        """A quantity over E* at a contact radius by the definition, each asked for once."""
+        return cache(Definition(self.profile, self.given(), DIGITS).quantity)
 
-    def depth(self, a: float) -> mp.mpf:
-        """The depth at a contact radius [m], less the retraction under adhesion."""
-        return self.normal("d", a) - self.moved(a)
-
-    def force(self, a: float) -> mp.mpf:
-        """The force at a contact radius [N], less that of the retracted punch under adhesion."""
-        return self.normal("F", a) - 2 * mp.mpf(self.all["E_star"]) * a * self.moved(a)
+    def load(self, suffix: str, a: float, digits: int = DIGITS, **places: float) -> Any:
+        """A quantity at a contact radius, with adhesion where there is some."""
+        key = (suffix, a, digits, *places.items())
+        if key not in self.found:
+            own = self.half_space(digits, **places)
+            self.found[key] = (own.adhesive if self.request.kind.physics.tension else own.normal)(suffix, mp.mpf(a))
+        return self.found[key]
 
     @cached_property
     def _numeric(self) -> Numeric:

@@ -1,0 +1,163 @@
+"""The text of a tree, laid out as the formatter of the project lays it out."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+
+from ...code.layout import fit
+from .library import documentation, source, text_in
+
+WIDTH = 110
+NEGATIVE = re.compile(r"\*\* \((-[\w.]+)\)")
+SIMPLE = re.compile(r"(?<![\w.])([A-Za-z_][\w.]*|[\d.]+(?:e-?\d+)?) \*\* (-?[\w.]+(?:e-\d+)?)(?![\w.(\[])")
+"""A power of which both sides are a name or a number has no spaces."""
+SLICE = re.compile(r"\[:(?=\w+\()")
+
+
+def written(node: ast.AST, names: Mapping[str, str]) -> str:
+    """The text of a tree, with names for the keys of the library; longer than a line where it is."""
+    text = source(_Written(names).visit(node))
+    return SLICE.sub("[: ", SIMPLE.sub(r"\1**\2", NEGATIVE.sub(r"** \1", text)))
+
+
+class _Written(ast.NodeTransformer):
+    """What `ast.unparse` writes in another way than a person stands as a name in the tree."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        """The name for a key."""
+        return ast.Name(self.names[node.id]) if ":" in node.id else node
+
+    def visit_Constant(self, node: ast.Constant) -> ast.expr:
+        """Texts in double quotes, numbers as they were written."""
+        if isinstance(node.value, str):
+            return ast.Name(json.dumps(node.value, ensure_ascii=False))
+        return ast.Name(node.kind) if node.kind else node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        """What is generated has the brackets of the call."""
+        self.generic_visit(node)
+        if len(node.args) == 1 and not node.keywords and isinstance(node.args[0], ast.GeneratorExp):
+            node.args = [ast.Name(source(node.args[0])[1:-1])]
+        return node
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
+        """With the brackets that the source has."""
+        node.left, node.right = map(self._bracketed, (node.left, node.right))
+        return node
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
+        """The same."""
+        node.operand = self._bracketed(node.operand)
+        return node
+
+    def _bracketed(self, node: ast.expr) -> ast.expr:
+        kept = isinstance(node, ast.BinOp) and getattr(node, "bracketed", False)
+        node = self.visit(node)
+        return ast.Name(f"({source(node)})") if kept else node
+
+    def visit_JoinedStr(self, node: ast.JoinedStr) -> ast.Name:
+        """In double quotes."""
+        parts = [
+            "{" + source(part.value) + (f"!{chr(part.conversion)}" if part.conversion > 0 else "") + "}"
+            if isinstance(part, ast.FormattedValue) else json.dumps(ast.literal_eval(part), ensure_ascii=False)[1:-1]
+            for part in node.values
+        ]  # fmt: skip
+        return ast.Name(f'f"{"".join(parts)}"')
+
+    def visit_Expr(self, node: ast.Expr) -> ast.AST:
+        """A line of comment, or a docstring."""
+        text = text_in(node)
+        if text:
+            return ast.Expr(ast.Name(text if text.startswith("#") else f'"""{text}"""'))
+        return self.generic_visit(node)
+
+    def visit_Return(self, node: ast.Return) -> ast.AST:
+        """Several values without brackets."""
+        self.generic_visit(node)
+        node.value = _listed(node.value) if node.value else None
+        return node
+
+    def visit_Assign(self, node: ast.Assign) -> ast.AST:
+        """The same where they are unpacked."""
+        self.generic_visit(node)
+        if isinstance(node.targets[0], ast.Tuple):
+            node.targets, node.value = [*map(_listed, node.targets)], _listed(node.value)
+        return node
+
+    def _unpacking(self, node: ast.For | ast.comprehension) -> ast.AST:
+        self.generic_visit(node)
+        node.target = _listed(node.target)
+        return node
+
+    visit_For = visit_comprehension = _unpacking
+
+
+def _listed(node: ast.expr) -> ast.expr:
+    """A tuple without the brackets that some versions of Python write."""
+    if isinstance(node, ast.Tuple) and len(node.elts) > 1:
+        return ast.Name(", ".join(map(source, node.elts)))
+    return node
+
+
+def constant_text(name: str, value: ast.expr, names: Mapping[str, str]) -> str:
+    """A constant; a table of numbers fills its lines."""
+    line = f"{name} = {written(value, names)}"
+    if isinstance(value, ast.Tuple) and len(line) > WIDTH:
+        return textwrap.fill(line, WIDTH, subsequent_indent="    ", break_long_words=False)
+    return "\n".join(fit(line, 0))
+
+
+def class_text(name: str, node: ast.ClassDef, names: Mapping[str, str]) -> str:
+    """A class of fields, as a namedtuple."""
+    rows = [s for s in node.body if isinstance(s, ast.AnnAssign)]
+    fields = " ".join(ast.unparse(row.target) for row in rows)
+    given = [written(row.value, names) for row in rows if row.value is not None]
+    defaults = f", defaults=[{', '.join(given)}]" if given else ""
+    return f'{name} = namedtuple("{name}", "{fields}"{defaults})'
+
+
+def function_text(head: Sequence[str], node: ast.FunctionDef, names: Mapping[str, str], doc: str = "") -> str:
+    """A function below the lines of its head; `doc` replaces its docstring."""
+    own = documentation(node)
+    body = node.body[1:] if own else node.body
+    text = written(ast.Module(body=body, type_ignores=[]), names)
+    above, lines = documented(doc or own), [*_laid_out(text)]
+    return "\n".join([*head, *above, *(lines if above or lines[0] else lines[1:])])
+
+
+def function_head(name: str, node: ast.FunctionDef, names: Mapping[str, str]) -> list[str]:
+    """Decorators and the line of `def`."""
+    marks = [f"@{written(mark, names)}" for mark in node.decorator_list]
+    return [*marks, *fit(f"def {name}({written(node.args, names)}):", 0)]
+
+
+def documented(doc: str) -> list[str]:
+    """The lines of a docstring; a single one that is too long goes on below."""
+    if not doc:
+        return []
+    if "\n" not in doc:
+        doc = "\n    ".join(textwrap.wrap(doc, WIDTH))
+    return [f'    """{doc}"""']
+
+
+def _laid_out(text: str) -> Iterator[str]:
+    """The lines of a body, with a blank one before and behind a function inside it."""
+    inside: list[int] = []
+    for line in filter(None, text.split("\n")):
+        indent = len(line) - len(line.lstrip()) + 4
+        apart = line.lstrip().startswith("def ")
+        while inside and indent <= inside[-1]:
+            inside.pop()
+            apart = True
+        if apart:
+            yield ""
+        if line.lstrip().startswith("def "):
+            inside.append(indent)
+        yield from (" " * indent + part for part in fit(line.lstrip(), indent))

@@ -1,0 +1,403 @@
+"""Values a module is checked with: integrals of the definition at 20 digits, never the module's own rules.
+
+A complete contact has its edge fixed, on either half-space; adhesion breaks by the balance of energies, which is the
+reference for `pull_off`; strips have both sides of the middle; a viscoelastic half-space convolves the elastic contact.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import sympy as sp
+
+from .. import notation as nt
+from ..code import example
+from ..entry import COMPACT
+from ..letters import name_of
+from ..oracle.definitions import ring
+from ..oracle.half_space import HalfSpace
+from ..oracle.integrals import GUARD, under_load
+from ..oracle.plane import GUARD as STRIPS
+from ..oracle.plane import defined, strip
+from ..oracle.shape import number
+from ..profiles.loads import Load
+from . import interface
+from .contact import DIGITS, Contact, short
+from .interface import Function
+
+Rows = list[tuple[tuple[float, ...], Any]]
+"""Calls of a function, by their fields, with their results."""
+LOAD = 3.0
+"""Line load at which the eccentric punch is checked."""
+STICK = 0.6
+"""Radius of the stick zone over the contact radius, or its place between a flat face and it."""
+COARSE = 8
+"""Digits of a load that is only compared with another one."""
+PLACES = 24
+"""On the face, at which the depth of complete contact is looked for."""
+FURTHER = 1.3 ** np.arange(1, 6)
+"""Larger radii over this one at which a load is asked whether it is carried twice."""
+DISTANCE = 2.7
+"""Of the reference point of the depth of a strip, over the half-width."""
+LATER = (0.4, 1.9)
+"""Times over that of the material."""
+NEAR = 1e-9
+"""Of a break, relative: a radius that is found at it."""
+STEP = 1e-6
+"""Relative; the loads differ by its square, which 20 digits show."""
+NOTHING = 1e-14
+"""Of the retraction: a depth that is none."""
+State = tuple[float, float, float]
+"""Radius, force and depth."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """One call and its result."""
+
+    function: str
+    fields: tuple[float, ...]
+    keywords: tuple[tuple[str, float], ...]
+    wanted: float
+
+    def record(self) -> dict[str, Any]:
+        """The call and its value as plain data."""
+        return {
+            "function": self.function,
+            "fields": list(self.fields),
+            "keywords": dict(self.keywords),
+            "value": self.wanted,
+        }
+
+
+def check_values(contact: Contact, keywords: Callable[[Sequence[str]], tuple[str, ...]]) -> list[Value]:
+    """A few values of every function that is wanted, `pull_off` left out."""
+    profile, kind = contact.profile, contact.request.kind
+    rows = _rules(contact)
+    parameters = [*interface.parameters(profile), *kind.material]
+    free = tuple((k, contact.all[k]) for k in keywords(parameters))
+    found = []
+    with mp.workdps(DIGITS + (STRIPS if kind.system.pool.strip else GUARD)):
+        for name in contact.request.quantities:
+            if name != interface.PULL_OFF:
+                calls = rows(interface.function(kind, profile, name))
+                found += [Value(name, fields, free, float(wanted)) for fields, wanted in calls]
+    return found
+
+
+def _rules(contact: Contact) -> Callable[[Function], Rows]:
+    """What gives the calls of a function of this contact."""
+    kind = contact.request.kind
+    if interface.contact_of(contact.profile) == interface.TILTED:
+        return lambda function: _tilted(contact, function)
+    if kind.system.pool.strip:
+        widths = contact.radii() if contact.compact else [contact.all["a"]]
+        return lambda function: [row for a in widths for row in _Strip(contact, a).rows(function)]
+    if isinstance(contact.profile, Load):
+        load = contact.profile
+        return lambda function: _sunk(contact, load)
+    edged = Edged(contact)
+    if kind.law:
+        return lambda function: _relaxing(contact, edged, function)
+    if not contact.compact:
+        return edged.rows
+    return lambda function: [row for a in contact.radii() for row in _Radius(contact, a).rows(function)]
+
+
+def _sunk(contact: Contact, load: Load) -> Rows:
+    """The displacement under a prescribed pressure, inside and outside its circle."""
+    a = contact.all["a"]
+    known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"])}
+    exponent = number(load.exponent.xreplace(known))
+    places = [short(0.45 * a), short(0.95 * a), short(1.6 * a)]
+    return [
+        ((r,), under_load({**known, nt.r: sp.Rational(r)}, exponent, DIGITS)) for r in places
+    ]  # fmt: skip
+
+
+def _tilted(contact: Contact, function: Function) -> Rows:
+    """The eccentric punch by its proved formulas, which no integral of the profile defines."""
+    a, entry = contact.all["a"], contact.entries[function.quantity.suffix]
+    known = {**contact.given(), nt.E_star: sp.Rational(contact.all["E_star"]), nt.P: sp.Rational(LOAD)}
+    if not function.leaning:
+        return [((LOAD,) if function.fields else (), example.value(entry, known))]
+    places = [short(share * a) for share in (-0.85, -0.3, 0.4, 0.9)]
+    return [((x, LOAD), example.value(entry, {**known, nt.x: sp.Rational(x)})) for x in places]
+
+
+class _Radius:
+    """One radius of a contact that grows, on either half-space."""
+
+    def __init__(self, contact: Contact, a: float) -> None:
+        self.contact, self.a = contact, a
+
+    def rows(self, function: Function) -> Rows:
+        """Calls of a function with their results."""
+        shear = self.contact.request.kind.physics.shear and function.kind == self.contact.request.kind
+        return self.slipping(function) if shear else self.pressed(function)
+
+    def pressed(self, function: Function) -> Rows:
+        """Normal contact, with or without adhesion."""
+        a, height, quantity, load = self.a, self.contact.height, function.quantity, self.contact.load
+        places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
+        outside = short(1.6 * a)
+        match function.name:
+            case "profile":
+                return [((r,), height(r)) for r in places]
+            case "pressure":
+                return [*(((r, a), load("p", a, r=r)) for r in places), ((outside, a), mp.mpf(0))]
+            case "displacement":
+                under = [((r, a), load("d", a) - height(r)) for r in places]
+                return [((outside, a), load("w", a, r=outside)), *under]
+            case _ if quantity.member:
+                return [((a,), self.contact.peak(a)[quantity.member == "radius"])]
+            case _ if source := quantity.inverts:
+                if self.contact.request.kind.physics.tension and not self.outermost(source):
+                    return []
+                target = quantity.symbol
+                return [((float(load(source, a)),), mp.mpf(a) if target == nt.a else load(str(target), a))]
+        return [((a,), load(quantity.suffix, a))]
+
+    def outermost(self, source: str) -> bool:
+        """Whether the load rises through this radius and no larger one in the domain carries the same.
+
+        That of waves is not asked on a graded half-space: the quadrature over many of them takes more than a minute.
+        """
+        contact = self.contact
+        if not contact.request.kind.graded:
+            return contact.outermost(source, self.a)
+        if nt.wavelength in contact.profile.parameters:
+            return False
+        own = contact.half_space()
+        if not own.separation(COMPACT[source].function, mp.mpf(self.a)) > own.at(nt.dgamma):
+            return False
+        here, end = contact.load(source, self.a, COARSE), contact.end()
+        return all(contact.load(source, float(x), COARSE) > here for x in self.a * FURTHER if x < end)
+
+    def slipping(self, function: Function) -> Rows:
+        """Partial slip: mu times the difference of two normal contacts."""
+        a, contact = self.a, self.contact
+        floor = float(contact.given()[contact.profile.breaks[0]]) if contact.profile.truncated else 0.0
+        c = short(floor + STICK * (a - floor))
+
+        def slip(suffix: str, r: float = 0.0) -> Any:
+            return contact.half_space(c=c, r=r).tangential(suffix, mp.mpf(a))
+
+        match function.name:
+            case "traction":
+                return [((r, a, c), slip("tau", r)) for r in (0.5 * c, 0.5 * (a + c))]
+            case "stick_radius":
+                return [((float(slip("F")), a), mp.mpf(c))]
+            case "full_slip_displacement":
+                return [((a,), slip("us"))]
+        return [((a, c), slip(function.quantity.suffix))]
+
+
+class Edged:
+    """One complete contact at the values of a scene."""
+
+    def __init__(self, contact: Contact) -> None:
+        self.contact = contact
+
+    @property
+    def a(self) -> Any:
+        """Radius of the edge."""
+        return mp.mpf(self.contact.all["a"])
+
+    def at(self, suffix: str, depth: float, **places: float) -> Any:
+        """A quantity of the normal contact at a depth."""
+        here = self.contact.half_space(DIGITS, d=depth, **places)
+        radius, free = here.contact(self.a)
+        place = places.get("r")
+        if suffix == "p" and place is not None and place > radius:
+            return mp.mpf(0)
+        if suffix == "w" and place is not None and place <= radius:
+            return mp.mpf(depth) - self.contact.height(place)
+        return here.normal(suffix, radius, free)
+
+    @cached_property
+    def depths(self) -> list[float]:
+        """Above the least depth of complete contact; of a convex face also one at which its edge is free."""
+        full = self.contact.half_space().depth(self.a)
+        if full > 0:
+            return [short(float(full * share)) for share in (0.4, 1.7)]
+        least = max(self.depth_at(self.a * i / PLACES, COARSE) for i in range(PLACES)) if full else self.a / 200
+        return [short(float(2 * least))]
+
+    def depth_at(self, r: Any, digits: int) -> Any:
+        """The depth at which the pressure at r vanishes."""
+        here = self.contact.half_space(digits, r=r)
+        full, alone = here.depth(self.a), here.pressure(r, self.a)
+        return full - alone / (here.pressure(r, self.a, full + 1) - alone)
+
+    @cached_property
+    def ring(self) -> tuple[Any, Any]:
+        """Where the pressure vanishes first on unloading, and the depth at which it does."""
+        # of the digits of the curve the place loses seven
+        return ring(self.depth_at, self.a, 2 * DIGITS)
+
+    def rows(self, function: Function) -> Rows:
+        """Calls of a function with their results."""
+        a, inside, outside = float(self.a), short(0.45 * float(self.a)), short(1.6 * float(self.a))
+        match function.name:
+            case "profile":
+                return [((inside,), self.contact.height(inside))]
+            case "retraction":
+                return [((), self.contact.half_space().retraction(self.a))]
+            case "zero_radius" | "minimum_depth":
+                return [((), self.ring[function.name == "minimum_depth"])]
+            case "minimum_force":
+                return [((), self.contact.half_space().force(self.a, self.ring[1]))]
+            case "pressure":
+                return [((r, d), self.at("p", d, r=r)) for d in self.depths for r in (inside, outside)]
+            case "displacement":
+                places = (inside, outside, short(3.0 * a))
+                return [((r, d), self.at("w", d, r=r)) for d in self.depths for r in places]
+            case "depth_from_force":
+                return [((float(self.at("F", d)),), mp.mpf(d)) for d in self.depths]
+        rows: Rows = [((d,), self.at(function.quantity.suffix, d)) for d in self.depths]
+        return rows if interface.arguments(function, self.contact.entries) else [((), rows[0][1])]
+
+
+def detached(contact: Contact, control: str, radius: float) -> State | None:
+    """The state of which the module says the radius: the root of dgamma nearby, None for waves, which take minutes."""
+    if nt.wavelength in contact.profile.parameters:
+        return None
+    with mp.workdps(DIGITS + GUARD):
+        here, wanted = contact.half_space(), mp.mpf(contact.all["dgamma"])
+        if not contact.compact:
+            a = mp.mpf(contact.all["a"])
+            return float(a), float(here.adhesive("F", a)), float(here.adhesive("d", a))
+        known = contact.given()
+        corner = next((b for s in contact.profile.breaks if abs(radius / (b := number(known[s])) - 1) < NEAR), None)
+        if contact.request.own is not None and not here.graded:
+            return _least(contact, here, control, radius, corner)
+
+        def missing(scale: Any) -> Any:
+            return mp.log(here.separation(control, radius * scale) / wanted)
+
+        if corner is not None and missing(corner * (1 + NEAR) / radius) > 0:
+            # At a break the load may turn without being stationary. Beyond it the depth grows as the root of the
+            # distance, 1e-6 of it within two units of the last place: the loads are those of the radius itself.
+            at = mp.mpf(radius)
+            return float(corner), float(here.adhesive("F", at)), float(here.adhesive("d", at))
+        start = mp.mpf(1)
+        scale = mp.findroot(missing, (start, start * (1 + mp.mpf(10) ** -6)), solver="secant", tol=1e-30, verify=False)
+        return float(radius * scale), float(here.adhesive("F", radius * scale)), _depth(here, radius * scale)
+
+
+def _least(contact: Contact, here: HalfSpace, control: str, radius: float, corner: Any) -> State:
+    """The loads at a radius on both sides of which the one that is held is larger; NaN where it is not."""
+    held = "F" if control == "force" else "d"
+    place = radius if corner is None else float(corner)
+    below, least, above = (here.adhesive(held, mp.mpf(place * scale)) for scale in (1 - STEP, 1, 1 + STEP))
+    # a flat tip carries nothing at a smaller radius
+    turns = least < above and (contact.profile.truncated or least < below)
+    at = mp.mpf(radius)
+    return place if turns else math.nan, float(here.adhesive("F", at)), _depth(here, at)
+
+
+def _depth(here: HalfSpace, a: Any) -> float:
+    """The depth; where nothing but the rounding of the radius is left of it, as under r**(3/2), it is none."""
+    depth = here.adhesive("d", a)
+    return float(depth) if here.graded or abs(depth) > NOTHING * here.retraction(a) else 0.0
+
+
+class _Strip:
+    """One half-width; a complete contact carries a load that holds all of its face in contact."""
+
+    def __init__(self, contact: Contact, a: float) -> None:
+        self.contact, self.a = contact, a
+        self.known = {**contact.given(), nt.a: sp.Rational(a), nt.E_star: sp.Rational(contact.all["E_star"])}
+        self.other = a if contact.compact else self.load()
+
+    def load(self) -> float:
+        """A line load [N/m] well above that of complete contact, in few digits."""
+        known, n = self.contact.all, self.contact.all.get("n", 2.0)
+        whole = known["E_star"] * known.get("h", known["a"] / 100)
+        return short(8.0 * whole * n / (n - 1.0))
+
+    def value(self, suffix: str, **places: float) -> Any:
+        """A quantity by its definition at this half-width, or this load; `places` are fields by name."""
+        fields = {getattr(nt, name): sp.Rational(value) for name, value in places.items()}
+        load = {} if self.contact.compact else {nt.P: sp.Rational(self.other)}
+        return defined(self.contact.profile, suffix, {**self.known, **load, **fields}, DIGITS)
+
+    def face(self, place: float, order: int) -> Any:
+        """f or its slope f' at a place of the contact."""
+        pieces, known = self.contact.profile.pieces, self.known
+        own = next(p for p in pieces if p.upper is None or place < float(p.upper.xreplace(known)))
+        expr = sp.diff(own.expr, nt.x, order).xreplace({**known, nt.x: sp.Rational(place)})
+        return mp.mpf(str(sp.N(expr, 40)))
+
+    def ring(self) -> tuple[Any, Any]:
+        """Where the pressure of a concave face vanishes first on unloading, and the load at which it does."""
+        faces = cache(lambda digits: strip(self.contact.profile, self.known, digits))
+        place, load = ring(lambda x, digits: faces(digits).level(x), mp.mpf(self.a), 2 * DIGITS)
+        return place, load * number(self.known[nt.E_star])
+
+    def rows(self, function: Function) -> Rows:
+        """Calls of a function with their results: positional arguments, and the value by the definition."""
+        a, other = self.a, self.other
+        places = [short(x) for x in (0.45 * a, *self.contact.between(a))]
+        outside = short(1.6 * a)
+        match function.name:
+            case "profile":
+                return [((sign * x,), self.face(x, 0)) for x in places for sign in (1.0, -1.0)]
+            case "pressure":
+                under = [((sign * x, other), self.value("p", x=x)) for x in places for sign in (1.0, -1.0)]
+                return [*under, ((outside, other), mp.mpf(0))]
+            case "slope":
+                beside = self.value("s", x=outside)
+                under = [((x, other), -self.face(x, 1)) for x in places]
+                return [((outside, other), beside), ((-outside, other), -beside), *under]
+            case "depth":
+                distance = short(DISTANCE * a)
+                return [((distance, other), self.value("d", L=distance))]
+            case "zero_distance" | "minimum_load":
+                return [((), self.ring()[function.name == "minimum_load"])]
+            case "half_width_from_load":
+                return [((float(self.value("P")),), mp.mpf(a))]
+        return [((a,), self.value("P"))]
+
+
+def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
+    """A contact that grows, or one whose edge is fixed: there the force of a flat face is as the depth."""
+    law, values = contact.request.kind.law, contact.all
+    assert law is not None
+    known = {symbol: sp.Float(values[name_of(symbol)], 40) for symbol in law.parameters}
+    modulus = sp.lambdify(nt.time, law.relaxation.xreplace(known), "mpmath")
+    creep = sp.lambdify(nt.time, law.creep.xreplace(known), "mpmath")
+    own = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
+    impulse, rows = mp.mpf(str(law.impulse.xreplace(known))), Rows()
+    for size, later in zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False):
+        t = float(f"{later * own:.4g}")
+        at = mp.mpf(t)
+        if contact.compact:
+            force, depth = contact.load("F", size), contact.load("d", size)
+        else:
+            force, depth = edged.at("F", size), mp.mpf(size)
+        match function.name:
+            case "step_load_radius":
+                rows.append(((t, float(force / creep(at))), mp.mpf(size)))
+            case "step_force":
+                rows.append(((t, float(depth)), modulus(at) * force))
+            case _:
+                rows.append(((t, float(depth / at)), _ramp(contact, size, force, at, modulus, impulse)))
+    return rows
+
+
+def _ramp(contact: Contact, size: float, force: Any, t: Any, modulus: Any, impulse: Any) -> Any:
+    """int E(t - s) dF_el/ds ds with F_el ~ s**m; the exponent is that between this radius and half of it."""
+    m = mp.mpf(1)
+    if contact.compact:
+        half = size / 2
+        m = mp.log(force / contact.load("F", half)) / mp.log(contact.load("d", size) / contact.load("d", half))
+    whole = mp.quad(lambda y: m * (1 - y) ** (m - 1) * modulus(t * y), [0, mp.mpf(1) / 2, 1])
+    return force * (whole + impulse * m / t)

@@ -1,1 +1,0 @@
-"""Numbers a scene's module is checked with."""
