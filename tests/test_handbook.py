@@ -78,12 +78,12 @@ EVIDENCE: dict[str, Any] = {
 @pytest.mark.parametrize(
     ("text", "wanted"),
     [
-        ("tan(theta) << 1; a << size of the body", r"$\tan(\theta) \ll 1$; $a \ll$ size of the body"),
+        ("tan(theta) << 1; a << size of the body", r"$\tan \theta \ll 1$; $a \ll$ size of the body"),
         ("F ~ d^(1 + 1/n)", r"$F_{\mathrm N} \sim d^{1+1/n}$"),
         ("A paraboloid of radius R1", r"A paraboloid of radius $R_1$"),
         ("a worn sphere of radius b", "a worn sphere of radius $b$"),
         ("keeps g' >= 0 for every a", r"keeps $g' \ge 0$ for every $a$"),
-        ("b = R sin(theta)", r"$b=R \sin(\theta)$"),
+        ("b = R sin(theta)", r"$b=R \sin \theta$"),
         ("needs the force F_min.", r"needs the force $F_{\mathrm{min}}$."),
         ("Popov, Heß & Willert 2019", r"Popov, Heß \& Willert 2019"),
         ("beyond abs(e) = a/2 one edge", r"beyond $\lvert e\rvert=a/2$ one edge"),

@@ -188,6 +188,8 @@ def _closing(tokens: list[Token], start: int) -> int:
 typeset = Typesetter(NAMES, (r"\(", r"\)"))
 """Words on the equations of chapter 11."""
 _words = Typesetter(_NOTATION, ("$", "$"))
+_ALONE = re.compile(r"\\(tan|sin|cos|ln|exp)\((\\?\w+)\)")
+"""A function of one symbol, which the rows print without brackets."""
 
 
 def prose(text: str) -> str:
@@ -195,8 +197,8 @@ def prose(text: str) -> str:
     for phrase, tex in _SUMS.items():
         before, found, after = text.partition(phrase)
         if found:
-            return f"{_words(before)}${tex}${_words(after)}"
-    return _words(text)
+            return f"{prose(before)}${tex}${prose(after)}"
+    return _ALONE.sub(r"\\\1 \2", _words(text))
 
 
 def domain(record: nt.Notation) -> str:

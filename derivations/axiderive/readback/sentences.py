@@ -53,7 +53,7 @@ LISTED = {
     "the domain of a sequence": (r"A_j\ge 0", r"A_{1} \dots A_{N} \ge 0"),
     "an order of magnitude": (
         r"a \ll R", r"a \ll R_1", r"a \ll R_2", r"a \ll", r"h \ll s", r"a-b \ll R", r"a-b \ll R_2",
-        r"\tan(\theta) \ll 1", r"n A a^{n-1} \ll 1", "r^{2}",
+        r"\tan \theta \ll 1", r"n A a^{n-1} \ll 1", "r^{2}",
         r"P \sim a^{n}", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim d^{1+1/n}",
     ),
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "1-r^{2}/a^{2}"),
@@ -197,7 +197,7 @@ def of_profiles(entries: Mapping[str, Entries]) -> Iterator[Line]:
     for key, bound, near in (("gaussian", "1.50198", 0), ("gaussian.fgm", "1.2286", -1), ("gaussian.fgm", "1.8788", 1)):
         yield Line(PLACE, rf"{bound}\,s", _bound(entries[key]["d"], bound, sp.Rational(near, 2)))
     (shape,) = entries["hyperboloid"]["d"].profile.pieces
-    yield _said(r"b/\tan(\theta)", 1 / sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0))
+    yield _said(r"b/\tan \theta", 1 / sp.diff(shape.expr, nt.r, 2).subs(nt.r, 0))
     edge = next(x for case in entries["capped_cylinder"]["F"].cases for x in case.chain if x.has(nt.d))
     (depth,) = sp.solve(edge - nt.a, nt.d)
     yield _said("a^{2}/R", depth)
