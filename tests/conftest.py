@@ -23,8 +23,8 @@ from axiderive.code import python, tables
 from axiderive.entry import Entry
 from axiderive.physics import complete, normal, plane
 from axiderive.physics.medium import GRADED, HOMOGENEOUS, Medium
-from axiderive.physics.pools import POOLS
 from axiderive.physics.systems import Problem, problem
+from axiderive.profiles.pools import POOLS
 from axiderive.profiles.profile import Profile
 from axiderive.scene.linker import sources
 from axiderive.web import html_sources

@@ -17,8 +17,8 @@ import pytest
 from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
-from axiderive.physics.pools import BODIES
 from axiderive.physics.systems import BY_NAME, SYSTEMS, Problem, problems
+from axiderive.profiles.pools import BODIES
 from axiderive.stable.measure import closure
 from axiderive.stable.records import MEASURED
 from axiderive.store.index import loads

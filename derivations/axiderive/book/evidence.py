@@ -11,8 +11,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..entry import Entry
-from ..physics import pools, systems
+from ..physics import systems
 from ..print.words import prose
+from ..profiles import pools
 
 LEGEND = {
     "✓": "certified: an exact proof of the formula, or of the equation and its one root",

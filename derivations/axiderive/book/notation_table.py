@@ -15,8 +15,8 @@ from typing import Any
 import sympy as sp
 
 from .. import notation as nt
-from ..physics.pools import POOLS
 from ..print.words import domain, prose
+from ..profiles.pools import POOLS
 
 Row = dict[str, str]
 IN_PRINT: dict[str, tuple[str, str, str]] = {

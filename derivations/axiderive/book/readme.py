@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..physics import pools, systems
+from ..physics import systems
+from ..profiles import pools
 from .evidence import LEFT_OUT
 
 MARKS = "<!-- {}: written by axicontact build -->", "<!-- end of the {} -->"

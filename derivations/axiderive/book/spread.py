@@ -14,10 +14,10 @@ from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.values import Numbers, StripNumbers, sketch_values
-from ..physics.pools import ROUND
 from ..physics.systems import SYSTEMS, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
+from ..profiles.pools import ROUND
 from ..profiles.profile import Profile
 from ..rows import blocks, special
 from ..store.cache import digest

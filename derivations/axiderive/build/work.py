@@ -104,7 +104,7 @@ def _shape(profile: Profile) -> Any:
 @remember
 def _shapes() -> str:
     """Digest of all profiles: a limit is verified with the profile that it leads to."""
-    from ..physics.pools import POOLS
+    from ..profiles.pools import POOLS
 
     return digest([[pool.prefix, name, _shape(pool.load(name))] for pool in POOLS for name in pool.names])
 

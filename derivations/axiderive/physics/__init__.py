@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from .pools import ROUND, Pool
+from ..profiles.pools import ROUND, Pool
 
 if TYPE_CHECKING:
     from ..entry import Entry, Quantity

@@ -13,9 +13,9 @@ from ..abel.moments import outside_moment
 from ..entry import Case, Entry, Quantity
 from ..notation import E_star, a, p_0, r, sigma, w
 from ..profiles.loads import Load
+from ..profiles.pools import PRESSURES
 from . import Physics, Wording
 from .medium import HOMOGENEOUS
-from .pools import PRESSURES
 
 HALF = sp.S.Half
 QUANTITIES = {

@@ -12,9 +12,9 @@ import sympy as sp
 from ..entry import Case, Entry, Quantity
 from ..notation import E_0, E_star, F, G_star, H, beta, c_0, h_N, k, nu, nu_1, nu_2, r, w, young_1, young_2
 from ..profiles.materials import PROFILE
+from ..profiles.pools import BODIES as POOL
 from . import Physics, Wording
 from .medium import HOMOGENEOUS
-from .pools import BODIES as POOL
 
 QUANTITIES = {
     q.suffix: q

@@ -19,12 +19,12 @@ from ..abel.plane_moments import Inside, Kernel, Outside, complementary
 from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
 from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
+from ..profiles.pools import STRIPS
 from ..profiles.profile import Piece, Profile
 from . import Physics, Wording, complete, tilted
 from .medium import HOMOGENEOUS
 from .normal import closed_inverse
 from .plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from .pools import STRIPS
 
 # factors of P/E* in the pressure over E*, and in slope and depth
 PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi

@@ -13,10 +13,10 @@ from importlib import import_module
 from pathlib import Path
 
 from ..entry import Entry
+from ..profiles.pools import BODIES, POOLS, PRESSURES, ROUND, STRIPS, Pool
 from ..profiles.profile import Profile, unknown
 from . import Physics, Wording
 from .medium import Medium
-from .pools import BODIES, POOLS, PRESSURES, ROUND, STRIPS, Pool
 
 
 @dataclass(frozen=True)

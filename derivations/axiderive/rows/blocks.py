@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..entry import Entry
-from ..physics.pools import BODIES, ROUND
 from ..physics.systems import SYSTEMS, Problem, System, of, pool_of
 from ..print.words import prose
+from ..profiles.pools import BODIES, ROUND
 from . import laws
 from .approaches import Further, approach_rows
 from .in_print import printed as in_print

@@ -125,7 +125,16 @@ class Defined(HalfSpace):
 
     def normal(self, suffix: str, a: Any, free_depth: Any = None) -> Any:
         """d, F, pm, p, w or k, which is that of the flat punch."""
-        return super().normal(suffix, a, self.depth(a) if suffix == "k" and free_depth is None else free_depth)
+        match suffix:
+            case "d":
+                return self.depth(a) if free_depth is None else free_depth
+            case "F" | "pm":
+                return self.force(a, free_depth) / (mp.pi * a**2 if suffix == "pm" else 1)
+            case "p":
+                return self.pressure(self.at(nt.r), a, free_depth)
+            case "w":
+                return self.displacement(self.at(nt.r), a, free_depth)
+        return 2 * self.modulus * a
 
 
 class Contact:

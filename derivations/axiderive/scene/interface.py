@@ -16,10 +16,10 @@ from ..letters import name_of
 from ..oracle.half_space import HalfSpace
 from ..physics import Physics, adhesive, normal, viscoelastic
 from ..physics.adhesive import pull_off_rule
-from ..physics.pools import BODIES
 from ..physics.systems import SYSTEMS, System
 from ..physics.viscoelastic import Law
 from ..profiles import NAMES
+from ..profiles.pools import BODIES
 from ..profiles.profile import Profile, Rule
 
 LETTERS = {"tau": "relaxation", "t": "time"}

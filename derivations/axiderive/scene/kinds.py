@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..physics.medium import GRADED, HOMOGENEOUS
-from ..physics.pools import BODIES, PRESSURES, ROUND, STRIPS, Pool
 from ..physics.systems import SYSTEMS, on
 from ..physics.viscoelastic import LAWS, Law
+from ..profiles.pools import BODIES, PRESSURES, ROUND, STRIPS, Pool
 from ..profiles.profile import Profile
 from . import interface
 from .linker.sources import graded_refusal

@@ -19,10 +19,10 @@ from ..code.plane import document
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
-from ..physics.pools import ROUND
 from ..physics.systems import Problem
 from ..print.formula import Printer
 from ..print.words import prose
+from ..profiles.pools import ROUND
 from ..profiles.profile import Profile
 from ..rows.laws import laws
 from ..rows.laws import rows as law_rows

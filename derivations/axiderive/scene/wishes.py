@@ -10,7 +10,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from .. import notation as nt
-from ..physics.pools import ROUND
+from ..profiles.pools import ROUND
 from . import interface
 from .linker.sources import ramps
 from .medium import given, kind_of

@@ -10,8 +10,8 @@ from typing import Any
 import sympy as sp
 
 from ..entry import FOUR, Entry
-from ..physics.pools import BODIES, ROUND
 from ..physics.systems import SYSTEMS, System, problem
+from ..profiles.pools import BODIES, ROUND
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
 from .reference import UnknownError, condition, is_inverse
 from .samples import DOMAINS

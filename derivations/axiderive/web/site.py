@@ -17,8 +17,8 @@ from ..book import book
 from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.handbook import Model, page_models, ruled
 from ..code.python import package_sources
-from ..physics.pools import ROUND
 from ..physics.systems import SYSTEMS, pool_of
+from ..profiles.pools import ROUND
 from . import study
 from .home import home
 from .page import Derived, page

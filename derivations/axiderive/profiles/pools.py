@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .. import profiles
 from ..notation import F, P, r, x
-from ..profiles import loads as prescribed
-from ..profiles import plane as plane_profiles
-from ..profiles.materials import PROFILE as ELASTIC
-from ..profiles.profile import Profile
+from . import NAMES, load
+from . import loads as prescribed
+from . import plane as plane_profiles
+from .materials import PROFILE as ELASTIC
+from .profile import Profile
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Pool:
         return ".".join(part for part in (self.prefix, name) if part)
 
 
-ROUND = Pool("", profiles.NAMES, profiles.load)
+ROUND = Pool("", NAMES, load)
 STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load, x, P)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
 BODIES = Pool("", ("materials",), lambda name: ELASTIC)
