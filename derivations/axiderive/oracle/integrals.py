@@ -57,10 +57,6 @@ class Face(ABC):
         """g(a)."""
         return a * self._over(a, lambda piece, s: piece.slope(s))
 
-    def depth_rate(self, a: Number) -> Number:
-        """dg/da, the integral differentiated under its sign."""
-        return self._rate(a, [(a - b) * (a + b) for b, _ in self.shape.kinks])
-
     def force(self, a: Number, depth: Number | None = None) -> Number:
         """F/H; `depth` is d of a complete contact."""
         total = a**self.k * self._over(a, lambda piece, s: piece.slope(s) * s * s)
@@ -68,13 +64,13 @@ class Face(ABC):
             total += a ** (1 + self.k) * (depth - self.depth(a))
         return 2 * total / (1 + self.k)
 
+    @abstractmethod
+    def depth_rate(self, a: Number) -> Number:
+        """dg/da, the integral differentiated under its sign; each kink adds what its moving angle brings in."""
+
+    @abstractmethod
     def force_rate(self, a: Number) -> Number:
         """(dF/da)/H of the compact contact: the weight a**k s**2 f'(s) differentiated at constant angle."""
-        k = self.k
-        total = a**k * self._over(a, lambda piece, s: (k * piece.slope(s) + piece.bend(s) + piece.slope(s)) * s * s / a)
-        kinks = ((b, jump, (a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
-        total += mp.fsum(b**3 * jump / (a * gap ** ((1 - k) / 2)) for b, jump, gap in kinks)
-        return 2 * total / (1 + k)
 
     @abstractmethod
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
@@ -88,21 +84,20 @@ class Face(ABC):
     def _over(self, a: Number, integrand: Integrand) -> Number:
         """int integrand(s) sin(y)**k dy over the pieces below a."""
 
-    def _rate(self, t: Number, gaps: list[Number]) -> Number:
-        """g'(t) with t**2 - b**2 given for every break b; each kink adds what its moving angle brings in."""
-        return self._bend(t, gaps) + t**-self.k * mp.fsum(
-            b * jump / gap ** ((1 - self.k) / 2)
-            for (b, jump), gap in zip(self.shape.kinks, gaps, strict=True)
-            if gap > 0 and jump != 0
-        )
-
-    def _bend(self, t: Number, gaps: list[Number]) -> Number:
-        """The integral of (s f')' in it."""
-        return self._over(t, lambda piece, s: piece.bend(s))
-
 
 class Homogeneous(Face):
     """The profile on the half-space of one modulus E*."""
+
+    def depth_rate(self, a: Number) -> Number:
+        """dg/da."""
+        total = self._over(a, lambda piece, s: piece.bend(s))
+        return total + mp.fsum(b * jump / mp.sqrt((a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
+
+    def force_rate(self, a: Number) -> Number:
+        """(dF/da)/E*."""
+        total = self._over(a, lambda piece, s: (piece.bend(s) + piece.slope(s)) * s * s / a)
+        kinks = ((b, jump) for b, jump in self.shape.kinks if b < a)
+        return 2 * (total + mp.fsum(b**3 * jump / (a * mp.sqrt((a - b) * (a + b))) for b, jump in kinks))
 
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
         """w(r) for r > a."""
@@ -228,6 +223,20 @@ BALLS = Arithmetic(rules.ball, lambda x: x.sin_cos()[::-1], rules.sum_over_balls
 class Graded(Face):
     """The profile on a half-space whose modulus is a power of the depth."""
 
+    def depth_rate(self, a: Number) -> Number:
+        """dg/da."""
+        return self._rate(a, [(a - b) * (a + b) for b, _ in self.shape.kinks])
+
+    def force_rate(self, a: Number) -> Number:
+        """(dF/da)/H."""
+        k = self.k
+        total = a ** (k - 1) * self._over(
+            a, lambda piece, s: (k * piece.slope(s) + piece.bend(s) + piece.slope(s)) * s * s
+        )
+        kinks = ((b, jump, (a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
+        total += mp.fsum(b**3 * jump * gap ** ((k - 1) / 2) / a for b, jump, gap in kinks)
+        return 2 * total / (1 + k)
+
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
         """w(r) for r > a."""
         k, q2 = self.k, (r - a) * (r + a)
@@ -264,8 +273,16 @@ class Graded(Face):
 
         return self._rate(start + x, [gap(b) for b, _ in self.shape.kinks]) * gap(r) ** ((self.k - 1) / 2)
 
+    def _rate(self, t: Number, gaps: list[Number]) -> Number:
+        """g'(t) with t**2 - b**2 given for every break b."""
+        return self._bend(t, gaps) + t**-self.k * mp.fsum(
+            b * jump * gap ** ((self.k - 1) / 2)
+            for (b, jump), gap in zip(self.shape.kinks, gaps, strict=True)
+            if gap > 0 and jump != 0
+        )
+
     def _bend(self, t: Number, gaps: list[Number]) -> Number:
-        """For a sum of powers the integral over c n**2 s**(n - 1) is a power of t times the one for t = 1."""
+        """The integral of (s f')' in it; that over c n**2 s**(n - 1) is a power of t times the one for t = 1."""
         if self.shape.powers:
             moments = ((c, n, _moment(n, self.k, self.digits, int(mp.mp.prec))) for c, n in self.shape.powers)
             return mp.fsum(c * n * n * t ** (n - 1) * moment for c, n, moment in moments)
