@@ -36,7 +36,7 @@ def test_plain_numbers_find_the_branches_of_arrays(name: str, control: str) -> N
 
 def sampled(steepness: Any, radii: np.ndarray) -> arrays.Samples:
     with np.errstate(all="ignore"):
-        return arrays.Samples(radii[:, None], steepness(radii)[:, None], np.inf)
+        return arrays.Samples(radii[:, None], steepness(radii)[:, None], np.inf, {})
 
 
 RADII = 10.0 ** np.linspace(-8.0, 8.0, 40)

@@ -24,6 +24,7 @@ COUNTERPARTS = {
     "_runtime.integrals": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
     "_runtime.graded.rules": "_runtime.graded.single",
+    "_runtime.graded.waves": "_runtime.graded.single",
 }
 """Modules of which another one has functions of the same name for plain numbers."""
 RULES = ("_runtime.integrals", "_runtime.graded.rules")

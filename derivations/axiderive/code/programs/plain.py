@@ -7,7 +7,7 @@ as a formula.  `np.where` becomes an if: nothing is evaluated outside its branch
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from .bounds import Bound, bounds
 from .graph import Lengths, Node, Path, needed, places
@@ -17,6 +17,8 @@ SMALL, LARGE = 1e-30, 1e30
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
 TRUSTED = (f"if value > {LEAST} and value < {GREATEST} or {LEAST} < -value < {GREATEST}:", "    return value")
+NEAR, WIDE = 1e-12, 1e12
+"""Arguments between these leave the range nowhere: where a body has no value, there is none."""
 OPERATORS = {
     "add": "+", "subtract": "-", "multiply": "*", "divide": "/", "less": "<", "less_equal": "<=", "greater": ">",
     "greater_equal": ">=", "equal": "==", "not_equal": "!=", "bitwise_and": "and", "bitwise_or": "or",
@@ -66,6 +68,12 @@ def function(
     )
     # without the brackets that the order of operations makes needless
     return ast.unparse(ast.parse(text))
+
+
+def certain(arguments: Iterable[str]) -> list[str]:
+    """The lines for a result that is no number, where no argument is far out: an inverse of what no contact carries."""
+    ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in arguments]
+    return [f"if {' and '.join(['value != value', *ordinary])}:", "    return value"]
 
 
 class Lines:

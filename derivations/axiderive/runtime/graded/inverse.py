@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ..integrals import difference_root
-from ..interface import Array
+from ..interface import Array, Kept
 from ..inverse import LOST, ROUNDING, Curve, inverse
 from ..physics.unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
 from ..shapes.across import Rooted, inverse_across
@@ -146,6 +146,7 @@ def contact_below(
     return a, root
 
 
+@Kept
 def gaussian_reach(s: Array, k: Array) -> Array:
     """The radius of largest depth of a Gaussian bump, where the contact ceases to be compact."""
     low, high = np.ones_like(s + k), 8.0 * np.ones_like(s + k)

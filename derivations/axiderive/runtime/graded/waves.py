@@ -7,11 +7,10 @@ from functools import cache
 
 import numpy as np
 
-from ..integrals import integral_by_panels
 from ..interface import Array
-from .rules import raised, sine_over, weighted
+from .rules import over_quarter, raised, weighted
 
-FAR, NEAR, DEEP = 30.0, 3.0, 44.0
+FAR, NEAR, DEEP = 16.0, 3.0, 44.0
 """The phase from which the paths off the real axis are taken; the first panel of those, and where they end."""
 
 
@@ -31,26 +30,17 @@ def waves_force(a: Array, q: Array, k: Array) -> Array:
 def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array], factor: Callable[..., Array]) -> Array:
     """Integral of of(q a cos(y), cos(y)) sin(y)**k over a quarter turn, `of` = Im(factor(cos(y), q a) exp(i x)).
 
-    One panel with the weight, then plain ones.
+    The nodes resolve a phase of FAR in one panel.
     """
     phase = q * a
     if np.all(phase > FAR):
-        return _far(phase, k, factor)
+        return far_out(phase, k, factor)
     reach = np.minimum(phase, FAR)
-    first = np.minimum(np.pi / 2.0, 8.0 / np.maximum(reach, 1e-300))
-
-    def smooth(y: Array) -> Array:
-        return of(reach * np.cos(y), np.cos(y)) * sine_over(y) ** k
-
-    def rest(y: Array) -> Array:
-        return of(reach * np.cos(first + y), np.cos(first + y)) * np.sin(first + y) ** k
-
-    total = raised(first, k) * weighted(smooth, first, k)
-    total = total + integral_by_panels(rest, np.pi / 2.0 - first, first, 64)
-    return np.where(phase > FAR, _far(np.maximum(phase, FAR), k, factor), total) if np.any(phase > FAR) else total
+    near = over_quarter(lambda cosine: of(reach * cosine, cosine), reach + 0.0 * k, k)
+    return np.where(phase > FAR, far_out(np.maximum(phase, FAR), k, factor), near) if np.any(phase > FAR) else near
 
 
-def _far(phase: Array, k: Array, factor: Callable[..., Array]) -> Array:
+def far_out(phase: Array, k: Array, factor: Callable[..., Array]) -> Array:
     """The same of c = cos(y), on the paths i t/phase and 1 + i t/phase, along which exp(i phase c) falls as exp(-t)."""
     m = (k - 1.0) / 2.0
 
