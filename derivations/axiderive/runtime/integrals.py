@@ -75,9 +75,9 @@ def summed(parts: Iterable[Array]) -> Array:
 
 
 def _of_neighbours(rows: Array) -> Array:
-    if rows.size == len(rows):
-        # of one point in a third of the time; neither infinite nor complex
-        with suppress(ArithmeticError, ValueError, TypeError):
+    if rows.size == len(rows) and rows.dtype == np.float64:
+        # of one point in a third of the time, unless one is infinite
+        with suppress(ArithmeticError, ValueError):
             return np.full(rows.shape[1:], math.fsum(rows.ravel().tolist()))
     while len(rows) > 1:
         pairs = rows[0:-1:2] + rows[1::2]

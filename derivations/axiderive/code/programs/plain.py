@@ -70,7 +70,7 @@ def function(
     return ast.unparse(ast.parse(text))
 
 
-def certain(arguments: Iterable[str]) -> list[str]:
+def settled(arguments: Iterable[str]) -> list[str]:
     """The lines for a result that is no number, where no argument is far out: an inverse of what no contact carries."""
     ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in arguments]
     return [f"if {' and '.join(['value != value', *ordinary])}:", "    return value"]
@@ -83,7 +83,7 @@ class Lines:
     """
 
     def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]], rules: dict[Lengths, str]) -> None:
-        self.nodes = needed(result)
+        self.nodes, self.arguments = needed(result), tuple(ranges)
         self.loops = loops(self.nodes)
         self.paths = {node: self._outside(node, path) for node, path in places(self.nodes).items()}
         self.rules = rules
@@ -171,7 +171,9 @@ class Lines:
         value = self.expression(node) if self.paths[node] == path and not is_sum(node) else self.of(node)
         if certain and (node in self.proved or node.name == "number"):
             return [*text, f"return {value}"]
-        return [*text, f"value = {value}", *TRUSTED, "return None"]
+        # what has no rule takes the arrays no longer
+        sure = settled(self.arguments) if any(map(is_sum, self.nodes)) else []
+        return [*text, f"value = {value}", *TRUSTED, *sure, "return None"]
 
     def _is_first(self, node: Node) -> bool:
         """Whether this is minimum(x, y) where x < y has been decided."""

@@ -138,7 +138,7 @@ def growth_beyond_cap(
     """
     gaps = [past(x) if past else x - b for x in (r, a)]
     within, scale, reach = _branches(r, a, b, 2.0 + 2.0 * k, *gaps)
-    first = np.minimum(np.arcsinh(reach / scale), _PANEL * np.minimum(1.0, bend / scale))
+    first, start = _panel(scale, reach, _PANEL * np.minimum(1.0, bend / scale))
 
     def inner(root: Array, u: Array) -> Array:
         t = np.hypot(b, root)
@@ -154,7 +154,7 @@ def growth_beyond_cap(
 
     def below() -> Array:
         near = first * integral(cube, np.ones_like(first), NODES)
-        return near + growth_far(inner, scale * np.sinh(first), reach, scale)
+        return near + growth_far(inner, start, reach, scale)
 
     value = either(within, below, lambda: _from_branch(outer, scale, reach, k))
     return np.where(reach > 0.0, value, 0.0)
@@ -181,14 +181,21 @@ def _from_branch(
 
     `above` is 1 + k, as in the rule of the weight.
     """
-    first = np.minimum(np.arcsinh(reach / scale), _PANEL)
+    first, start = _panel(scale, reach, _PANEL)
 
     def weighed(v: Array) -> Array:
         return smooth(scale * np.sinh(v), scale * np.cosh(v)) * sinh_over(v) ** k
 
     near = weighted(weighed, first, k, nodes_for(first), above)
-    rest = growth_far(lambda y, far: y**k * smooth(y, far), scale * np.sinh(first), reach, scale)
+    rest = growth_far(lambda y, far: y**k * smooth(y, far), start, reach, scale)
     return scale**k * (raised(first, k) * near) + rest
+
+
+def _panel(scale: Array, reach: Array, longest: Array | float) -> tuple[Array, Array]:
+    """The length of the first panel in arcsinh(y/scale), and the y where the rest starts: `reach` where there is none."""
+    whole = np.arcsinh(reach / scale)
+    first = np.minimum(whole, longest)
+    return first, np.where(first < whole, scale * np.sinh(first), reach)
 
 
 def growth_far(integrand: Callable[[Array, Array], Array], start: Array, reach: Array, scale: Array) -> Array:
@@ -197,6 +204,8 @@ def growth_far(integrand: Callable[[Array, Array], Array], start: Array, reach: 
     Counted from either end up to the middle: in a length that counts decades an error is one of every power of it.
     """
     long = reach > start
+    if not np.any(long):
+        return np.zeros_like(start)
     half = np.where(long, np.log(np.sqrt(reach) / np.sqrt(np.where(long, start, 1.0))), 0.0)
 
     def along(y: Array) -> Array:

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 
+from ..integrals import integral
 from ..interface import Array
 from .rules import over_quarter, raised, weighted
 
@@ -20,7 +21,12 @@ def waves_depth(a: Array, q: Array, k: Array) -> Array:
 
 
 def waves_rate(t: Array, q: Array, k: Array) -> Array:
-    return q * _waves(t, q, k, lambda x, _: np.sin(x) + x * np.cos(x), lambda c, x: 1.0 + 1j * x * c)
+    return q * _waves(t, q, k, lambda x, _: _tilted(x, np.tan(0.5 * x)), lambda c, x: 1.0 + 1j * x * c)
+
+
+def _tilted(x: Array, tangent: Array) -> Array:
+    """sin(x) + x cos(x), of half of x: arrays of sines and cosines take four times as long."""
+    return (2.0 * tangent + x * ((1.0 - tangent) * (1.0 + tangent))) / (1.0 + tangent * tangent)
 
 
 def waves_force(a: Array, q: Array, k: Array) -> Array:
@@ -52,13 +58,12 @@ def far_out(phase: Array, k: Array, factor: Callable[..., Array]) -> Array:
         u = t / phase
         return np.exp(-t) * factor(1.0 + 1j * u, phase) * (1.0 + 0.5j * u) ** m
 
-    first, rest, plain = (np.full_like(phase + k, x) for x in (NEAR, DEEP - NEAR, 0.0))
-    start = DEEP * weighted(axis, first + rest, plain)
-    end = NEAR * NEAR**m * weighted(edge, first, m + plain, above=(1.0 + k) / 2.0 + plain)
-    end = end + (DEEP - NEAR) * weighted(lambda t: edge(NEAR + t) * (NEAR + t) ** m, rest, plain)
+    first, deep = (np.full_like(phase + k, x) for x in (NEAR, DEEP))
+    end = NEAR * NEAR**m * weighted(edge, first, m, above=(1.0 + k) / 2.0)
+    end = end + integral(lambda t: edge(NEAR + t) * (NEAR + t) ** m, deep - NEAR, 64)
     # not of the sum of both, whose rounding grows with the phase
     turned = np.exp(1j * phase) * np.exp(-0.5j * np.pi * m) * (2.0 / phase) ** m
-    return np.real(start - turned * end) / phase
+    return np.real(integral(axis, deep, 32) - turned * end) / phase
 
 
 def steepest_waves(k: Array) -> Array:
