@@ -240,7 +240,7 @@ class _Module:
         lines = [f'"""Programs of {PACKAGE}.{self.path}."""', "", "from __future__ import annotations", ""]
         lines += [f"from math import {', '.join(math_names)}", ""] if math_names else []
         lines += ["import numpy as np", ""] if self.records else []
-        lines += [f"from {level}{PLACE}.arrays.blocks import Program, largest"] if self.records else []
+        lines += [f"from {level}{PLACE}.interface import largest"] if self.records else []
         lines += [f"from {level}{PLACE}.plain import rule"] if self.rules else []
         if self.bodies:
             folder, _, name = f"bodies.{self.path}".rpartition(".")

@@ -8,7 +8,6 @@ from functools import cache
 from typing import Any
 
 from ..nodes import gauss_legendre
-from . import waves
 from .rules import NODES, product_weights, quarter
 
 Pairs = list[tuple[float, float]]
@@ -43,6 +42,8 @@ def _turned(k: float) -> tuple[Pairs, float | None]:
 
 def far_out(phase: float, k: float, factor: Callable[..., Any]) -> float:
     """The integral of a wave on paths off the real axis: over arrays of complex numbers."""
+    from . import waves
+
     return float(waves.far_out(phase, k, factor))
 
 
