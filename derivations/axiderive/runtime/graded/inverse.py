@@ -191,7 +191,9 @@ def radius_across(
         return radius
     return np.where(
         above,
-        _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip, *close),
+        _beyond(
+            load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip, *close
+        ),
         radius,
     )
 

@@ -53,7 +53,9 @@ def wavy_growth(slope: Slope, r: Array, a: Array, wavelength: Array, k: Array) -
         return slope(t) / t
 
     total = raised(first, k) * weighted(smooth, first, k)
-    return total + integral_by_panels(lambda u: smooth(first + u) * (first + u) ** k, stop - first, SPAN * wavelength, NODES)
+    return total + integral_by_panels(
+        lambda u: smooth(first + u) * (first + u) ** k, stop - first, SPAN * wavelength, NODES
+    )
 
 
 def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -192,7 +194,7 @@ def _from_branch(
 
 
 def _panel(scale: Array, reach: Array, longest: Array | float) -> tuple[Array, Array]:
-    """The length of the first panel in arcsinh(y/scale), and the y where the rest starts: `reach` where there is none."""
+    """The length of the first panel in arcsinh(y/scale), and the y where the rest starts, `reach` if there is none."""
     whole = np.arcsinh(reach / scale)
     first = np.minimum(whole, longest)
     return first, np.where(first < whole, scale * np.sinh(first), reach)

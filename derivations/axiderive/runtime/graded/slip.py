@@ -94,9 +94,7 @@ def below_gain(
         return whole(r, t, R, k) if quantity == "pressure" else whole(t, difference_root(R, t), k)
 
     close = _close(r, c, a)
-    return either(
-        close, lambda: _grown_below(quantity, rate, r, c, a, R, k, close), lambda: values(a) - values(c)
-    )
+    return either(close, lambda: _grown_below(quantity, rate, r, c, a, R, k, close), lambda: values(a) - values(c))
 
 
 def rounded_gain(
@@ -168,7 +166,9 @@ def waves_gain(
         return y * _grown(y)
 
     def gain() -> Array:
-        rest = integral_by_panels(lambda y: _grown(inner + first + y), gap - first, SPAN * length * np.ones_like(gap), NODES)
+        rest = integral_by_panels(
+            lambda y: _grown(inner + first + y), gap - first, SPAN * length * np.ones_like(gap), NODES
+        )
         return rest + integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
 
     fields = (r,) if quantity == "pressure" else ()
