@@ -75,10 +75,11 @@ def summed(parts: Iterable[Array]) -> Array:
 
 
 def _of_neighbours(rows: Array) -> Array:
-    if rows.size == len(rows) and rows.dtype == np.float64:
+    if rows.size == len(rows):
         # of one point in a third of the time, unless one is infinite
         with suppress(ArithmeticError, ValueError):
-            return np.full(rows.shape[1:], math.fsum(rows.ravel().tolist()))
+            row = rows.ravel()
+            return np.full(rows.shape[1:], row.sum() if np.iscomplexobj(row) else math.fsum(row.tolist()))
     while len(rows) > 1:
         pairs = rows[0:-1:2] + rows[1::2]
         rows = np.concatenate([pairs, rows[-1:]]) if len(rows) % 2 else pairs

@@ -69,9 +69,9 @@ def over_quarter(of: Smooth, points: Array, k: Array) -> Array:
 @Kept
 def quarter(k: Array) -> tuple[Array, Array, Array | None]:
     """Cosines of the nodes and their weights; near k = -1 for what vanishes at y = 0, with those of all of it."""
-    angles = np.pi / 2.0 * gauss_legendre(NODES)[0]
+    k, angles = np.asarray(k, dtype=np.float64), np.pi / 2.0 * gauss_legendre(NODES)[0]
     scale, over = raised(np.pi / 2.0, k), np.power.outer(sine_over(angles), k)
-    if np.all(np.asarray(k) >= -0.25):
+    if np.all(k >= -0.25):
         return np.cos(angles), scale * product_weights(k, NODES) * over, None
     weights = (product_weights(1.0 + k, NODES).T / gauss_legendre(NODES)[0]).T
     return np.cos(angles), scale * weights * over, scale * (1.0 / (1.0 + k) + np.sum(weights * (over - 1.0), axis=0))
@@ -122,7 +122,12 @@ def raised(x: Array, k: Array) -> Array:
 
 def sine_integral(angle: Array, k: Array) -> Array:
     """Integral of sin(y)**k from 0 to `angle`, at most pi/2."""
-    return raised(angle, k) * weighted(lambda y: sine_over(y) ** k, angle, k, 24)
+    return raised(angle, k) * sine_mean(angle, k)
+
+
+def sine_mean(angle: Array, k: Array) -> Array:
+    """The same over the power 1 + k of the angle."""
+    return weighted(lambda y: sine_over(y) ** k, angle, k, 24)
 
 
 def sine_over(y: Array) -> Array:

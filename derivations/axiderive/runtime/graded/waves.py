@@ -48,6 +48,8 @@ def _waves(a: Array, q: Array, k: Array, of: Callable[..., Array], factor: Calla
 
 def far_out(phase: Array, k: Array, factor: Callable[..., Array]) -> Array:
     """The same of c = cos(y), on the paths i t/phase and 1 + i t/phase, along which exp(i phase c) falls as exp(-t)."""
+    # no numbers without a range, which are not complex
+    phase, k = np.asarray(phase, dtype=np.float64), np.asarray(k, dtype=np.float64)
     m = (k - 1.0) / 2.0
 
     def axis(t: Array) -> Array:
