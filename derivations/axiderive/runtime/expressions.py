@@ -7,10 +7,12 @@ branches are evaluated.  In `_programs/expressions` the arguments are moved into
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial, update_wrapper
+from functools import cache, partial, update_wrapper
 from importlib import import_module
-from types import ModuleType
+from types import CodeType, FunctionType, ModuleType
 from typing import Any
+
+import numpy as np
 
 from .interface import nothing, programs
 
@@ -82,10 +84,8 @@ class _Expression:
     def __init__(self, function: Callable[..., Any], xp: Any, written: Callable[..., Any]) -> None:
         self.function, self.xp = function, xp
         self.fields = function.__code__.co_varnames[: function.__code__.co_argcount]
-        code, own = written.__code__, written.__globals__
-        self.arguments = frozenset(code.co_varnames[1 : code.co_argcount])
-        names = {name for name in code.co_names if name != "range" and name not in own} | {"asarray"}
-        self.formula = partial(written, _Library(xp, sorted(names)))
+        self.arguments = frozenset(written.__code__.co_varnames[1 : written.__code__.co_argcount])
+        self.formula = partial(written, _Library(xp, sorted(_names(written))))
         update_wrapper(self, function)
 
     def __call__(self, *fields: Any, **keywords: Any) -> Any:
@@ -101,6 +101,19 @@ class _Expression:
 
 def _over(function: Callable[..., Any], name: str) -> Callable[..., Any]:
     return expression(function, import_module(name))
+
+
+@cache
+def _names(written: FunctionType) -> frozenset[str]:
+    """The functions of a library that a formula needs, and all it calls."""
+    space, found, pending = written.__globals__, set[str](), [written.__code__]
+    while pending:
+        code = pending.pop()
+        pending += [inner for inner in code.co_consts if isinstance(inner, CodeType)]
+        found |= set(code.co_names)
+    others = [space[name] for name in found if isinstance(space.get(name), FunctionType)]
+    needed = {name for name in found if name not in space and hasattr(np, name)}
+    return frozenset(needed).union({"asarray"}, *map(_names, others))
 
 
 class _Library:

@@ -20,9 +20,9 @@ from ...stable.measure import imported
 from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import Twins
-from .expressions import RULE, expression
 from .graph import Lengths, Node, needed, trace
 from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum
+from .sharing import Shared
 
 FOLDER = "_programs"
 WORDS = frozenset(("control", "A"))
@@ -73,9 +73,11 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
                     calls.setdefault(call.formula.__module__.removeprefix(f"{package}."), set()).add(call)
         for path, found in sorted(calls.items()):
             module = _Module(path, found, inside, twins)
-            own = {path: module.text(), f"expressions.{path}": module.expressions()}
-            files |= {_path(f"{FOLDER}.{name}"): text for name, text in own.items() if text}
-        files |= {_path(path): text for path, text in twins.sources().items()}
+            if text := module.text():
+                files[_path(f"{FOLDER}.{path}")] = text
+        shared = Shared({path: import_module(f"{package}.{path}") for path in sources if path})
+        shared.add(list(dict.fromkeys(call.formula for found in calls.values() for call in sorted(found, key=Call.order))))
+        files |= {_path(path): text for path, text in (twins.sources() | shared.sources()).items()}
     files |= {f"{folder}/__init__.py": "" for path in [*files] for folder in _folders(path)}
     return dict(sorted((files | {f"{PACKAGE}/{FOLDER}/__init__.py": README}).items()))
 
@@ -169,7 +171,6 @@ class _Module:
         self.constants: dict[str, str] = {}
         self.records: list[str] = []
         self.texts: list[str] = []
-        self.over: list[str] = []
         self.bodies: set[str] = set()
 
     def text(self) -> str:
@@ -178,9 +179,6 @@ class _Module:
             arguments = _arguments(calls[0].formula)
             words = calls[0].words
             result = None if words else trace(calls[0].formula, arguments, ())
-            whole = None if words else trace(calls[0].formula, arguments, (), roots=True)
-            over = whole and expression(name.removeprefix("_"), arguments, whole)
-            self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
             self._plain(name, calls, arguments, result)
             if result is not None and not any(map(is_sum, needed(result))):
                 for fields, keywords in dict.fromkeys((call.fields, call.keywords) for call in calls):
@@ -189,13 +187,6 @@ class _Module:
             return ""
         records = [f"BLOCKS = {{\n{chr(10).join(self.records)}\n}}"] if self.records else []
         return "\n\n\n".join([self._head(), *(text.rstrip("\n") for text in self.texts), *records]) + "\n"
-
-    def expressions(self) -> str:
-        """The formulas in closed form over any array library `xp`, empty if there are none."""
-        head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
-        if any(RULE in text for text in self.over):
-            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}{PLACE}.integrals import {RULE}"
-        return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
         unused = dict.fromkeys(name for call in calls for name in call.unused)
