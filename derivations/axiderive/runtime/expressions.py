@@ -14,10 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from .interface import nothing, programs
+from .interface import programs
 
 __all__ = ["expression"]
 
+PACKAGE = __name__.removesuffix("expressions")
 STANDARD = {
     "absolute": "abs", "arctan": "atan", "arctan2": "atan2", "arcsinh": "asinh", "power": "pow",
 }  # fmt: skip
@@ -61,15 +62,14 @@ def expression(function: Callable[..., Any], xp: Any) -> Callable[..., Any]:
     [0.683998, 0.0]
     """
     name = getattr(function, "__name__", repr(function))
-    private = getattr(function, "__globals__", {}).get(f"_{name}")
-    if private is None:
+    if not isinstance(function, FunctionType) or not function.__module__.startswith(PACKAGE):
         message = f"{name} is no function with a formula of its own; take one of axicontact.normal, as cone.pressure"
         raise TypeError(message)
     if function.__annotations__.get("return") != "Result":
         message = f"{function.__module__}.{name} gives several numbers; take one that gives one, as cone.pressure"
         raise TypeError(message)
-    written = getattr(programs(private.__module__, "expressions."), name, nothing)
-    if written is nothing:
+    written = getattr(programs(function.__module__, "expressions."), name, None)
+    if written is None:
         message = (
             f"{function.__module__}.{name} needs more than sums and a few steps to a root; it is no expression for "
             f"{getattr(xp, '__name__', xp)}, call the function itself or take one in closed form, as cone.pressure"

@@ -15,14 +15,14 @@ from .physics.relaxation import SWITCH, TERMS
 
 NODES = 64
 """Nodes of a rule, for an interval of any length: those that the package takes for long ones."""
-STEPS, MORE, LEAST = 5, 24, 0.1
+STEPS, MORE, LEAST = 5, 28, 0.1
 """Steps before the last one of a root, and of one whose slope may fall below LEAST.
 
 Over 24 decades the first leave 7e-16 in all functions without breaks; two less would leave 6e-10.
 """
 SHIFT = 12
-FURTHEST = 50.0
-"""The longest step, of a logarithm."""
+FURTHEST, SETTLED = 50.0, 1e-6
+"""The longest step, of a logarithm, and one that is close to the root."""
 
 
 def nodes_along(xp: Any, panels: int, *arrays: Any) -> Any:
@@ -66,8 +66,9 @@ def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: 
     """
     wanted = xp.where(value > 0.0, value, 1.0)
     t = xp.minimum(start, largest)
-    low, high = -np.inf, np.inf
-    for _ in range(STEPS if isinstance(least, float) and least > LEAST else MORE):
+    low, high, before = -np.inf, np.inf, np.inf
+    few = isinstance(least, float) and least > LEAST
+    for _ in range(STEPS if few else MORE):
         y, slope = curve(t)
         # at the largest radius of all a curve may have no value
         inside = (y > 0.0) & (y < np.inf)
@@ -77,10 +78,13 @@ def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: 
         ends = missed / least, missed / most
         step = xp.maximum(missed / slope, xp.minimum(*ends))
         step = xp.minimum(xp.maximum(xp.minimum(step, xp.maximum(*ends)), -FURTHEST), FURTHEST)
-        met = (low <= at + step) & (at + step <= high)
         between = (low > -np.inf) & (high < np.inf)
+        # at a kink steps from either side lead to the other one
+        far = between & (xp.absolute(step) > xp.maximum(0.5 * before, np.inf if few else SETTLED))
+        met = (low <= at + step) & (at + step <= high) & ~far
         halved = xp.where(between, 0.5 * (xp.where(between, low, at) + xp.where(between, high, at)), at)
-        t = xp.minimum(xp.exp(xp.where(met, at + step, halved)), largest)
+        moved = xp.where(met, at + step, halved)
+        t, before = xp.minimum(xp.exp(moved), largest), xp.absolute(moved - at)
     y, slope = curve(t)
     change = (wanted - y) / y / slope
     t = xp.where(xp.absolute(change) < LEAST, t * (1.0 + change), t)
@@ -105,7 +109,7 @@ def gamma(xp: Any, x: Any) -> Any:
     w = x + SHIFT
     u = 1.0 / (w * w)
     rest = (1.0 / 12.0 - u * (1.0 / 360.0 - u * (1.0 / 1260.0 - u * (1.0 / 1680.0 - u / 1188.0)))) / w
-    return xp.exp((w - 0.5) * xp.log(w) - w + rest) * (2.0 * np.pi) ** 0.5 / below
+    return w ** (w - 0.5) * xp.exp(rest - w) * (2.0 * np.pi) ** 0.5 / below
 
 
 def rising(xp: Any, x: Any, e: Any) -> Any:

@@ -67,8 +67,10 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
         inside = import_module(f"{package}.{PLACE}.intervals").INSIDE
         twins = Twins(package, sources)
         calls: dict[str, set[Call]] = {}
+        public: list[str] = []
         for path in sorted(sources):
             if path and not path.startswith((PLACE, FOLDER)):
+                public.append(path)
                 for call in _calls(import_module(f"{package}.{path}"), sources[path]):
                     calls.setdefault(call.formula.__module__.removeprefix(f"{package}."), set()).add(call)
         for path, found in sorted(calls.items()):
@@ -76,7 +78,7 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
             if text := module.text():
                 files[_path(f"{FOLDER}.{path}")] = text
         shared = Shared({path: import_module(f"{package}.{path}") for path in sources if path})
-        shared.add(list(dict.fromkeys(call.formula for found in calls.values() for call in sorted(found, key=Call.order))))
+        shared.add({path: _single(import_module(f"{package}.{path}"), sources[path]) for path in public})
         files |= {_path(path): text for path, text in (twins.sources() | shared.sources()).items()}
     files |= {f"{folder}/__init__.py": "" for path in [*files] for folder in _folders(path)}
     return dict(sorted((files | {f"{PACKAGE}/{FOLDER}/__init__.py": README}).items()))
@@ -129,6 +131,25 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
                 fields = _arguments(formula)[: len(call.args) - 1]
                 signed = () if fields else tuple(name for name in keywords if name not in required)
                 yield Call(formula, fields, keywords, orders, tuple(unused), signed, words)
+
+
+def _single(module: ModuleType, text: str) -> dict[str, FunctionType]:
+    """The formulas of the functions of a module that evaluate one, by the names of these."""
+    found: dict[str, FunctionType] = {}
+    for public in ast.parse(text).body:
+        if not isinstance(public, ast.FunctionDef) or public.name.startswith("_"):
+            continue
+        calls = [own for own in ast.walk(public) if isinstance(own, ast.Call) and ast.unparse(own.func) in EVALUATING]
+        if len(calls) == 1:
+            formula = _named(module, _bound(calls[0].args[0])[0])
+        elif isinstance(own := public.body[-2:][0], ast.ImportFrom):
+            # what another contact has too
+            home = import_module(f"{'.' * own.level}{own.module}.{own.names[0].name}", module.__package__)
+            formula = getattr(home, f"_{public.name}", None)
+        else:
+            continue
+        found |= {public.name: formula} if formula else {}
+    return found
 
 
 def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from .graph import Node
 from .plain import OPERATORS
 
-LONGEST, WIDEST = 500, 100
+LONGEST, WIDEST = 2000, 100
 """Lines beyond which an expression is not written: choices within rules and roots are written once for each.
 
 What is used once stands where it is used, up to that width of a line.
@@ -180,10 +180,15 @@ class _Branch:
 
     def _moved(self, relation: Node, condition: str, holds: bool) -> _Branch:
         """The branch, with what is compared with another value moved to where the branch applies."""
-        if relation.name not in ASIDE or relation.operands[0].name == "number" or relation.operands[1].value == 0.0:
+        if relation.name not in ASIDE or relation.operands[0].name == "number":
             return self
         x, y = map(self.value, relation.operands)
-        aside = f"{ASIDE[relation.name][0 if holds else 1]!r} * {y}"
+        factor = ASIDE[relation.name][0 if holds else 1]
+        aside = f"{factor!r} * {y}"
+        if relation.operands[1].value == 0.0:
+            if factor < 1.0:
+                return self
+            aside = "1.0"
         chosen = f"{x}, {aside}" if holds else f"{aside}, {x}"
         return self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
 

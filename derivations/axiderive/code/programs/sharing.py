@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ..module import PACKAGE
+from ..module import PACKAGE, PLACE
 from .expressions import STEPS, expression
 from .graph import Graph, Node, Traced, needed, trace
 
@@ -49,17 +49,18 @@ class Shared:
         self._texts: dict[str, dict[str, str]] = {}
         self._imports: dict[str, dict[tuple[str, str], str]] = {}
 
-    def add(self, functions: Sequence[FunctionType]) -> None:
-        """Write the functions that have a graph, and those that they call."""
+    def add(self, public: Mapping[str, Mapping[str, FunctionType]]) -> None:
+        """Write the formulas of public functions by the modules and names of these, as far as they have a graph."""
         with self._calls():
-            for function in functions:
-                key = self._key(function)
-                if self._graph(key, function) is not None:
-                    self._write(key)
+            for path, formulas in public.items():
+                for name, formula in formulas.items():
+                    key = self._key(formula)
+                    if self._graph(key, formula) is not None and self._write(key) and key != (path, f"_{name}"):
+                        self._imports.setdefault(path, {})[f"{EXPRESSIONS}.{key[0]}", key[1]] = name
 
     def sources(self) -> dict[str, str]:
         """The modules by dotted name below the package."""
-        return {f"{EXPRESSIONS}.{path}": self._source(path) for path, texts in self._texts.items() if texts}
+        return {f"{EXPRESSIONS}.{path}": self._source(path) for path in sorted(self._imports) if self._imports[path] or any(self._texts.get(path, {}).values())}
 
     def _key(self, function: Any) -> tuple[str, str]:
         own = inspect.unwrap(function)
@@ -101,7 +102,7 @@ class Shared:
             return None
         if function not in self._calling:
             key = self._key(function)
-            standing = STANDING.get(key[1]) if key[0].startswith("_runtime.") else None
+            standing = STANDING.get((key[0].removeprefix(f"{PLACE}."), key[1]))
             self._calling[function] = (
                 (lambda *given, **named: standing(self._graphs[-1], *given, **named)) if standing else self._caller(key, function)
             )
@@ -162,13 +163,16 @@ class Shared:
         return bool(texts[name])
 
     def _source(self, path: str) -> str:
-        level, lines = "." * (path.count(".") + 3), []
+        level, lines, named = "." * (path.count(".") + 3), list[str](), list[str]()
         for (home, name), alias in sorted(self._imports[path].items()):
             own = name.removeprefix("_")
-            lines.append(f"from {level}{home} import {own}" + (f" as {alias}" if alias != own else ""))
+            if home != f"{EXPRESSIONS}.{path}":
+                lines.append(f"from {level}{home} import {own}" + (f" as {alias}" if alias != own else ""))
+            else:
+                named.append(f"{alias} = {own}")
         head = f'"""Formulas of {PACKAGE}.{path} over an array library `xp`."""'
         head += "\n\n" * bool(lines) + "\n".join(lines)
-        return "\n\n\n".join([head, *filter(None, self._texts[path].values())]) + "\n"
+        return "\n\n\n".join([head, *filter(None, self._texts.get(path, {}).values()), *named]) + "\n"
 
 
 def _depends(node: Node, graph: Graph) -> bool:
@@ -237,7 +241,7 @@ def _weighted(graph: Graph, smooth: Any, stop: Any, power: Any, count: int = 0, 
 
 
 def _gamma_quotient(graph: Graph, x: Any, y: Any) -> Any:
-    gamma = STANDING["gamma"]
+    gamma = _calling(STEPS, "gamma")
     return gamma(graph, x) / gamma(graph, y)
 
 
@@ -276,22 +280,53 @@ def _gaussian_reach(graph: Graph, s: Traced, k: Traced) -> Traced:
     return s * _traced(graph, 1.5).root(curve, 1.0, np.inf, (SLACK, np.inf))
 
 
-STANDING: dict[str, Callable[..., Any]] = {
-    "integral_in_strip": _strip,
-    "integral_by_panels": _panels,
-    "weighted": _weighted,
-    "inverse_over_waves": _over_waves,
-    "fading": _calling(STEPS, "fading"),
-    "gamma": _calling(STEPS, "gamma"),
-    "_gamma": _calling(STEPS, "gamma"),
-    "gamma_quotient": _gamma_quotient,
-    "_rising": _calling(STEPS, "rising"),
-    "depth_over_height": _calling("_runtime.functions", "depth_over_height", "plain"),
-    "exponent_of": lambda graph, x: 0,
-    "stress_at": lambda graph, unit, H, k: (0, H),
-    "_to_axis": lambda graph, q: _traced(graph, np.pi / 3.0),
-    "_bell": _bell,
-    "gaussian_reach": _gaussian_reach,
-    "_far": lambda graph, *given: 0.0,
+def _across(
+    graph: Graph, curve: Any, value: Traced, b: Any, tip: Any, end: Any = None, powers: Any = None
+) -> Traced:
+    """In x = a/b up to the break and 1 + sqrt(a**2/b**2 - 1) beyond: no slope is infinite there but for k < 0."""
+    b = _traced(graph, b)
+    base = curve(b, b * 0.0)[0]
+
+    def radius(x: Traced) -> tuple[Traced, Traced, Traced]:
+        t = np.where(x < 1.0, 0.0, x - 1.0)
+        stretched = np.sqrt(1.0 + t * t)
+        return b * np.where(x < 1.0, x, stretched), b * t, np.where(x < 1.0, 1.0, x * t / (1.0 + t * t))
+
+    def own(x: Traced) -> tuple[Traced, Traced]:
+        a, root, share = radius(x)
+        y, rate = curve(a, root)
+        return y, rate / y * share
+
+    start = (value / base) ** (1.0 / tip)
+    return radius(start.root(own, value, np.inf, (SLACK, np.inf)))[0]
+
+
+def _radius_across(
+    graph: Graph, load: Any, rate: Any, value: Traced, b: Any, needs: Any, tip: Any, least: Any = None, end: Any = None
+) -> Traced:
+    return _across(graph, lambda a, root: (load(a, root, *needs), a * rate(a, root, *needs)), value, b, tip)
+
+
+STANDING: dict[tuple[str, str], Any] = {
+    ("integrals", "integral_in_strip"): _strip,
+    ("integrals", "integral_by_panels"): _panels,
+    ("functions", "gamma"): _calling(STEPS, "gamma"),
+    ("functions", "gamma_quotient"): _gamma_quotient,
+    ("functions", "depth_over_height"): _calling("_runtime.functions", "depth_over_height", "plain"),
+    ("shapes.waves", "inverse_over_waves"): _over_waves,
+    ("shapes.across", "inverse_across"): _across,
+    ("physics.relaxation", "fading"): _calling(STEPS, "fading"),
+    ("physics.branches", "exponent_of"): lambda graph, x: 0,
+    ("physics.branches", "stress_at"): lambda graph, unit, H, k: (0, H),
+    ("physics.unknowns", "root_of"): lambda graph, x, first, last: (x, 1.0),
+    ("physics.unknowns", "power_of"): lambda graph, t, first, last: t,
+    ("graded.rules", "weighted"): _weighted,
+    ("graded.growth", "_gamma"): _calling(STEPS, "gamma"),
+    ("graded.growth", "_rising"): _calling(STEPS, "rising"),
+    ("graded.growth", "_bell"): _bell,
+    ("graded.inverse", "gaussian_reach"): _gaussian_reach,
+    ("graded.inverse", "radius_across"): _radius_across,
+    ("graded.displacement", "_to_axis"): lambda graph, q: _traced(graph, np.pi / 3.0),
+    ("graded.waves", "_far"): lambda graph, *given: 0.0,
 }
 """In the place of functions of the run time that look at their data: rules, special functions, units of lengths."""
