@@ -11,11 +11,12 @@ import numpy as np
 from .graded.growth import FAR, series
 from .graded.rules import legendre_table
 from .nodes import gauss_legendre
+from .physics import branches
 from .physics.relaxation import SWITCH, TERMS
 
 NODES = 64
 """Nodes of a rule, for an interval of any length: those that the package takes for long ones."""
-STEPS, MORE, LEAST = 5, 28, 0.1
+STEPS, MORE, MOST, LEAST, CLOSE = 5, 28, 48, 0.1, 1e-3
 """Steps before the last one of a root, and of one whose slope may fall below LEAST.
 
 Over 24 decades the first leave 7e-16 in all functions without breaks; two less would leave 6e-10.
@@ -89,6 +90,50 @@ def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: 
     change = (wanted - y) / y / slope
     t = xp.where(xp.absolute(change) < LEAST, t * (1.0 + change), t)
     return xp.where(value > 0.0, xp.minimum(t, largest), 0.0 * value)
+
+
+def radii_along(xp: Any, kind: str, *arrays: Any) -> Any:
+    """The radii of a grid for the length one, along an axis before all those of the arrays."""
+    return _along(xp, branches.decades() if kind == "decades" else getattr(branches, kind)(1.0), arrays)
+
+
+def stable(xp: Any, curve: Callable[[Any], Any], value: Any, radii: Any) -> Any:
+    """The largest radius at which a curve, given with its slope, rises to this value; NaN without any.
+
+    Between two radii of a grid of which the first is below it, or on a branch that falls; there by steps that halve
+    it, or are Newton's.
+    """
+    y, slope = curve(radii)
+    last = xp.asarray(np.arange(1.0, y.shape[0]).reshape(-1, *(1,) * (y.ndim - 1)))
+    below = (y[:-1] <= value) | ((slope[:-1] < 0.0) & (slope[1:] > 0.0))
+    # beyond its domain a curve that rises goes on
+    beyond = (y[1:] >= value) | ((slope[:-1] > 0.0) & ~(y[1:] < np.inf))
+    # the least load of the one may be above the value
+    both = [xp.max(xp.where(own & beyond, last, 0.0), axis=0) for own in (below, y[:-1] <= value)]
+    low, high, first = (
+        xp.stack([xp.sum(xp.where(last == place, own, 0.0), axis=0) for place in both])
+        for own in (radii[:-1], radii[1:], y[:-1])
+    )
+    exists = low > 0.0
+    low, high, before = xp.where(exists, low, 1.0), xp.where(exists, high, 1.0), np.inf
+    a = xp.sqrt(low) * xp.sqrt(high)
+    for _ in range(MOST):
+        y, slope = curve(a)
+        rises = slope > 0.0
+        step = (value - y) / xp.where(rises, slope, 1.0)
+        # no number is beyond the domain
+        beyond = (rises & (y >= value)) | ~(y < np.inf)
+        low, high = xp.where(beyond, low, a), xp.where(beyond, a, high)
+        far = xp.absolute(step) > xp.maximum(0.5 * before, SETTLED * a)
+        met = rises & (low <= a + step) & (a + step <= high) & ~far
+        moved = xp.where(met, a + step, xp.sqrt(low) * xp.sqrt(high))
+        a, before = moved, xp.absolute(moved - a)
+    y, slope = curve(a)
+    change = (value - y) / slope
+    # where the least load is above the value the slope may be infinite
+    exists = exists & ((first <= value) | (y - value <= SETTLED * (xp.absolute(value) + xp.absolute(first))))
+    a = xp.where(exists & (xp.absolute(change) < CLOSE * a), a + change, np.nan)
+    return xp.where(a[0] > 0.0, a[0], a[1])
 
 
 def numbered(coefficients: Any) -> list[tuple[int, Any]]:

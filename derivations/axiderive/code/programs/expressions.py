@@ -65,7 +65,7 @@ class _Writer:
         self.lines: list[_Line] = []
         self.around: tuple[str, ...] = ()
         self._count = 0
-        self._rules: dict[str, tuple[str, str]] = {}
+        self._rules: dict[str, tuple[tuple[str, ...], tuple[str, str]]] = {}
         self._behind: dict[Node, frozenset[Node]] = {}
 
     def name(self, value: str) -> str:
@@ -93,17 +93,16 @@ class _Writer:
         return name
 
     def rule(self, value: str, early: str = "") -> tuple[str, str]:
-        """The names of nodes and weights that a call gives; those that begin with what is known `early` are made once."""
-        if value in self._rules:
-            return self._rules[value]
+        """The names of nodes and weights that a call gives; those that begin with what is known `early` come first."""
+        around, names = self._rules.get(value, ((), ("", "")))
+        if names[0] and self.around[: len(around)] == around:
+            return names
         names = self.new(), self.new()
-        line = _Line((), "", f"{', '.join(names)} = {value}")
-        if early in self._early:
-            self._rules[value] = names
+        first = early in self._early
+        self._rules[value] = (() if first else self.around), names
+        (self.first if first else self.lines).append(_Line(self._rules[value][0], "", f"{', '.join(names)} = {value}"))
+        if first:
             self._early.add(names[0])
-            self.first.append(line)
-        else:
-            self.lines.append(line._replace(around=self.around))
         return names
 
     def behind(self, node: Node) -> frozenset[Node]:
@@ -216,6 +215,17 @@ class _Branch:
         found = self.writer.function([t], lambda: f"{inner.value(curve)}, {inner.value(rate)}")
         return self.writer.name(f"{self.writer.called(STEPS, 'root')}(xp, {found}, {values})")
 
+    def _stable(self, node: Node) -> str:
+        """A call that searches for the last rising branch with a value, and for the radius on it."""
+        value, radii, variable, load, slope = node.operands
+        values, a = f"{self.value(value)}, {self.value(radii)}", self.writer.new()
+        inner = self.where(variable, a, f"{a}, {self._axes}")
+        found = self.writer.function([a], lambda: f"{inner.value(load)}, {inner.value(slope)}")
+        return self.writer.name(f"{self.writer.called(STEPS, 'stable')}(xp, {found}, {values})")
+
+    def _radii(self, node: Node) -> str:
+        return self.writer.name(f"{self.writer.called(STEPS, 'radii_along')}(xp, {node.value!r}, {self._axes})")
+
     def _terms(self, node: Node) -> str:
         """The sum of what an inner function gives for each coefficient, or the least of that."""
         coefficients, *variables, term = node.operands
@@ -238,7 +248,7 @@ CALLS = {"call": ("xp",), "plain": ()}
 """What a call gives a function before its arguments: one of plain numbers takes no library."""
 WRITTEN = {
     "where": _Branch._where, "integral": _Branch._integral, "weighted": _Branch._weighted, "root": _Branch._root,
-    "total": _Branch._terms, "least": _Branch._terms, "count": _Branch._count,
+    "stable": _Branch._stable, "radii": _Branch._radii, "total": _Branch._terms, "least": _Branch._terms, "count": _Branch._count,
 }  # fmt: skip
 
 

@@ -24,6 +24,8 @@ ARRAYS = frozenset(("Array", "Array | float", "float | Array", "tuple[float, ...
 EXPRESSIONS = "_programs.expressions"
 SHORTEST = 3
 """Operations up to which a function stands where it is called."""
+GRIDS = ("decades", "radii_below", "radii_to", "radii_beyond", "radii_around")
+"""Grids of radii that separate the least loads of a contact, as many for any lengths."""
 SLACK = 1e-6
 """The least slope of a curve of which none is known."""
 
@@ -103,9 +105,8 @@ class Shared:
         if function not in self._calling:
             key = self._key(function)
             standing = STANDING.get((key[0].removeprefix(f"{PLACE}."), key[1]))
-            self._calling[function] = (
-                (lambda *given, **named: standing(self._graphs[-1], *given, **named)) if standing else self._caller(key, function)
-            )
+            body = wraps(function)(lambda *given, **named: standing(self._graphs[-1], *given, **named))
+            self._calling[function] = self._caller(key, body if standing else function)
         return self._calling[function]
 
     def _caller(self, key: tuple[str, str], function: FunctionType) -> Callable[..., Any]:
@@ -307,7 +308,24 @@ def _radius_across(
     return _across(graph, lambda a, root: (load(a, root, *needs), a * rate(a, root, *needs)), value, b, tip)
 
 
+def _stable_radius(
+    graph: Graph, value: Traced, found: Any, load: Any, slope_of: Any, pulled: Any, inner: Any, *unknowns: Any, **corner: Any
+) -> Traced:
+    variable = graph.variable()
+    a = Traced(graph, variable)
+    curve = load(a).node, slope_of(a).node
+    return Traced(graph, graph.other("stable", (value.node, found.radii.node, variable, *curve)))
+
+
+def _radii(kind: str) -> Callable[..., Traced]:
+    """Those of a grid, for a length of one or of their own."""
+    return lambda graph, *length: Traced(graph, graph.other("radii", (), kind)) * (length[0] if length else 1.0)
+
+
 STANDING: dict[tuple[str, str], Any] = {
+    **{("physics.branches", kind): _radii(kind) for kind in GRIDS},
+    ("physics.branches", "branches"): lambda graph, steepness, sampled, level: sampled,
+    ("physics.stable", "stable_radius"): _stable_radius,
     ("integrals", "integral_in_strip"): _strip,
     ("integrals", "integral_by_panels"): _panels,
     ("functions", "gamma"): _calling(STEPS, "gamma"),
