@@ -21,7 +21,8 @@ STEPS, MORE, MOST, LEAST, CLOSE = 5, 28, 48, 0.1, 1e-3
 
 Over 24 decades the first leave 7e-16 in all functions without breaks; two less would leave 6e-10.
 """
-SHIFT = 12
+SHIFT, WAVES = 12, 64.0
+"""What the argument of a gamma function is raised by; the waves of a contact in which branches are looked for."""
 FURTHEST, SETTLED = 50.0, 1e-6
 """The longest step, of a logarithm, and one that is close to the root."""
 
@@ -68,7 +69,7 @@ def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: 
     wanted = xp.where(value > 0.0, value, 1.0)
     t = xp.minimum(start, largest)
     low, high, before = -np.inf, np.inf, np.inf
-    few = isinstance(least, float) and least > LEAST
+    few = not (isinstance(least, float) and least < LEAST)
     for _ in range(STEPS if few else MORE):
         y, slope = curve(t)
         # at the largest radius of all a curve may have no value
@@ -94,7 +95,8 @@ def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: 
 
 def radii_along(xp: Any, kind: str, *arrays: Any) -> Any:
     """The radii of a grid for the length one, along an axis before all those of the arrays."""
-    return _along(xp, branches.decades() if kind == "decades" else getattr(branches, kind)(1.0), arrays)
+    lengths = {"decades": (), "radii_of_waves": (1.0, WAVES)}.get(kind, (1.0,))
+    return _along(xp, getattr(branches, kind)(*lengths), arrays)
 
 
 def stable(xp: Any, curve: Callable[[Any], Any], value: Any, radii: Any) -> Any:
@@ -138,7 +140,8 @@ def stable(xp: Any, curve: Callable[[Any], Any], value: Any, radii: Any) -> Any:
 
 def numbered(coefficients: Any) -> list[tuple[int, Any]]:
     """The coefficients of r, r**2, ..., with these exponents."""
-    return list(enumerate(coefficients if np.ndim(coefficients) else [coefficients], 1))
+    alone = isinstance(coefficients, (int, float)) or getattr(coefficients, "ndim", 1) == 0
+    return list(enumerate([coefficients] if alone else coefficients, 1))
 
 
 def least(xp: Any, terms: list[Any]) -> Any:

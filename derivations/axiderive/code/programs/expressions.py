@@ -16,11 +16,10 @@ from typing import NamedTuple
 from .graph import Node
 from .plain import OPERATORS
 
-LONGEST, WIDEST = 2000, 100
-"""Lines beyond which an expression is not written: choices within rules and roots are written once for each.
-
-What is used once stands where it is used, up to that width of a line.
-"""
+EXPRESSIONS, STEPS = "_programs.expressions", "_runtime.steps"
+"""The folder of what is written here, and the module of rules and roots over any library."""
+WIDEST = 100
+"""What is used once stands where it is used, up to that width of a line."""
 PANELS = 4
 """Panels of a rule for waves."""
 ASIDE = {"less": (0.5, 2.0), "less_equal": (0.5, 2.0), "greater": (2.0, 0.5), "greater_equal": (2.0, 0.5)}
@@ -34,8 +33,8 @@ NAME = re.compile(r"\bv\d+\b")
 
 def expression(
     name: str, arguments: Sequence[str], arrays: Sequence[str], result: Node, called: Callable[[str, str], str]
-) -> str | None:
-    """The text of a function of the library `xp` and of the arguments; None where it would be too long.
+) -> str:
+    """The text of a function of the library `xp` and of the arguments.
 
     `called` is the name of a function of a module of the package; an argument that is none of the `arrays` holds
     coefficients.
@@ -43,8 +42,6 @@ def expression(
     axes = ", ".join(arrays)
     writer = _Writer(called, axes)
     writer.line(f"return {_Branch(writer, {}, axes).value(result)}")
-    if len(writer.lines) > LONGEST:
-        return None
     return ast.unparse(ast.parse("\n".join([f"def {name}(xp, {', '.join(arguments)}):", *writer.text()])))
 
 
@@ -194,7 +191,7 @@ class _Branch:
     def _integral(self, node: Node) -> str:
         """The sum over the nodes, along a first axis."""
         stop, _, variable, summand = node.operands
-        rule = f"{self.writer.called(STEPS, 'nodes_along')}(xp, {PANELS if node.value == 'waves' else 1}, {self._axes})"
+        rule = f"{self.writer.called(STEPS, 'nodes_along')}(xp, {1 if node.value else PANELS}, {self._axes})"
         length, (nodes, weights) = self.value(stop), self.writer.rule(rule, self._axes)
         inner = self.where(variable, self.writer.name(f"{nodes} * {length}"), nodes)
         return self.writer.name(f"{length} * xp.sum({weights} * {inner.value(summand)}, axis=0)")
@@ -230,7 +227,8 @@ class _Branch:
         """The sum of what an inner function gives for each coefficient, or the least of that."""
         coefficients, *variables, term = node.operands
         given = [str(own.value) for own in variables]
-        found = self.writer.function(given, lambda: self.where(variables[0], given[0]).where(variables[1], given[1]).value(term))
+        inner = self.where(variables[0], given[0]).where(variables[1], given[1])
+        found = self.writer.function(given, lambda: inner.value(term))
         terms = f"[{found}({', '.join(given)}) for {', '.join(given)} in {self._numbered(coefficients)}]"
         total = node.name == "total"
         return self.writer.name(f"sum({terms})" if total else f"{self.writer.called(STEPS, 'least')}(xp, {terms})")
@@ -242,13 +240,12 @@ class _Branch:
         return self.writer.name(f"len({self._numbered(node.operands[0])})")
 
 
-STEPS = "_runtime.steps"
-"""The module of rules and roots over any library."""
 CALLS = {"call": ("xp",), "plain": ()}
 """What a call gives a function before its arguments: one of plain numbers takes no library."""
 WRITTEN = {
     "where": _Branch._where, "integral": _Branch._integral, "weighted": _Branch._weighted, "root": _Branch._root,
-    "stable": _Branch._stable, "radii": _Branch._radii, "total": _Branch._terms, "least": _Branch._terms, "count": _Branch._count,
+    "stable": _Branch._stable, "radii": _Branch._radii, "total": _Branch._terms, "least": _Branch._terms,
+    "count": _Branch._count,
 }  # fmt: skip
 
 

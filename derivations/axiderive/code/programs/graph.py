@@ -26,6 +26,7 @@ FUNCTIONS = frozenset(
 )  # fmt: skip
 WHOLE = frozenset((3.0, 4.0))
 """Exponents of powers that become products; the seventh power as products took the force under r**6 to 5.4 units."""
+EPS = float(np.finfo(float).eps)
 LONGEST = 2000
 """Operations beyond which a body stays as it is: its text would be longer than anyone reads."""
 
@@ -93,9 +94,20 @@ class Graph:
             return operands[0]
         if name == "multiply" and operands[0].value == 1.0:
             return operands[1]
+        if self.roots and name == "sqrt" and any(map(self._ends, (*operands, *operands[0].operands))):
+            # at its zero a root has no gradient
+            zero = self.number(0.0)
+            return self.choice(self._node("greater", (*operands, zero)), self._node(name, operands), zero)
+        if self.roots and name == "nextafter":
+            return self._node("multiply", (operands[0], self.number(1.0 + np.copysign(EPS, operands[1].value - 0.5))))
         if name == "power" and operands[1].name == "number" and operands[1].value in WHOLE:
             return self._products(operands[0], float(operands[1].value))
         return self._node(name, operands)
+
+    @staticmethod
+    def _ends(x: Node) -> bool:
+        """Whether it is cut off at zero."""
+        return x.name == "maximum" and x.operands[1].value == 0.0
 
     def _products(self, x: Node, exponent: float) -> Node:
         """Neither the square nor what follows leaves the range of doubles before the power does."""
@@ -128,13 +140,8 @@ class Graph:
         self.summing = False
         return self._node("integral", operands, lengths)
 
-    def weighted(self, stop: Node, above: Node, smooth: Callable[[Node], Node]) -> Node:
-        """The integral of x**(above - 1) smooth(x) up to `stop`, over stop**above."""
-        variable = self.variable()
-        return self._node("weighted", (stop, above, variable, smooth(variable)))
-
     def other(self, name: str, operands: Sequence[Node], value: Any = None) -> Node:
-        """A `call` of another function, by its module and name, or what is made of the terms of a polynomial."""
+        """What expressions alone have: a `call` of a function by its module and name, a `weighted` integral, terms."""
         return self._node(name, tuple(operands), value)
 
     def variable(self, name: str = "") -> Node:
@@ -151,6 +158,16 @@ class Graph:
         variable = self.variable()
         found = curve(variable)
         return self._node("root", (*given, variable, *found))
+
+    def of(self, x: Any) -> Node:
+        """The node behind an object or a number."""
+        if isinstance(x, Traced):
+            return x.node
+        if self.roots and isinstance(x, np.ndarray) and x.size == 1:
+            return self.number(float(x.item()))
+        if not isinstance(x, (bool, int, float, np.bool_, np.number)):
+            raise UntraceableError
+        return self.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
     def unless(self, condition: Node, result: Node) -> Node:
         """The result, which is another one where the condition holds anywhere."""
@@ -180,7 +197,7 @@ class Traced(NDArrayOperatorsMixin):
             return inputs[0]
         if method != "__call__" or options or not (name in FUNCTIONS or name in RELATIONS or name in CONNECTIVES):
             return NotImplemented
-        return Traced(self.graph, self.graph.operation(name, *(self.of(x) for x in inputs)))
+        return Traced(self.graph, self.graph.operation(name, *map(self.graph.of, inputs)))
 
     def __array_function__(self, function: Any, types: Any, args: Any, options: Any) -> Any:
         if self.graph.roots and function in FOR_ALL:
@@ -188,9 +205,9 @@ class Traced(NDArrayOperatorsMixin):
         if options:
             return NotImplemented
         if function is np.where and len(args) == 3:
-            return Traced(self.graph, self.graph.choice(*(self.of(x) for x in args)))
+            return Traced(self.graph, self.graph.choice(*map(self.graph.of, args)))
         if function is np.any and len(args) == 1:
-            return self.graph.ask(self.of(args[0]))
+            return self.graph.ask(self.graph.of(args[0]))
         if function is np.clip and self.graph.roots:
             return np.minimum(np.maximum(args[0], args[1]), args[2])
         if function is np.zeros_like:
@@ -198,7 +215,7 @@ class Traced(NDArrayOperatorsMixin):
         if function is np.ones_like:
             return Traced(self.graph, self.graph.number(1.0))
         if function is np.full_like:
-            return Traced(self.graph, self.of(args[1]))
+            return Traced(self.graph, self.graph.of(args[1]))
         return NotImplemented
 
     def __getitem__(self, place: int) -> Traced:
@@ -215,14 +232,15 @@ class Traced(NDArrayOperatorsMixin):
         """What the rules call in the place of their loop over nodes."""
         graph = self.graph
         node = graph.integral(
-            self.node, self.of(width), lambda variable: self.of(integrand(Traced(graph, variable))), lengths
+            self.node, graph.of(width), lambda variable: graph.of(integrand(Traced(graph, variable))), lengths
         )
         return Traced(graph, node)
 
     def weighted(self, smooth: Callable[[Any], Any], above: Any) -> Traced:
         """What stands for the rule of a weight."""
-        graph, above = self.graph, self.of(above)
-        return Traced(graph, graph.weighted(self.node, above, lambda variable: self.of(smooth(Traced(graph, variable)))))
+        graph, variable = self.graph, self.graph.variable()
+        summand = graph.of(smooth(Traced(graph, variable)))
+        return Traced(graph, graph.other("weighted", (self.node, graph.of(above), variable, summand)))
 
     def root(
         self, curve: Callable[[Any], tuple[Any, Any]], value: Any, largest: Any, exponents: tuple[Any, Any]
@@ -232,20 +250,10 @@ class Traced(NDArrayOperatorsMixin):
 
         def traced(variable: Node) -> tuple[Node, Node]:
             y, slope = curve(Traced(graph, variable))
-            return self.of(y), self.of(slope)
+            return graph.of(y), graph.of(slope)
 
-        given = (self.of(value), self.node, self.of(largest), *map(self.of, exponents))
+        given = (graph.of(value), self.node, graph.of(largest), *map(graph.of, exponents))
         return Traced(graph, graph.root(traced, *given))
-
-    def of(self, x: Any) -> Node:
-        """The node behind an object or a number."""
-        if isinstance(x, Traced):
-            return x.node
-        if self.graph.roots and isinstance(x, np.ndarray) and x.size == 1:
-            return self.graph.number(float(x.item()))
-        if not isinstance(x, (bool, int, float, np.bool_, np.number)):
-            raise UntraceableError
-        return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
 
 def trace(
