@@ -38,7 +38,7 @@ def along(xp: Any, column: Any, arrays: tuple[Any, ...]) -> Any:
     return xp.asarray(column.reshape(-1, *(1,) * axes))
 
 
-def root(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: Any, least: Any, most: Any) -> Any:
+def newton(xp: Any, curve: Callable[[Any], Any], value: Any, start: Any, largest: Any, least: Any, most: Any) -> Any:
     """The t at which a curve, given with its logarithmic slope, has this value: by Newton's steps in logarithms.
 
     The bounds of the slope keep them from running away, and what was met on either side.  The last ones are linear in

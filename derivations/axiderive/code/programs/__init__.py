@@ -2,7 +2,8 @@
 
 A module of programs stands beside every module whose functions are evaluated: flat functions of `math` for plain
 numbers (`plain`), NumPy's functions block by block (`blocks`), and the same as expressions of any array library
-(`expressions`).  All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
+(`expressions`, where functions call one another: `sharing`, with stand-ins of what looks at its data: `standing`).
+All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
 """
 
 from __future__ import annotations

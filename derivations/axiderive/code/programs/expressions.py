@@ -25,6 +25,8 @@ PANELS = 4
 """Panels of a rule for waves."""
 ASIDE = {"less": (0.5, 2.0), "less_equal": (0.5, 2.0), "greater": (2.0, 0.5), "greater_equal": (2.0, 0.5)}
 """x over y where the relation holds, and where it does not."""
+ROOT = "root"
+"""An argument that says how far a radius is beyond a break, and is zero below: it is moved with the radius."""
 SIGNS = {name: sign for name, sign in OPERATORS.items() if sign not in ("and", "or")} | {
     "bitwise_and": "&", "bitwise_or": "|", "power": "**",
 }  # fmt: skip
@@ -41,7 +43,7 @@ def expression(
     coefficients.
     """
     axes = ", ".join(arrays)
-    writer = _Writer(called, axes)
+    writer = _Writer(called, axes, result)
     writer.line(f"return {_Branch(writer, {}, axes).value(result)}")
     return ast.unparse(ast.parse("\n".join([f"def {name}(xp, {', '.join(arguments)}):", *writer.text()])))
 
@@ -57,8 +59,8 @@ class _Line(NamedTuple):
 class _Writer:
     """The lines of one function; names are counted."""
 
-    def __init__(self, called: Callable[[str, str], str], axes: str) -> None:
-        self.called, self._early = called, {axes}
+    def __init__(self, called: Callable[[str, str], str], axes: str, result: Node) -> None:
+        self.called, self.result, self._early = called, result, {axes}
         self.first: list[_Line] = []
         self.lines: list[_Line] = []
         self.around: tuple[str, ...] = ()
@@ -187,7 +189,12 @@ class _Branch:
                 return self
             aside = "1.0"
         chosen = f"{x}, {aside}" if holds else f"{aside}, {x}"
-        return self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
+        inner = self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
+        if relation.name != "less" or holds or aside == "1.0":
+            return inner
+        for root in [own for own in self.writer.behind(self.writer.result) if own.value == ROOT]:
+            inner = inner.where(root, self.writer.name(f"xp.where({condition}, {y}, {self.value(root)})"))
+        return inner
 
     def _integral(self, node: Node) -> str:
         """The sum over the nodes, along a first axis."""
@@ -211,7 +218,7 @@ class _Branch:
         values, t = ", ".join(map(self.value, given)), self.writer.new()
         inner = self.where(variable, t)
         found = self.writer.function([t], lambda: f"{inner.value(curve)}, {inner.value(rate)}")
-        return self.writer.name(f"{self.writer.called(STEPS, 'root')}(xp, {found}, {values})")
+        return self.writer.name(f"{self.writer.called(STEPS, 'newton')}(xp, {found}, {values})")
 
     def _stable(self, node: Node) -> str:
         """A call that searches for the last rising branch with a value, and for the radius on it."""

@@ -56,8 +56,8 @@ def _enumerate(given: Any, start: int = 0) -> Any:
 def _over_terms(kind: str, term: Traced) -> Traced:
     graph, zero = term.graph, term.graph.number(0.0)
     number, coefficient = _pair(graph)
-    left = graph.choice(graph.operation("greater", coefficient, zero), term.node, zero)
-    own = left if kind == "total" else term.node
+    nothing = zero if kind == "total" else graph.number(math.inf)
+    own = graph.choice(graph.operation("greater", coefficient, zero), term.node, nothing)
     return Traced(graph, graph.other(kind, (graph.coefficients or zero, number, coefficient, own)))
 
 

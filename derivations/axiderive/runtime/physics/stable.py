@@ -202,7 +202,7 @@ def stable_over(xp: Any, curve: Callable[[Any], Any], value: Any, radii: Any) ->
     for _ in range(LAST):
         y, slope = curve(a)
         change = (value - y) / slope
-        exists = exists & ~(xp.absolute(change) >= NEAR * a)
-        a = xp.where(xp.absolute(change) < NEAR * a, a + change, a)
+        exists = exists & (y == y) & ~(xp.absolute(change) >= NEAR * a)
+        a = xp.minimum(xp.where(xp.absolute(change) < NEAR * a, a + change, a), ends[1])
     a = xp.where(exists, a, np.nan)
     return xp.where(a[0] > 0.0, a[0], a[1])
