@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache, partial, update_wrapper
 from importlib import import_module
-from types import CodeType, FunctionType, ModuleType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -110,7 +110,7 @@ def _names(written: FunctionType) -> frozenset[str]:
     space, found, pending = written.__globals__, set[str](), [written.__code__]
     while pending:
         code = pending.pop()
-        pending += [inner for inner in code.co_consts if isinstance(inner, CodeType)]
+        pending += [inner for inner in code.co_consts if hasattr(inner, "co_names")]
         found |= set(code.co_names)
     others = [space[name] for name in found if isinstance(space.get(name), FunctionType)]
     needed = {name for name in found if name not in space and hasattr(np, name)}

@@ -17,8 +17,7 @@ from .graph import Node
 from .plain import OPERATORS
 
 EXPRESSIONS, STEPS = "_programs.expressions", "_runtime.steps"
-WEIGHTS, STABLE = "_runtime.graded.rules", "_runtime.physics.stable"
-"""The folder of what is written here, and modules of rules and roots over any library."""
+"""The folder of what is written here, and the module of rules and roots over any library."""
 WIDEST = 100
 """What is used once stands where it is used, up to that width of a line."""
 PANELS = 4
@@ -207,7 +206,7 @@ class _Branch:
     def _weighted(self, node: Node) -> str:
         """The same with the weights of a power."""
         stop, above, variable, summand = node.operands
-        rule = f"{self.writer.called(WEIGHTS, 'weighted_along')}(xp, {self.value(above)}, {self._axes})"
+        rule = f"{self.writer.called(STEPS, 'weighted_along')}(xp, {self.value(above)}, {self._axes})"
         length, (nodes, weights) = self.value(stop), self.writer.rule(rule)
         inner = self.where(variable, self.writer.name(f"{nodes} * {length}"), nodes)
         return self.writer.name(f"xp.sum({weights} * {inner.value(summand)}, axis=0)")
@@ -226,10 +225,10 @@ class _Branch:
         values, a = f"{self.value(value)}, {self.value(radii)}", self.writer.new()
         inner = self.where(variable, a, f"{a}, {self._axes}")
         found = self.writer.function([a], lambda: f"{inner.value(load)}, {inner.value(slope)}")
-        return self.writer.name(f"{self.writer.called(STABLE, 'stable_over')}(xp, {found}, {values})")
+        return self.writer.name(f"{self.writer.called(STEPS, 'stable')}(xp, {found}, {values})")
 
     def _radii(self, node: Node) -> str:
-        return self.writer.name(f"{self.writer.called(STABLE, 'radii_along')}(xp, {node.value!r}, {self._axes})")
+        return self.writer.name(f"{self.writer.called(STEPS, 'radii_along')}(xp, {node.value!r}, {self._axes})")
 
     def _terms(self, node: Node) -> str:
         """The sum of what an inner function gives for each coefficient, or the least of that."""

@@ -96,8 +96,13 @@ def _weighted(graph: Graph, smooth: Any, stop: Any, power: Any, count: int = 0, 
     return _traced(graph, stop).weighted(smooth, 1.0 + power if above is None else above)
 
 
-def _gamma_quotient(graph: Graph, x: Any, y: Any) -> Any:
-    return _calling("gamma")(graph, x) / _calling("gamma")(graph, y)
+def _gamma(graph: Graph, x: Any) -> Traced:
+    """For 1 < x < 2."""
+    return _calling("rising")(graph, 1.0, x - 1.0)
+
+
+def _gamma_quotient(graph: Graph, x: Any, y: Any) -> Traced:
+    return _calling("rising")(graph, y, x - y)
 
 
 def _over_waves(graph: Graph, value: Traced, waves: Traced, power: int) -> Traced:
@@ -180,19 +185,19 @@ STANDING: dict[tuple[str, str], Any] = {
     ("physics.stable", "stable_radius"): _stable_radius,
     ("integrals", "integral_in_strip"): _strip,
     ("integrals", "integral_by_panels"): _panels,
-    ("functions", "gamma"): _calling("gamma"),
+    ("functions", "gamma"): _gamma,
     ("functions", "gamma_quotient"): _gamma_quotient,
     ("functions", "depth_over_height"): _calling("depth_over_height", "_runtime.functions", "plain"),
     ("shapes.waves", "inverse_over_waves"): _over_waves,
     ("shapes.across", "inverse_across"): _across,
-    ("physics.relaxation", "fading"): _calling("fading_over", "_runtime.physics.relaxation"),
+    ("physics.relaxation", "fading"): _calling("fading"),
     ("physics.branches", "exponent_of"): lambda graph, x: 0,
     ("physics.branches", "stress_at"): lambda graph, unit, H, k: (0, H),
     ("physics.unknowns", "root_of"): lambda graph, x, first, last: (x, 1.0),
     ("physics.unknowns", "power_of"): lambda graph, t, first, last: t,
     ("graded.rules", "weighted"): _weighted,
-    ("graded.growth", "_gamma"): _calling("gamma"),
-    ("graded.growth", "_rising"): _calling("rising_over", "_runtime.graded.growth"),
+    ("graded.growth", "_gamma"): _gamma,
+    ("graded.growth", "_rising"): _calling("rising"),
     ("graded.growth", "_bell"): _bell,
     ("graded.inverse", "gaussian_reach"): _gaussian_reach,
     ("graded.inverse", "radius_across"): _radius_across,

@@ -11,14 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from ..integrals import in_parts, summed
 from ..interface import BLOCK, Array
 from ..nodes import gauss_legendre
-from ..steps import along
 
 Smooth = Callable[[Array], Array]
 NODES = 64
@@ -66,11 +64,11 @@ def _weights_of_powers(power: Array, count: int) -> Array:
     for j in range(1, count):
         moment = moment * (power + (1.0 - j)) / (power + (1.0 + j))
         moments.append(moment)
-    return np.tensordot(_legendre_table(count), np.stack(moments), axes=1)
+    return np.tensordot(legendre_table(count), np.stack(moments), axes=1)
 
 
 @cache
-def _legendre_table(count: int) -> Array:
+def legendre_table(count: int) -> Array:
     """w_i (2 j + 1) P_j(x_i) for the nodes of Gauss on (0, 1)."""
     nodes, weights = gauss_legendre(count)
     x = 2.0 * nodes - 1.0
@@ -98,24 +96,3 @@ def sine_over(y: Array) -> Array:
 def sinh_over(v: Array) -> Array:
     """sinh(v)/v."""
     return np.where(v > 0.0, np.sinh(v) / np.where(v > 0.0, v, 1.0), 1.0)
-
-
-def weighted_along(xp: Any, above: Any, *arrays: Any) -> Any:
-    """Nodes and weights for x**(above - 1): next to `above` = 0 nearly all weight lies at the lower end, a node."""
-    moments = [1.0 / (1.0 + above)]
-    for j in range(1, NODES):
-        moments.append(moments[-1] * ((above + (1.0 - j)) / (above + (1.0 + j))))
-    moment = xp.stack([xp.asarray(own) for own in moments])
-    rest = max(getattr(own, "ndim", 0) for own in arrays) - (moment.ndim - 1)
-    moment = xp.reshape(moment, (NODES, *(1,) * rest, *moment.shape[1:]))
-    nodes, table = _with_end()
-    weights = xp.tensordot(xp.asarray(table), moment, axes=1)
-    end = 1.0 / above - xp.sum(weights, axis=0)
-    return along(xp, nodes, arrays), xp.concatenate([weights, xp.reshape(end, (1, *weights.shape[1:]))])
-
-
-@cache
-def _with_end() -> tuple[Any, Any]:
-    """The nodes and the end, and from moments to weights over the nodes."""
-    nodes = gauss_legendre(NODES)[0]
-    return np.append(nodes, 0.0), _legendre_table(NODES) / nodes[:, None]

@@ -5,14 +5,11 @@ A ramp d = v t into a force F ~ d**m gives F_el(v t) times int_0^1 m x**(m - 1) 
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..functions import gamma, gamma_quotient
 from ..integrals import integral
 from ..interface import Array
-from ..steps import nodes_along
 
 SWITCH, TERMS, ROUNDING = 40.0, 170, 2.0**-54
 
@@ -84,18 +81,3 @@ def creep_kelvin_voigt(t: Array, E: Array, eta: Array) -> Array:
 
 def creep_power_creep(t: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return (t / t_0) ** alpha / E
-
-
-def fading_over(xp: Any, x: Any, m: Any) -> Any:
-    """The same over a library, with all terms."""
-    low = xp.minimum(x, SWITCH)
-    term = total = xp.exp(-low)
-    for k in range(1, TERMS):
-        term = term * low / k
-        total = total + term * (m / (m + k))
-    high = xp.maximum(x, SWITCH)
-    nodes, weights = nodes_along(xp, 1, x, m)
-    stop = 0.999999 * SWITCH / high
-    place = nodes * stop
-    tail = stop * xp.sum(weights * m * xp.exp((m - 1.0) * xp.log1p(-place) - high * place), axis=0)
-    return xp.where(x <= SWITCH, total, tail)

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
 from ..interface import Array
 from ..inverse import inverse
-from ..steps import LAST, along, held
-from . import branches as grids
 from .adhesion import XI, hess_retraction
 from .branches import Branches, Load, at_the_end
 from .unknowns import Unknown
@@ -23,8 +20,6 @@ SLACK, LOST = 1e-6, 0.3
 
 The second is the slope of what is all rounding.
 """
-WAVES, STEPS, CLOSE, NEAR = 64.0, 48, 1e-6, 1e-3
-"""Of an expression: waves in which branches are looked for, steps, one that is close to the root, and the last one."""
 
 
 def stable_radius(
@@ -157,52 +152,3 @@ def growth(slope: Array, a: Array, control: str, E_star: Array, dgamma: Array) -
     """Derivative of the load by that of the depth without adhesion, with the retraction weighed by xi."""
     own = slope - XI[control] * hess_retraction(a, E_star, dgamma) / (2.0 * a)
     return 2.0 * E_star * a * own if control == "force" else own
-
-
-def radii_along(xp: Any, kind: str, *arrays: Any) -> Any:
-    """The radii of a grid for the length one, along an axis before all those of the arrays."""
-    lengths = {"decades": (), "radii_of_waves": (1.0, WAVES)}.get(kind, (1.0,))
-    return along(xp, getattr(grids, kind)(*lengths), arrays)
-
-
-def stable_over(xp: Any, curve: Callable[[Any], Any], value: Any, radii: Any) -> Any:
-    """The largest radius at which a curve, given with its slope, rises to this value; NaN without any.
-
-    Between two radii of a grid of which the first is below it, or on a branch that falls; there by steps that halve
-    it, or are Newton's.
-    """
-    y, slope = curve(radii)
-    last = xp.asarray(np.arange(1.0, y.shape[0]).reshape(-1, *(1,) * (y.ndim - 1)))
-    below = (y[:-1] <= value) | ((slope[:-1] < 0.0) & (slope[1:] > 0.0))
-    # beyond its domain a curve that rises goes on
-    beyond = (y[1:] >= value) | ((slope[:-1] > 0.0) & ~(y[1:] < np.inf))
-    # the least load of the one may be above the value
-    both = [xp.max(xp.where(own & beyond, last, 0.0), axis=0) for own in (below, y[:-1] <= value)]
-    low, high, first = (
-        xp.stack([xp.sum(xp.where(last == place, own, 0.0), axis=0) for place in both])
-        for own in (radii[:-1], radii[1:], y[:-1])
-    )
-    exists = low > 0.0
-    low, high, before = xp.where(exists, low, 1.0), xp.where(exists, high, 1.0), np.inf
-    a, ends = xp.sqrt(low) * xp.sqrt(high), (low, high)
-    for _ in range(STEPS):
-        y, slope = curve(a)
-        rises = slope > 0.0
-        step = (value - y) / xp.where(rises, slope, 1.0)
-        # no number is beyond the domain
-        beyond = (rises & (y >= value)) | ~(y < np.inf)
-        low, high = xp.where(beyond, low, a), xp.where(beyond, a, high)
-        far = xp.absolute(step) > xp.maximum(0.5 * before, CLOSE * a)
-        met = rises & (low <= a + step) & (a + step <= high) & ~far
-        moved = xp.where(met, a + step, xp.sqrt(low) * xp.sqrt(high))
-        a, before = moved, xp.absolute(moved - a)
-    # where the least load is above the value the slope may be infinite
-    exists = exists & ((first <= value) | (curve(a)[0] - value <= CLOSE * (xp.absolute(value) + xp.absolute(first))))
-    a = xp.minimum(xp.maximum(held(xp, a), ends[0]), ends[1])
-    for _ in range(LAST):
-        y, slope = curve(a)
-        change = (value - y) / slope
-        exists = exists & (y == y) & ~(xp.absolute(change) >= NEAR * a)
-        a = xp.minimum(xp.where(xp.absolute(change) < NEAR * a, a + change, a), ends[1])
-    a = xp.where(exists, a, np.nan)
-    return xp.where(a[0] > 0.0, a[0], a[1])
