@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import ast
 import doctest
 import math
 import pickle
+from collections import Counter
+from inspect import signature
+from pathlib import Path
 
 import numpy as np
 import pytest
 from test_quantities import called, functions, values
 
-from axicontact import expressions
+from axicontact import adhesive, expressions, graded, normal, tangential
 from axicontact.expressions import expression
 from axicontact.normal import (
     capped_paraboloid,
@@ -23,7 +27,6 @@ from axicontact.normal import (
     rounded_punch,
     sphere,
     truncated_cone,
-    wavy_paraboloid,
 )
 
 a, E_star = 2.0, 1.5
@@ -70,6 +73,62 @@ def test_roots_are_a_few_steps_of_newton(name):
         np.testing.assert_allclose(expression(function, np)(x, **keywords), function(x, **keywords), rtol=1e-15)
 
 
+CURVES = {
+    "polynomial": (normal.polynomial, {"A": (0.1, 0.0, 0.3, 0.02)}),
+    "sphere_tipped_cone": (normal.sphere_tipped_cone, {"R": 3.0, "theta": 0.35}),
+    "wavy_paraboloid": (normal.wavy_paraboloid, {"R": 3.0, "h": 0.01, "wavelength": 1.0}),
+    "graded cone": (graded.normal.cone, {"theta": 0.35, "k": -0.6}),
+    "graded capped_paraboloid": (graded.normal.capped_paraboloid, {"R1": 3.0, "R2": 2.0, "b": 1.0, "k": 0.3}),
+    "graded polynomial": (graded.normal.polynomial, {"A": (0.1, 0.0, 0.3, 0.02), "k": 0.3}),
+    "graded rounded_punch": (graded.normal.rounded_punch, {"R": 3.0, "b": 1.0, "k": -0.6}),
+    "graded wavy_paraboloid": (graded.normal.wavy_paraboloid, {"R": 3.0, "h": 0.01, "wavelength": 1.0, "k": 0.3}),
+}
+"""Curves with breaks, waves or several powers, and those whose numbers are sums themselves."""
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_roots_without_known_slopes_halve_brackets(name):
+    module, geometry = CURVES[name]
+    x = 10.0 ** np.linspace(-6.0, 3.0, 70)
+    for own in ("radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force"):
+        function = getattr(module, own)
+        keywords = geometry | {own: E_star for own in ("E_star", "H") if own in signature(function).parameters}
+        with np.errstate(all="ignore"):
+            got = expression(function, np)(x, **keywords)
+        np.testing.assert_allclose(got, function(x, **keywords), rtol=1e-12, err_msg=own)
+        assert math.isclose(expression(function, np)(float(x[40]), **keywords), got[40], rel_tol=1e-13)
+
+
+STABLE = {
+    "capped_paraboloid": {"R1": 3.0, "R2": 0.7, "b": 1.0},
+    "gaussian": {"h": 2.0, "s": 9.0},
+    "hyperboloid": {"theta": 0.35, "b": 1.0},
+    "paraboloid": {"R": 3.0},
+    "polynomial": {"A": (0.1, 0.0, 0.3, 0.02)},
+    "rounded_punch": {"R": 3.0, "b": 1.0},
+    "sphere": {"R": 3.0},
+    "sphere_tipped_cone": {"R": 3.0, "theta": 0.35},
+    "wavy_paraboloid": {"R": 3.0, "h": 0.01, "wavelength": 1.0},
+}
+
+
+@pytest.mark.parametrize("name", STABLE)
+@pytest.mark.parametrize("dgamma", [1e-4, 0.3])
+@pytest.mark.parametrize("k", [None, -0.6, 0.3])
+def test_stable_radii_end_where_the_function_ends(name, dgamma, k):
+    """On either side of pull-off, where there are two branches too; there is no radius below the least load."""
+    physics, material = (adhesive, {"E_star": E_star}) if k is None else (graded.adhesive, {"H": E_star, "k": k})
+    module, x = getattr(physics, name), 10.0 ** np.linspace(-5.0, 2.0, 40)
+    loads, keywords = np.concatenate([-x[::-1], x]), STABLE[name] | material | {"dgamma": dgamma}
+    for own in ("radius_from_depth", "radius_from_force"):
+        function = getattr(module, own)
+        with np.errstate(all="ignore"):
+            got = expression(function, np)(loads, **keywords)
+        wanted = function(loads, **keywords)
+        assert np.isnan(wanted).any() or name in ("gaussian", "sphere"), own
+        np.testing.assert_allclose(got, wanted, rtol=1e-11, err_msg=own)
+
+
 RULES = {
     "gaussian.pressure": (gaussian.pressure, {"h": 2.0, "s": 9.0, "E_star": E_star}),
     "hyperboloid.pressure": (hyperboloid.pressure, {"theta": 0.35, "b": 1.0, "E_star": E_star}),
@@ -112,6 +171,43 @@ def test_the_slope_of_a_force_curve_in_jax(name):
     np.testing.assert_allclose(jax.jit(slope)(d), wanted, rtol=1e-12)
 
 
+SLOPES = {
+    "polynomial": (normal.polynomial.force_from_depth, CURVES["polynomial"][1], 0.4),
+    "sphere_tipped_cone": (normal.sphere_tipped_cone.radius_from_force, CURVES["sphere_tipped_cone"][1], 0.01),
+    "a tip below its break": (
+        graded.normal.capped_paraboloid.radius_from_depth,
+        CURVES["graded capped_paraboloid"][1],
+        0.1,
+    ),
+    "a tip beyond it": (graded.normal.capped_paraboloid.depth_from_force, CURVES["graded capped_paraboloid"][1], 9.0),
+    "waves": (normal.wavy_paraboloid.radius_from_depth, CURVES["wavy_paraboloid"][1], 0.4),
+    "stable": (adhesive.hyperboloid.radius_from_force, STABLE["hyperboloid"] | {"dgamma": 0.3}, -0.5),
+    "stable and graded": (graded.adhesive.cone.radius_from_depth, {"theta": 0.35, "k": 0.3, "dgamma": 0.3}, 0.1),
+}
+
+
+@pytest.mark.parametrize("name", SLOPES)
+def test_slopes_of_roots_in_jax(name):
+    """By the load, twice, and by all parameters at once."""
+    jax = pytest.importorskip("jax", reason="gradients are tested where JAX is installed: pip install jax")
+    jax.config.update("jax_enable_x64", True)
+    function, geometry, x = SLOPES[name]
+    material = {"H" if "k" in geometry else "E_star": E_star}
+    keywords = (
+        geometry if function.__name__ == "radius_from_depth" and "dgamma" not in geometry else geometry | material
+    )
+    formula = expression(function, jax.numpy)
+    step = 1e-3 * abs(x)
+    low, middle, high = (function(x + side * step, **keywords) for side in (-1.0, 0.0, 1.0))
+    slope = jax.grad(lambda at: formula(at, **keywords))
+    assert math.isclose(jax.jit(slope)(x), (high - low) / (2.0 * step), rel_tol=1e-5)
+    assert math.isclose(jax.jit(jax.grad(slope))(x), (high - 2.0 * middle + low) / step**2, rel_tol=1e-3)
+    numbers = {own: value for own, value in keywords.items() if isinstance(value, float)}
+    for own, got in jax.jit(jax.grad(lambda given: formula(x, **(keywords | given))))(numbers).items():
+        high, low = (function(x, **keywords | {own: numbers[own] * (1.0 + side)}) for side in (1e-5, -1e-5))
+        assert math.isclose(got, (high - low) / (2e-5 * numbers[own]), rel_tol=1e-5, abs_tol=1e-8), own
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_no_branch_is_evaluated_where_it_does_not_apply(name):
     """A root of a negative number in the other branch is what makes a gradient NaN."""
@@ -133,8 +229,10 @@ def test_a_single_where_would_be_noticed():
 
 
 def test_what_is_no_expression_says_so():
-    with pytest.raises(TypeError, match=r"wavy_paraboloid\.radius_from_force needs more than sums and a few steps"):
-        expression(wavy_paraboloid.radius_from_force, np)
+    with pytest.raises(TypeError, match=r"polynomial\.traction needs more than sums and steps"):
+        expression(tangential.polynomial.traction, np)
+    with pytest.raises(TypeError, match=r"paraboloid\.pull_off gives several numbers"):
+        expression(adhesive.paraboloid.pull_off, np)
     with pytest.raises(TypeError, match="no function with a formula of its own"):
         expression(np.sin, np)
     with pytest.raises(TypeError, match="has no function"):
@@ -148,7 +246,7 @@ def test_every_function_is_refused_at_once_or_works() -> None:
         try:
             found = expression(function, np)
         except TypeError as error:
-            assert "take one" in str(error), key
+            assert "take " in str(error), key
             continue
         numbers, _ = values(function)
         given = {name: np.asarray(number) for name, number in numbers.items()}
@@ -156,7 +254,18 @@ def test_every_function_is_refused_at_once_or_works() -> None:
             got = called(found, given)
         np.testing.assert_allclose(got, called(function, given), rtol=1e-12, err_msg=key)
         works += 1
-    assert works > 450
+    assert works > 1170
+
+
+def test_no_name_of_a_module_is_that_of_two_functions_or_of_an_argument() -> None:
+    """Names come from all modules of the run time: another one in their place would be called in silence."""
+    for path in (Path(expressions.__file__).parent / "_programs" / "expressions").rglob("*.py"):
+        tree = ast.parse(path.read_text())
+        imported = [own for node in tree.body if isinstance(node, ast.ImportFrom) for own in node.names]
+        functions = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
+        names = Counter([own.asname or own.name for own in imported] + functions)
+        assert not [name for name, count in names.items() if count > 1], path
+        assert not names.keys() & {node.arg for node in ast.walk(tree) if isinstance(node, ast.arg)}, path
 
 
 def test_a_library_without_a_function_is_refused_at_once() -> None:

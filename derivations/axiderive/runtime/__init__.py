@@ -13,6 +13,8 @@ integrals, rules
     a contact regular.
 inverse
     Roots of increasing curves, for radii of a depth or a force.
+steps
+    Sums and roots in a fixed number of steps, for expressions over other array libraries.
 nodes, kernels, intervals, symbols
     Numbers that the engine writes: nodes, fitted kernels, domains and units of the parameters.
 shapes

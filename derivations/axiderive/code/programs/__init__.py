@@ -2,7 +2,8 @@
 
 A module of programs stands beside every module whose functions are evaluated: flat functions of `math` for plain
 numbers (`plain`), NumPy's functions block by block (`blocks`), and the same as expressions of any array library
-(`expressions`).  All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
+(`expressions`, where functions call one another: `sharing`, with stand-ins of what looks at its data: `standing`).
+All three are written from one graph (`graph`); what iterates keeps its text (`bodies`).
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ from ...stable.measure import imported
 from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import Twins
-from .expressions import RULE, expression
 from .graph import Lengths, Node, needed, trace
 from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum, settled
+from .sharing import Shared
 
 FOLDER = "_programs"
 WORDS = frozenset(("control", "A"))
@@ -67,15 +68,19 @@ def program_sources(texts: Mapping[str, str]) -> dict[str, str]:
         inside = import_module(f"{package}.{PLACE}.intervals").INSIDE
         twins = Twins(package, sources)
         calls: dict[str, set[Call]] = {}
+        public: list[str] = []
         for path in sorted(sources):
             if path and not path.startswith((PLACE, FOLDER)):
+                public.append(path)
                 for call in _calls(import_module(f"{package}.{path}"), sources[path]):
                     calls.setdefault(call.formula.__module__.removeprefix(f"{package}."), set()).add(call)
         for path, found in sorted(calls.items()):
             module = _Module(path, found, inside, twins)
-            own = {path: module.text(), f"expressions.{path}": module.expressions()}
-            files |= {_path(f"{FOLDER}.{name}"): text for name, text in own.items() if text}
-        files |= {_path(path): text for path, text in twins.sources().items()}
+            if text := module.text():
+                files[_path(f"{FOLDER}.{path}")] = text
+        shared = Shared({path: import_module(f"{package}.{path}") for path in sources if path})
+        shared.add({path: _single(import_module(f"{package}.{path}"), sources[path]) for path in public})
+        files |= {_path(path): text for path, text in (twins.sources() | shared.sources()).items()}
     files |= {f"{folder}/__init__.py": "" for path in [*files] for folder in _folders(path)}
     return dict(sorted((files | {f"{PACKAGE}/{FOLDER}/__init__.py": README}).items()))
 
@@ -129,6 +134,25 @@ def _calls(module: ModuleType, text: str) -> Iterator[Call]:
                 yield Call(formula, fields, keywords, orders, tuple(unused), signed, words)
 
 
+def _single(module: ModuleType, text: str) -> dict[str, FunctionType]:
+    """The formulas of the functions of a module that evaluate one, by the names of these."""
+    found: dict[str, FunctionType] = {}
+    for public in ast.parse(text).body:
+        if not isinstance(public, ast.FunctionDef) or public.name.startswith("_"):
+            continue
+        calls = [own for own in ast.walk(public) if isinstance(own, ast.Call) and ast.unparse(own.func) in EVALUATING]
+        if len(calls) == 1:
+            formula = _named(module, _bound(calls[0].args[0])[0])
+        elif isinstance(own := public.body[-2:][0], ast.ImportFrom):
+            # what another contact has too
+            home = import_module(f"{'.' * own.level}{own.module}.{own.names[0].name}", module.__package__)
+            formula = getattr(home, f"_{public.name}", None)
+        else:
+            continue
+        found |= {public.name: formula} if formula else {}
+    return found
+
+
 def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
     return isinstance(node, ast.Name)
 
@@ -169,7 +193,6 @@ class _Module:
         self.constants: dict[str, str] = {}
         self.records: list[str] = []
         self.texts: list[str] = []
-        self.over: list[str] = []
         self.bodies: set[str] = set()
 
     def text(self) -> str:
@@ -178,9 +201,6 @@ class _Module:
             arguments = _arguments(calls[0].formula)
             words = calls[0].words
             result = None if words else trace(calls[0].formula, arguments, ())
-            whole = None if words else trace(calls[0].formula, arguments, (), roots=True)
-            over = whole and expression(name.removeprefix("_"), arguments, whole)
-            self.over += [over.rstrip("\n")] if over and name.startswith("_") else []
             self._plain(name, calls, arguments, result)
             if result is not None and not any(map(is_sum, needed(result))):
                 for fields, keywords in dict.fromkeys((call.fields, call.keywords) for call in calls):
@@ -189,13 +209,6 @@ class _Module:
             return ""
         records = [f"BLOCKS = {{\n{chr(10).join(self.records)}\n}}"] if self.records else []
         return "\n\n\n".join([self._head(), *(text.rstrip("\n") for text in self.texts), *records]) + "\n"
-
-    def expressions(self) -> str:
-        """The formulas in closed form over any array library `xp`, empty if there are none."""
-        head = f'"""Formulas of {PACKAGE}.{self.path} over an array library `xp`."""'
-        if any(RULE in text for text in self.over):
-            head += f"\n\nfrom {'.' * (self.path.count('.') + 3)}{PLACE}.integrals import {RULE}"
-        return "\n\n\n".join([head, *self.over]) + "\n" if self.over else ""
 
     def _plain(self, name: str, calls: list[Call], arguments: tuple[str, ...], result: Node | None) -> None:
         unused = dict.fromkeys(name for call in calls for name in call.unused)

@@ -6,57 +6,103 @@ branches are evaluated.  Here the arguments are moved into the branch before it 
 
 from __future__ import annotations
 
+import ast
 import math
-from collections.abc import Sequence
+import re
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
-from .graph import Node, needed
-from .plain import OPERATORS, is_sum
+from .graph import Node
+from .plain import OPERATORS
 
-LONGEST = 500
-"""Lines beyond which an expression is not written: choices within rules and roots are written once for each."""
-RULE = "nodes_along"
-"""The function of `_runtime.integrals` that gives nodes and weights."""
-NODES = 64
-"""Nodes of a rule, for an interval of any length: those that the package takes for long ones."""
-STEPS = 6
-"""Newton's steps of a root. Over 24 decades six leave 7e-16 in all functions; four would leave 6e-10."""
+EXPRESSIONS, STEPS = "_programs.expressions", "_runtime.steps"
+"""The folder of what is written here, and the module of rules and roots over any library."""
+WIDEST = 100
+"""What is used once stands where it is used, up to that width of a line."""
+PANELS = 4
+"""Panels of a rule for waves."""
 ASIDE = {"less": (0.5, 2.0), "less_equal": (0.5, 2.0), "greater": (2.0, 0.5), "greater_equal": (2.0, 0.5)}
 """x over y where the relation holds, and where it does not."""
+ROOT = "root"
+"""An argument that says how far a radius is beyond a break, and is zero below: it is moved with the radius."""
 SIGNS = {name: sign for name, sign in OPERATORS.items() if sign not in ("and", "or")} | {
     "bitwise_and": "&", "bitwise_or": "|", "power": "**",
 }  # fmt: skip
 PREFIXES = {"negative": "-", "invert": "~"}
+NAME = re.compile(r"\bv\d+\b")
 
 
-def expression(name: str, arguments: Sequence[str], result: Node) -> str | None:
-    """The text of a function of the library `xp` and of the arguments; None where it would be too long."""
-    writer = _Writer()
-    if any(map(is_sum, needed(result))):
-        writer.lines.append(f"nodes, weights = {RULE}(xp, {NODES}, {', '.join(arguments)})")
-    value = _Branch(writer, {}).value(result)
-    if len(writer.lines) > LONGEST:
-        return None
-    lines = "".join(f"    {line}\n" for line in writer.lines)
-    return f"def {name}(xp, {', '.join(arguments)}):\n{lines}    return {value}\n"
+def expression(
+    name: str, arguments: Sequence[str], arrays: Sequence[str], result: Node, called: Callable[[str, str], str]
+) -> str:
+    """The text of a function of the library `xp` and of the arguments.
+
+    `called` is the name of a function of a module of the package; an argument that is none of the `arrays` holds
+    coefficients.
+    """
+    axes = ", ".join(arrays)
+    writer = _Writer(called, axes, result)
+    writer.line(f"return {_Branch(writer, {}, axes).value(result)}")
+    return ast.unparse(ast.parse("\n".join([f"def {name}(xp, {', '.join(arguments)}):", *writer.text()])))
+
+
+class _Line(NamedTuple):
+    """A line with the functions around it, and the one name it gives, if any."""
+
+    around: tuple[str, ...]
+    name: str
+    text: str
 
 
 class _Writer:
     """The lines of one function; names are counted."""
 
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-        self.indent = ""
+    def __init__(self, called: Callable[[str, str], str], axes: str, result: Node) -> None:
+        self.called, self.result, self._early = called, result, {axes}
+        self.first: list[_Line] = []
+        self.lines: list[_Line] = []
+        self.around: tuple[str, ...] = ()
+        self._count = 0
+        self._rules: dict[str, tuple[tuple[str, ...], tuple[str, str]]] = {}
         self._behind: dict[Node, frozenset[Node]] = {}
 
     def name(self, value: str) -> str:
         """The name of a value on a line of its own."""
-        name = f"v{len(self.lines)}"
-        self.set(name, value)
+        name = self.new()
+        self.lines.append(_Line(self.around, name, value))
         return name
 
-    def set(self, name: str, value: str) -> None:
-        """Give a name a value."""
-        self.lines.append(f"{self.indent}{name} = {value}")
+    def new(self) -> str:
+        """A name for a value."""
+        self._count += 1
+        return f"v{self._count}"
+
+    def line(self, text: str) -> None:
+        """A line that names nothing."""
+        self.lines.append(_Line(self.around, "", text))
+
+    def function(self, given: Sequence[str], values: Callable[[], str]) -> str:
+        """The name of an inner function."""
+        name = f"f{len(self.lines)}"
+        self.line(f"def {name}({', '.join(given)}):")
+        self.around = (*self.around, name)
+        self.line(f"return {values()}")
+        self.around = self.around[:-1]
+        return name
+
+    def rule(self, value: str, early: str = "") -> tuple[str, str]:
+        """The names of nodes and weights that a call gives; those that begin with what is known `early` come first."""
+        around, names = self._rules.get(value, ((), ("", "")))
+        if names[0] and self.around[: len(around)] == around:
+            return names
+        names = self.new(), self.new()
+        first = early in self._early
+        self._rules[value] = (() if first else self.around), names
+        (self.first if first else self.lines).append(_Line(self._rules[value][0], "", f"{', '.join(names)} = {value}"))
+        if first:
+            self._early.add(names[0])
+        return names
 
     def behind(self, node: Node) -> frozenset[Node]:
         """A node and all it is made of."""
@@ -64,17 +110,43 @@ class _Writer:
             self._behind[node] = frozenset((node,)).union(*(self.behind(x) for x in node.operands))
         return self._behind[node]
 
+    def text(self) -> list[str]:
+        """The lines, where what is used once stands where it is used."""
+        lines = self.first + self.lines
+        uses = Counter(name for line in lines for name in NAME.findall(line.text))
+        homes = {name: line.around for line in lines for name in NAME.findall(line.text)}
+        held = dict[str, str]()
+        text: list[str] = []
+        for line in lines:
+            indent = "    " * (1 + len(line.around))
+            own = line.text
+            # the shortest first, as many as there is room for
+            for name in sorted((x for x in NAME.findall(own) if x in held), key=lambda x: len(held[x])):
+                value = held.pop(name)
+                if len(own) + len(value) <= WIDEST:
+                    own = re.sub(rf"\b{name}\b", f"({value})", own)
+                else:
+                    text.append(f"{indent}{name} = {value}")
+            if line.name and uses[line.name] == 1 and homes[line.name] == line.around:
+                held[line.name] = own
+            else:
+                text.append(f"{indent}{line.name} = {own}" if line.name else indent + own)
+        return text
+
 
 class _Branch:
-    """Values of nodes where some are known by a name; a branch of a `where` has values of its own for one of them."""
+    """Values of nodes where some are known by a name; a branch of a `where` has values of its own for one of them.
 
-    def __init__(self, writer: _Writer, known: dict[Node, str]) -> None:
-        self.writer, self._known = writer, known
+    `axes` are the names of arrays whose axes a rule precedes: those of the arguments, or nodes around it.
+    """
 
-    def where(self, node: Node, name: str) -> _Branch:
+    def __init__(self, writer: _Writer, known: dict[Node, str], axes: str) -> None:
+        self.writer, self._known, self._axes = writer, known, axes
+
+    def where(self, node: Node, name: str, axes: str = "") -> _Branch:
         """The same where a node has another value, and all that is made of it too."""
         known = {own: text for own, text in self._known.items() if node not in self.writer.behind(own)}
-        return _Branch(self.writer, known | {node: name})
+        return _Branch(self.writer, known | {node: name}, axes or self._axes)
 
     def value(self, node: Node) -> str:
         """The name of a value."""
@@ -85,61 +157,103 @@ class _Branch:
     def _written(self, node: Node) -> str:
         if node.name == "number":
             return _number(float(node.value))
-        if node.name == "argument":
+        if node.name in ("argument", "variable"):
             return str(node.value)
-        if node.name == "root":
-            return self._root(node)
-        if is_sum(node):
-            return self._sum(node)
-        if node.name == "where":
-            condition = self.value(node.operands[0])
-            branches = (self._moved(node.operands[0], condition, holds) for holds in (True, False))
-            values = [branch.value(x) for branch, x in zip(branches, node.operands[1:], strict=True)]
-            return self.writer.name(f"xp.where({condition}, {', '.join(values)})")
+        if node.name in WRITTEN:
+            return WRITTEN[node.name](self, node)
         values = [self.value(x) for x in node.operands]
+        if node.name in CALLS:
+            return self.writer.name(f"{self.writer.called(*node.value)}({', '.join([*CALLS[node.name], *values])})")
         if node.name in SIGNS:
             return self.writer.name(f" {SIGNS[node.name]} ".join(values))
         if node.name in PREFIXES:
             return self.writer.name(f"{PREFIXES[node.name]}{values[0]}")
         return self.writer.name(f"xp.{node.name}({', '.join(values)})")
 
+    def _where(self, node: Node) -> str:
+        condition = self.value(node.operands[0])
+        branches = (self._moved(node.operands[0], condition, holds) for holds in (True, False))
+        values = [branch.value(x) for branch, x in zip(branches, node.operands[1:], strict=True)]
+        return self.writer.name(f"xp.where({condition}, {', '.join(values)})")
+
     def _moved(self, relation: Node, condition: str, holds: bool) -> _Branch:
         """The branch, with what is compared with another value moved to where the branch applies."""
-        if relation.name not in ASIDE or relation.operands[0].name == "number" or relation.operands[1].value == 0.0:
+        if relation.name not in ASIDE or relation.operands[0].name == "number":
             return self
         x, y = map(self.value, relation.operands)
-        aside = f"{ASIDE[relation.name][0 if holds else 1]!r} * {y}"
+        factor = ASIDE[relation.name][0 if holds else 1]
+        aside = f"{factor!r} * {y}"
+        if relation.operands[1].value == 0.0:
+            if factor < 1.0:
+                return self
+            aside = "1.0"
         chosen = f"{x}, {aside}" if holds else f"{aside}, {x}"
-        return self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
+        inner = self.where(relation.operands[0], self.writer.name(f"xp.where({condition}, {chosen})"))
+        if relation.name != "less" or holds or aside == "1.0":
+            return inner
+        for root in [own for own in self.writer.behind(self.writer.result) if own.value == ROOT]:
+            inner = inner.where(root, self.writer.name(f"xp.where({condition}, {y}, {self.value(root)})"))
+        return inner
 
-    def _sum(self, node: Node) -> str:
+    def _integral(self, node: Node) -> str:
         """The sum over the nodes, along a first axis."""
         stop, _, variable, summand = node.operands
-        length = self.value(stop)
-        place = self.writer.name(f"nodes * {length}")
-        inner = self.where(variable, place)
-        return self.writer.name(f"{length} * xp.sum(weights * {inner.value(summand)}, axis=0)")
+        rule = f"{self.writer.called(STEPS, 'nodes_along')}(xp, {1 if node.value else PANELS}, {self._axes})"
+        length, (nodes, weights) = self.value(stop), self.writer.rule(rule, self._axes)
+        inner = self.where(variable, self.writer.name(f"{nodes} * {length}"), nodes)
+        return self.writer.name(f"{length} * xp.sum({weights} * {inner.value(summand)}, axis=0)")
+
+    def _weighted(self, node: Node) -> str:
+        """The same with the weights of a power."""
+        stop, above, variable, summand = node.operands
+        rule = f"{self.writer.called(STEPS, 'weighted_along')}(xp, {self.value(above)}, {self._axes})"
+        length, (nodes, weights) = self.value(stop), self.writer.rule(rule)
+        inner = self.where(variable, self.writer.name(f"{nodes} * {length}"), nodes)
+        return self.writer.name(f"xp.sum({weights} * {inner.value(summand)}, axis=0)")
 
     def _root(self, node: Node) -> str:
-        """Newton's method in logarithms, whose steps the bounds of the slope keep from running away."""
+        """A call that searches for the root of an inner function."""
         *given, variable, curve, rate = node.operands
-        value, start, largest, least, most = map(self.value, given)
-        writer = self.writer
-        wanted = writer.name(f"xp.where({value} > 0.0, {value}, 1.0)")
-        t = writer.name(f"xp.minimum({start}, {largest})")
-        writer.lines.append(f"for _ in range({STEPS}):")
-        writer.indent = "    "
+        values, t = ", ".join(map(self.value, given)), self.writer.new()
         inner = self.where(variable, t)
-        y, slope = inner.value(curve), inner.value(rate)
-        missed = writer.name(f"xp.log({wanted} / {y})")
-        ends = [writer.name(f"{missed} / {bound}") for bound in (least, most)]
-        step = f"xp.maximum({missed} / {slope}, xp.minimum({', '.join(ends)}))"
-        step = writer.name(f"xp.minimum({step}, xp.maximum({', '.join(ends)}))")
-        # at the largest radius of all the curve has no value
-        step = writer.name(f"xp.where({y} < xp.inf, {step}, 0.0)")
-        writer.set(t, f"xp.minimum({t} * xp.exp({step}), {largest})")
-        writer.indent = ""
-        return writer.name(f"xp.where({value} > 0.0, {t}, 0.0 * {value})")
+        found = self.writer.function([t], lambda: f"{inner.value(curve)}, {inner.value(rate)}")
+        return self.writer.name(f"{self.writer.called(STEPS, 'newton')}(xp, {found}, {values})")
+
+    def _stable(self, node: Node) -> str:
+        """A call that searches for the last rising branch with a value, and for the radius on it."""
+        value, radii, variable, load, slope = node.operands
+        values, a = f"{self.value(value)}, {self.value(radii)}", self.writer.new()
+        inner = self.where(variable, a, f"{a}, {self._axes}")
+        found = self.writer.function([a], lambda: f"{inner.value(load)}, {inner.value(slope)}")
+        return self.writer.name(f"{self.writer.called(STEPS, 'stable')}(xp, {found}, {values})")
+
+    def _radii(self, node: Node) -> str:
+        return self.writer.name(f"{self.writer.called(STEPS, 'radii_along')}(xp, {node.value!r}, {self._axes})")
+
+    def _terms(self, node: Node) -> str:
+        """The sum of what an inner function gives for each coefficient, or the least of that."""
+        coefficients, *variables, term = node.operands
+        given = [str(own.value) for own in variables]
+        inner = self.where(variables[0], given[0]).where(variables[1], given[1])
+        found = self.writer.function(given, lambda: inner.value(term))
+        terms = f"[{found}({', '.join(given)}) for {', '.join(given)} in {self._numbered(coefficients)}]"
+        total = node.name == "total"
+        return self.writer.name(f"sum({terms})" if total else f"{self.writer.called(STEPS, 'least')}(xp, {terms})")
+
+    def _numbered(self, coefficients: Node) -> str:
+        return f"{self.writer.called(STEPS, 'numbered')}({coefficients.value})"
+
+    def _count(self, node: Node) -> str:
+        return self.writer.name(f"len({self._numbered(node.operands[0])})")
+
+
+CALLS = {"call": ("xp",), "plain": ()}
+"""What a call gives a function before its arguments: one of plain numbers takes no library."""
+WRITTEN = {
+    "where": _Branch._where, "integral": _Branch._integral, "weighted": _Branch._weighted, "root": _Branch._root,
+    "stable": _Branch._stable, "radii": _Branch._radii, "total": _Branch._terms, "least": _Branch._terms,
+    "count": _Branch._count,
+}  # fmt: skip
 
 
 def _number(value: float) -> str:

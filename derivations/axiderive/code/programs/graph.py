@@ -4,11 +4,12 @@ NumPy's functions find the objects by its protocols `__array_ufunc__` and `__arr
 decides by its data or asks for shapes has no such graph; where it asks once whether a rare branch is needed at
 all, the graph is that without this branch, and says when it holds.  A rule is one operation, `integral`, on the
 length of the interval, its unit, a variable and what is summed over that; the search for a root is one, `root`.
+With `roots` there is more that only expressions know: calls, integrals of a power, sums over coefficients.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,11 +21,12 @@ FUNCTIONS = frozenset(
     (
         "add", "subtract", "multiply", "divide", "negative", "absolute", "power", "square", "minimum", "maximum",
         "sqrt", "cbrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "arctan", "arctan2", "hypot",
-        "sinh", "cosh", "tanh", "arcsinh", "nextafter", "copysign",
+        "sinh", "cosh", "tanh", "arcsinh", "nextafter", "copysign", "arctanh", "floor",
     )
 )  # fmt: skip
 WHOLE = frozenset((3.0, 4.0))
 """Exponents of powers that become products; the seventh power as products took the force under r**6 to 5.4 units."""
+EPS = float(np.finfo(float).eps)
 LONGEST = 2000
 """Operations beyond which a body stays as it is: its text would be longer than anyone reads."""
 
@@ -62,6 +64,7 @@ class Graph:
         self._known: dict[Any, Node] = {}
         self.roots = roots
         self.refused: Node | None = None
+        self.coefficients: Node | None = None
         self.summing = False
 
     def argument(self, name: str) -> Node:
@@ -78,6 +81,9 @@ class Graph:
 
     def operation(self, name: str, *operands: Node) -> Node:
         """One of NumPy's functions of earlier nodes; of numbers alone its value."""
+        if self.roots and name in ("add", "subtract", "multiply"):
+            one, zero = self.number(1.0), self.number(0.0)
+            operands = tuple(self.choice(x, one, zero) if x.logical else x for x in operands)
         if len(self._known) > LONGEST or any(x.logical for x in operands) != (name in CONNECTIVES):
             raise UntraceableError
         if all(x.name == "number" for x in operands):
@@ -88,9 +94,20 @@ class Graph:
             return operands[0]
         if name == "multiply" and operands[0].value == 1.0:
             return operands[1]
+        if self.roots and name == "sqrt" and any(map(self._ends, (*operands, *operands[0].operands))):
+            # at its zero a root has no gradient
+            zero = self.number(0.0)
+            return self.choice(self._node("greater", (*operands, zero)), self._node(name, operands), zero)
+        if self.roots and name == "nextafter":
+            return self._node("multiply", (operands[0], self.number(1.0 + np.copysign(EPS, operands[1].value - 0.5))))
         if name == "power" and operands[1].name == "number" and operands[1].value in WHOLE:
             return self._products(operands[0], float(operands[1].value))
         return self._node(name, operands)
+
+    @staticmethod
+    def _ends(x: Node) -> bool:
+        """Whether it is cut off at zero."""
+        return x.name == "maximum" and x.operands[1].value == 0.0
 
     def _products(self, x: Node, exponent: float) -> Node:
         """Neither the square nor what follows leaves the range of doubles before the power does."""
@@ -115,13 +132,21 @@ class Graph:
 
     def integral(self, stop: Node, width: Node, summand: Callable[[Node], Node], lengths: Lengths) -> Node:
         """The integral of a function of a variable from 0 to `stop`, by the nodes that `stop/width` asks for."""
-        if self.summing:
+        if self.summing and not self.roots:
             raise UntraceableError
-        variable = self._node("variable", (), len(self._known))
+        variable = self.variable()
         self.summing = True
         operands = (stop, width, variable, summand(variable))
         self.summing = False
         return self._node("integral", operands, lengths)
+
+    def other(self, name: str, operands: Sequence[Node], value: Any = None) -> Node:
+        """What expressions alone have: a `call` of a function by its module and name, a `weighted` integral, terms."""
+        return self._node(name, tuple(operands), value)
+
+    def variable(self, name: str = "") -> Node:
+        """What an integral or a search runs over."""
+        return self._node("variable", (), name or len(self._known))
 
     def root(self, curve: Callable[[Node], tuple[Node, Node]], *given: Node) -> Node:
         """The root of an increasing curve, which gives its value and its logarithmic slope.
@@ -130,9 +155,19 @@ class Graph:
         """
         if self.summing or not self.roots:
             raise UntraceableError
-        variable = self._node("variable", (), len(self._known))
+        variable = self.variable()
         found = curve(variable)
         return self._node("root", (*given, variable, *found))
+
+    def of(self, x: Any) -> Node:
+        """The node behind an object or a number."""
+        if isinstance(x, Traced):
+            return x.node
+        if self.roots and isinstance(x, np.ndarray) and x.size == 1:
+            return self.number(float(x.item()))
+        if not isinstance(x, (bool, int, float, np.bool_, np.number)):
+            raise UntraceableError
+        return self.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
     def unless(self, condition: Node, result: Node) -> Node:
         """The result, which is another one where the condition holds anywhere."""
@@ -146,6 +181,10 @@ class Graph:
         return self._known[key]
 
 
+FOR_ALL = {np.any: True, np.count_nonzero: True, np.all: False, np.max: np.inf}
+"""What an expression takes for true of its data: choices tell where, and rules serve intervals of any length."""
+
+
 class Traced(NDArrayOperatorsMixin):
     """Stands for an array while a body is run."""
 
@@ -154,26 +193,34 @@ class Traced(NDArrayOperatorsMixin):
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
         name = ufunc.__name__
+        if self.graph.roots and name == "ldexp" and inputs[1] == 0:
+            return inputs[0]
         if method != "__call__" or options or not (name in FUNCTIONS or name in RELATIONS or name in CONNECTIVES):
             return NotImplemented
-        return Traced(self.graph, self.graph.operation(name, *(self.of(x) for x in inputs)))
+        return Traced(self.graph, self.graph.operation(name, *map(self.graph.of, inputs)))
 
     def __array_function__(self, function: Any, types: Any, args: Any, options: Any) -> Any:
+        if self.graph.roots and function in FOR_ALL:
+            return FOR_ALL[function]
         if options:
             return NotImplemented
         if function is np.where and len(args) == 3:
-            return Traced(self.graph, self.graph.choice(*(self.of(x) for x in args)))
-        if function in (np.any, np.count_nonzero) and len(args) == 1 and self.graph.roots:
-            return True  # choices tell where
+            return Traced(self.graph, self.graph.choice(*map(self.graph.of, args)))
         if function is np.any and len(args) == 1:
-            return self.graph.ask(self.of(args[0]))
+            return self.graph.ask(self.graph.of(args[0]))
+        if function is np.clip and self.graph.roots:
+            return np.minimum(np.maximum(args[0], args[1]), args[2])
         if function is np.zeros_like:
             return Traced(self.graph, self.graph.number(0.0))
         if function is np.ones_like:
             return Traced(self.graph, self.graph.number(1.0))
         if function is np.full_like:
-            return Traced(self.graph, self.of(args[1]))
+            return Traced(self.graph, self.graph.of(args[1]))
         return NotImplemented
+
+    def __getitem__(self, place: int) -> Traced:
+        """The end of a grid of radii: only what looks for branches needs it, and expressions do not."""
+        return self if self.graph.roots else NotImplemented
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         raise UntraceableError
@@ -185,9 +232,15 @@ class Traced(NDArrayOperatorsMixin):
         """What the rules call in the place of their loop over nodes."""
         graph = self.graph
         node = graph.integral(
-            self.node, self.of(width), lambda variable: self.of(integrand(Traced(graph, variable))), lengths
+            self.node, graph.of(width), lambda variable: graph.of(integrand(Traced(graph, variable))), lengths
         )
         return Traced(graph, node)
+
+    def weighted(self, smooth: Callable[[Any], Any], above: Any) -> Traced:
+        """What stands for the rule of a weight."""
+        graph, variable = self.graph, self.graph.variable()
+        summand = graph.of(smooth(Traced(graph, variable)))
+        return Traced(graph, graph.other("weighted", (self.node, graph.of(above), variable, summand)))
 
     def root(
         self, curve: Callable[[Any], tuple[Any, Any]], value: Any, largest: Any, exponents: tuple[Any, Any]
@@ -197,28 +250,21 @@ class Traced(NDArrayOperatorsMixin):
 
         def traced(variable: Node) -> tuple[Node, Node]:
             y, slope = curve(Traced(graph, variable))
-            return self.of(y), self.of(slope)
+            return graph.of(y), graph.of(slope)
 
-        given = (self.of(value), self.node, self.of(largest), *map(self.of, exponents))
+        given = (graph.of(value), self.node, graph.of(largest), *map(graph.of, exponents))
         return Traced(graph, graph.root(traced, *given))
-
-    def of(self, x: Any) -> Node:
-        """The node behind an object or a number."""
-        if isinstance(x, Traced):
-            return x.node
-        if not isinstance(x, (bool, int, float, np.bool_, np.number)):
-            raise UntraceableError
-        return self.graph.number(bool(x) if isinstance(x, (bool, np.bool_)) else float(x))
 
 
 def trace(
-    function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str], roots: bool = False
+    function: Callable[..., Any], fields: Iterable[str], keywords: Iterable[str], graph: Graph | None = None
 ) -> Node | None:
     """What `function` returns for fields and keywords of these names, or None if it has no graph.
 
-    With `roots` the search for a root is an operation, and rare branches are taken; otherwise what iterates has none.
+    In a graph with `roots` the search for a root is an operation, and rare branches are taken; in another one what
+    iterates has none.
     """
-    graph = Graph(roots)
+    graph = graph or Graph()
     try:
         result = function(
             *(Traced(graph, graph.argument(name)) for name in fields),
