@@ -37,7 +37,8 @@ def over_quarter(of: Callable[[float], float], points: float, k: float) -> float
 @cache
 def _turned(k: float) -> tuple[Pairs, float | None]:
     cosines, weights, whole = quarter(k)
-    return list(zip(cosines.tolist(), weights.tolist(), strict=True)), whole
+    pairs = list(zip(cosines.tolist(), weights.tolist(), strict=True))
+    return pairs, None if whole is None else float(whole)
 
 
 def far_out(phase: float, k: float, factor: Callable[..., Any]) -> float:
