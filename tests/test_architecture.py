@@ -20,13 +20,13 @@ ROOMS = (
 """From the vocabulary to the command line: a room imports only what stands before it."""
 VIEWS = {("entry", "profiles"), ("entry", "book")}
 """What an entry asks for inside a function or for a type alone: its profile's type, and its formula in Jupyter."""
-LINES, FILES = 61481, 415
-FULL = {"study": 18, "chapter11": 16, "checks": 16, "physics": 16}
+LINES, FILES = 60337, 388
+FULL = {"physics": 16}
 """Folders with more than 15 files; the profiles are a list, and may be as many as they are."""
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
 NAMED, KINDS = 7, 10
 """Comparisons with the name of a physics, and with a kind of contact."""
-LITERALS, LITERAL_FILES = 1452, 130
+LITERALS, LITERAL_FILES = 1400, 117
 """Keys of quantities as literals, and files that have some."""
 RUNTIME = ("", "shapes", "physics", "graded", "subsurface")
 """Folders of the run time: one imports only what stands before it, and `arrays` only what stands in the root."""
