@@ -37,8 +37,7 @@ def over_quarter(of: Callable[[float], float], points: float, k: float) -> float
 @cache
 def _turned(k: float) -> tuple[Pairs, float | None]:
     cosines, weights, whole = quarter(k)
-    pairs = list(zip(cosines.tolist(), weights.tolist(), strict=True))
-    return pairs, None if whole is None else float(whole)
+    return list(zip(cosines.tolist(), weights.tolist(), strict=True)), whole
 
 
 def far_out(phase: float, k: float, factor: Callable[..., Any]) -> float:
