@@ -8,9 +8,7 @@ miss it by 3 units.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable
-from contextlib import suppress
 from functools import cache, partial, wraps
 from typing import Any, TypeAlias
 
@@ -69,11 +67,6 @@ def summed(parts: Iterable[Array]) -> Array:
 
 
 def _of_neighbours(rows: Array) -> Array:
-    if rows.size == len(rows):
-        # of one point in a third of the time, unless one is infinite
-        with suppress(ArithmeticError, ValueError):
-            row = rows.ravel()
-            return np.full(rows.shape[1:], row.sum() if np.iscomplexobj(row) else math.fsum(row.tolist()))
     while len(rows) > 1:
         pairs = rows[0:-1:2] + rows[1::2]
         rows = np.concatenate([pairs, rows[-1:]]) if len(rows) % 2 else pairs
