@@ -155,7 +155,8 @@ def superposed(r: Array, z: Array, pieces: Sequence[Piece]) -> Array:
             own = Piece(piece.variable, low, high, piece.slope, tuple(others), length, longest, power)
             total[:, here] += _of_piece(r[here], z[here], own)
             ends = here[(sharp != 0.0) & (r[here] == low) & (z[here] == 0.0)]
-            total[np.ix_((0, 8, 9), ends)] = np.inf
+            for row in (0, 8, 9):
+                total[row, ends] = np.inf
     return total
 
 
@@ -169,7 +170,7 @@ class Panels(NamedTuple):
     point: Array
     start: Array
     step: Array
-    offset: Callable[[Array, Array], tuple[Array, Array]]
+    offset: Callable[[Array, Array], tuple[Array, Array, Array]]
     """v, v - alpha and the derivative of both, of the panel's variable and the points."""
     few: bool = False
 
@@ -258,11 +259,11 @@ def _panels(
     on = ~clear & (beta[point] == 0.0)
     beyond, within = on & (right > 0.0), on & (left < 0.0)
     o = point[beyond]
-    ends = [2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right)]
-    found.append(_cut(o, *ends, lambda u, o: along(mirror[o] * np.sinh(u / 2) ** 2, mirror[o] / 2 * np.sinh(u), o)))
+    low, high = (2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right))
+    found.append(_cut(o, low, high, lambda u, o: along(mirror[o] * np.sinh(u / 2) ** 2, mirror[o] / 2 * np.sinh(u), o)))
     o = point[within]
-    ends = [2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left)]
-    found.append(_cut(o, *ends, lambda u, o: along(-mirror[o] * np.sin(u / 2) ** 2, mirror[o] / 2 * np.sin(u), o)))
+    low, high = (2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left))
+    found.append(_cut(o, low, high, lambda u, o: along(-mirror[o] * np.sin(u / 2) ** 2, mirror[o] / 2 * np.sin(u), o)))
     return [panels for panels in found if panels.point.size]
 
 

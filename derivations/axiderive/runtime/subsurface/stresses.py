@@ -79,7 +79,8 @@ def eleven(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, A
         field = np.array(punch(x, y, t, t - x))
         rim = np.flatnonzero((x == t) & (y == 0.0))
         field[:, rim] = np.nan
-        field[np.ix_((0, 8, 9), rim)] = np.inf
+        for row in (0, 8, 9):
+            field[row, rim] = np.inf
         total[:, pressed] += edge[pressed] * field
         total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
         total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
@@ -95,7 +96,7 @@ def stress_below(
     shape: Shape, r: Result, z: Result, given: Result, E_star: Result, nu: Result, **geometry: Result
 ) -> Stress:
     """The stress under the normal load."""
-    found, (nu, E_star) = _found(shape, r, z, given, geometry, nu, E_star)
+    found, (nu, E_star) = _found(shape, r, z, given, geometry, nu=nu, E_star=E_star)
     return Stress(*plain(normal_stress(found, nu, E_star / np.pi)))
 
 
@@ -103,8 +104,8 @@ def displacement_below(
     shape: Shape, r: Result, z: Result, given: Result, nu: Result, **geometry: Result
 ) -> Displacement:
     """The displacement under the normal load."""
-    found, (nu, r, z) = _found(shape, r, z, given, geometry, nu, r, z)
-    return Displacement(*plain(normal_displacement(found, r, z, nu)))
+    found, (nu,) = _found(shape, r, z, given, geometry, nu=nu)
+    return Displacement(*plain(normal_displacement(found, np.asarray(r), np.asarray(z), nu)))
 
 
 def sliding_below(
@@ -112,35 +113,38 @@ def sliding_below(
     E_star: Result, nu: Result, mu: Result, inner: Result = None, **geometry: Result,
 ) -> SlidingStress:  # fmt: skip
     """What friction adds, with a zone of stick up to the radius `inner` if there is one."""
-    found, (phi, nu, E_star, mu) = _found(shape, r, z, given, geometry, phi, nu, E_star, mu)
-    if inner is not None:
-        found = found - _found(shape, r, z, inner, geometry, phi, nu, E_star, mu)[0]
+    others = {"phi": phi, "nu": nu, "E_star": E_star, "mu": mu} | ({} if inner is None else {"c": inner})
+    found, (phi, nu, E_star, mu, *inside) = _found(shape, r, z, given, geometry, **others)
+    for c in inside:
+        found = found - _found(shape, r, z, c, geometry, phi=phi)[0]
     return SlidingStress(*plain(frictional_stress(found, phi, nu, mu * E_star / np.pi)))
 
 
 def _found(
-    shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], *others: Result
+    shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], **others: Result
 ) -> tuple[Array, list[Array]]:
     """The eleven numbers, and the other arguments, over the shape to which all broadcast."""
-    fields = zip(("r", "z", "the contact"), (r, z, given), strict=True)
-    own = [
-        *(numbers(name, x) for name, x in (*fields, *geometry.items())),
-        *(numbers("an argument", x) for x in others),
-    ]
-    r, z, given, *own = np.broadcast_arrays(*own)
+    fields = {"r": r, "z": z, _given(geometry): given}
+    known = [numbers(name, x) for own in (fields, geometry, others) for name, x in own.items()]
+    r, z, given, *own = np.broadcast_arrays(*known)
     geometry = dict(zip(geometry, own, strict=False))
     return eleven(shape, r, z, given, geometry), own[len(geometry) :]
+
+
+def _given(geometry: dict[str, Result]) -> str:
+    """What is given of the contact: its depth where the radius is one of the geometry."""
+    return "d" if "a" in geometry else "a"
 
 
 def greatest_below(
     shape: Shape, measure: Callable[[Stress], Array], given: Result, E_star: Result, nu: Result, **geometry: Result
 ) -> Greatest:
     """The greatest value of a measure below each contact, and where."""
-    known = {"the contact": given, "E_star": E_star, "nu": nu, **geometry}
+    known = {_given(geometry): given, "E_star": E_star, "nu": nu, **geometry}
     own = np.broadcast_arrays(*(numbers(name, x) for name, x in known.items()))
     rows = []
-    for one in zip(*(np.ravel(x).tolist() for x in own), strict=True):
-        rows.append(_greatest_of(shape, measure, *one[:3], dict(zip(geometry, one[3:], strict=True))))
+    for a, modulus, ratio, *others in zip(*(np.ravel(x).tolist() for x in own), strict=True):
+        rows.append(_greatest_of(shape, measure, a, modulus, ratio, dict(zip(geometry, others, strict=True))))
     columns = np.array(rows, float).reshape(-1, 3).T
     return Greatest(*plain([column.reshape(np.shape(own[0])) for column in columns]))
 
