@@ -136,7 +136,9 @@ def test_a_profile_that_a_physics_leaves_out_says_why(system: str) -> None:
 def test_package_lists_what_it_holds() -> None:
     import axicontact
 
-    assert {name.partition(".")[0] for name in PACKAGES} | {"expressions", "materials"} == set(axicontact.__all__)
+    assert {name.partition(".")[0] for name in PACKAGES} | {"expressions", "materials", "subsurface"} == set(
+        axicontact.__all__
+    )
 
 
 def test_the_evidence_was_made_by_this_engine_of_these_entries() -> None:

@@ -89,7 +89,7 @@ def called(function: Any, given: dict[str, Any]) -> Any:
         if p.kind is inspect.Parameter.POSITIONAL_OR_KEYWORD and p.name in given
     ]
     keywords = [p.name for p in inspect.signature(function).parameters.values() if p.kind is p.KEYWORD_ONLY]
-    return function(*fields, **{name: given[name] for name in keywords})
+    return function(*fields, **{name: given[name] for name in keywords if name in given})
 
 
 def test_every_argument_of_every_function_refuses_a_unit_and_names_itself() -> None:

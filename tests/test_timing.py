@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from stored_book import CATALOGUE, PROFILES, evidence
 
-from axiderive.book.study.timing import GOAL, KEY, NAMED, OTHERS, REACHED, Timing, timing
+from axiderive.book.study.error import METHODS
+from axiderive.book.study.timing import GOAL, REACHED, Timing, timing
 from axiderive.figures.svg import Picture
 from axiderive.physics.systems import problem, problems
 from axiderive.study import report as pairs
@@ -138,7 +139,7 @@ def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
         nodes = [int(row["setting"].removeprefix("N = ")) for row in rows
                  if row["method"] == "generated rule" and row["worst"] <= REACHED]  # fmt: skip
         assert re.findall(r"(\d+) nodes of the rule reach", sentence) == [str(min(nodes))] * bool(nodes)
-        others = [row for row in rows if row["method"] in OTHERS and row["worst"] <= GOAL]
+        others = [row for row in rows if METHODS[row["method"]].sentence and row["worst"] <= GOAL]
         others = [row for row in others if _letter(row["method"]) in drawn]
         taken = re.findall(r"takes \$([^$]+)\$ (times as long|of the time)\.", sentence)
         assert len(taken) == bool(others)
@@ -146,14 +147,15 @@ def test_what_is_said_follows_from_what_was_measured(name: str) -> None:
             best = min(others, key=lambda row: float(row["ratio"]))
             assert _number(number) == pytest.approx(best["ratio"], rel=0.1)
             assert (words == "of the time") == (best["ratio"] < 1)
-            assert NAMED[best["method"]].partition(" {}")[0] in sentence
+            assert METHODS[best["method"]].sentence.partition(" {}")[0] in sentence
 
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_a_letter_means_the_method_that_is_drawn_with_it(name: str) -> None:
-    methods = {_letter(method): method for method in KEY if method in MEASURED_BY}
+    shown = [method for method, words in METHODS.items() if words.page and method in MEASURED_BY]
+    methods = {_letter(method): method for method in shown}
     for letter, words in timing_of(name).methods:
-        assert words.startswith(KEY[methods[letter]].partition("{}")[0])
+        assert words.startswith(METHODS[methods[letter]].page.partition("{}")[0])
 
 
 def test_a_formula_that_nothing_else_reaches_says_so() -> None:
