@@ -13,6 +13,7 @@ __all__ = [
     "materials",
     "normal",
     "plane",
+    "subsurface",
     "tangential",
     "viscoelastic",
 ]

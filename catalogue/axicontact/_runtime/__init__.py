@@ -13,6 +13,8 @@ integrals, rules
     a contact regular.
 inverse
     Roots of increasing curves, for radii of a depth or a force.
+steps
+    Sums and roots in a fixed number of steps, for expressions over other array libraries.
 nodes, kernels, intervals, symbols
     Numbers that the engine writes: nodes, fitted kernels, domains and units of the parameters.
 shapes
@@ -21,6 +23,8 @@ physics
     Adhesion, slip, viscoelasticity, prescribed pressures and strips.
 graded
     The half-space whose modulus grows as a power of depth.
+subsurface
+    Stresses and displacements below the surface, under normal load and friction.
 plain
     What the formulas for plain numbers are written with, beside `math`.
 arrays

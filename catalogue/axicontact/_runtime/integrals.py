@@ -46,12 +46,6 @@ def integral(integrand: Callable[[Array], Array], stop: Array, count: int) -> Ar
     return summed(weights[part] * integrand(nodes[part] * stop) for part in parts) * stop
 
 
-def nodes_along(xp: Any, count: int, *arguments: Any) -> Any:
-    """Nodes and weights on (0, 1) as arrays of a library, along an axis before all those of the arguments."""
-    axes = max(getattr(argument, "ndim", 0) for argument in arguments)
-    return [xp.asarray(column.reshape(-1, *(1,) * axes)) for column in gauss_legendre(count)]
-
-
 def in_parts(count: int, most: int) -> list[slice]:
     """As many terms at a time as are no more than `most`, a power of two."""
     step = 1 << max(0, most.bit_length() - 1)

@@ -1,29 +1,26 @@
 """Formulas of axicontact.materials over an array library `xp`."""
 
+from ..._runtime.steps import rising
+
 
 def effective_modulus(xp, E_1, nu_1, E_2, nu_2):
-    v0 = 1.0 - nu_1
-    v1 = 1.0 + nu_1
-    v2 = v0 * v1
-    v3 = v2 / E_1
-    v4 = 1.0 - nu_2
-    v5 = 1.0 + nu_2
-    v6 = v4 * v5
-    v7 = v6 / E_2
-    v8 = v3 + v7
-    v9 = 1.0 / v8
-    return v9
+    return 1.0 / ((1.0 - nu_1) * (1.0 + nu_1) / E_1 + (1.0 - nu_2) * (1.0 + nu_2) / E_2)
 
 
 def effective_shear_modulus(xp, E_1, nu_1, E_2, nu_2):
-    v0 = 2.0 - nu_1
-    v1 = 1.0 + nu_1
-    v2 = v0 * v1
-    v3 = v2 / E_1
-    v4 = 2.0 - nu_2
-    v5 = 1.0 + nu_2
-    v6 = v4 * v5
-    v7 = v6 / E_2
-    v8 = v3 + v7
-    v9 = 2.0 / v8
-    return v9
+    return 2.0 / ((2.0 - nu_1) * (1.0 + nu_1) / E_1 + (2.0 - nu_2) * (1.0 + nu_2) / E_2)
+
+
+def h_N(xp, k, nu):
+    v1 = 1.0 + k
+    v12 = xp.sin(3.141592653589793 * (1.0 - xp.absolute(k)) / 2.0)
+    v14 = 1.0 - nu
+    v19 = xp.sqrt(v1 * (v14 - k * nu) / v14)
+    v24 = 3.0 + k
+    v33 = rising(xp, 1.0, (v24 + v19) / 2.0 - 1.0) * rising(xp, 1.0, (v24 - v19) / 2.0 - 1.0)
+    v13 = (v1 * rising(xp, 1.0, 1.0 + k / 2.0 - 1.0)) ** 2.0 * v12
+    return v13 / (v19 * xp.sin(3.141592653589793 * v19 / 2.0) * v33)
+
+
+def graded_modulus(xp, E_0, c_0, k, nu):
+    return h_N(xp, k, nu) * E_0 / ((1.0 - nu) * (1.0 + nu) * c_0 ** k)

@@ -38,7 +38,7 @@ def power_excess(n: Array, k: Array) -> Array:
     # the rest of the product is a quotient of two of the series of `_rising`
     low, high = FAR + half / 2.0, FAR + half / 2.0 + x
     u, v = 1.0 / (low * low), 1.0 / (high * high)
-    first, second, third = _series(e)
+    first, second, third = series(e)
     change = -x * (low + high) * u * v * (first + second * (u + v) + third * (u * u + u * v + v * v))
     log = log + e * np.log1p(x / low) + np.log1p(change / (1.0 + first * u + second * u * u))
     return np.where(log < 0.5, np.expm1(log), power_factor(n, k) - 1.0)
@@ -87,7 +87,7 @@ def _rising(x: Array, e: Array) -> Array:
     near = _to_the_last_digit(terms)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
-    first, second, third = _series(e)
+    first, second, third = series(e)
     # of numbers alone the operator has another rounding than of arrays
     return np.power(w, e) * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) * np.exp(-near)
 
@@ -102,7 +102,7 @@ def _to_the_last_digit(terms: Iterable[Array]) -> Array:
     return total
 
 
-def _series(e: Array) -> tuple[Array, Array, Array]:
+def series(e: Array) -> tuple[Array, Array, Array]:
     """Its coefficients of 1/w**2, 1/w**4 and 1/w**6."""
     first = -e * (e * e - 1.0) / 24.0
     second = e * (e - 1.0) * (e - 2.0) * (e - 3.0) * (e + 1.0) / 5760.0

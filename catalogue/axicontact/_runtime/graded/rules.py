@@ -64,11 +64,11 @@ def _weights_of_powers(power: Array, count: int) -> Array:
     for j in range(1, count):
         moment = moment * (power + (1.0 - j)) / (power + (1.0 + j))
         moments.append(moment)
-    return np.tensordot(_legendre_table(count), np.stack(moments), axes=1)
+    return np.tensordot(legendre_table(count), np.stack(moments), axes=1)
 
 
 @cache
-def _legendre_table(count: int) -> Array:
+def legendre_table(count: int) -> Array:
     """w_i (2 j + 1) P_j(x_i) for the nodes of Gauss on (0, 1)."""
     nodes, weights = gauss_legendre(count)
     x = 2.0 * nodes - 1.0

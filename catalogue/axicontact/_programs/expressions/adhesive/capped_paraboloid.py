@@ -1,382 +1,55 @@
 """Formulas of axicontact.adhesive.capped_paraboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.capped_paraboloid import depth as normal_depth
+from ...._programs.expressions.normal.capped_paraboloid import displacement as normal_displacement
+from ...._programs.expressions.normal.capped_paraboloid import force as normal_force
+from ...._programs.expressions.normal.capped_paraboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.capped_paraboloid import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, R1, R2, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = v1 ** 2.0
-    v3 = v2 / R1
-    v4 = xp.where(v0, 2.0 * b, a)
-    v5 = R1 - R2
-    v6 = v5 / R2
-    v7 = v4 - b
-    v8 = v4 + b
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = v6 * v10
-    v12 = v4 + v11
-    v13 = v4 * v12
-    v14 = v13 / R1
-    v15 = xp.where(v0, v3, v14)
-    v16 = xp.sqrt(a)
-    v17 = 6.283185307179586 * dgamma
-    v18 = v17 / E_star
-    v19 = xp.sqrt(v18)
-    v20 = v16 * v19
-    v21 = v15 - v20
-    return v21
-
-
-def displacement(xp, r, a, R1, R2, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R1, R2, b, E_star, dgamma)
-    v1 = r > a
-    v2 = xp.where(v1, r, 2.0 * a)
-    v3 = xp.minimum(a, b)
-    v4 = v3 ** 2.0
-    v5 = 2.0 * v4
-    v6 = 3.141592653589793 * R1
-    v7 = v5 / v6
-    v8 = v3 / v2
-    v9 = v2 - v3
-    v10 = v2 + v3
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v2 + v12
-    v14 = v3 / v13
-    v15 = v14 * v14
-    v16 = (-0.7327347664453868) * v15
-    v17 = v16 + (-32.15553480435792)
-    v18 = v17 * v15
-    v19 = v18 + (-332.23363563146734)
-    v20 = v19 * v15
-    v21 = v20 + (-1070.7082873491413)
-    v22 = v21 * v15
-    v23 = v22 + (-85.27694715374247)
-    v24 = v23 * v15
-    v25 = v24 + 5044.821368830373
-    v26 = v25 * v15
-    v27 = v26 + 8082.413158212496
-    v28 = v27 * v15
-    v29 = v28 + 3759.725330928701
-    v30 = v29 * v15
-    v31 = v30 + 0.26666666666720995
-    v32 = 0.21387262524856868 * v15
-    v33 = v32 + 32.12935731379798
-    v34 = v33 * v15
-    v35 = v34 + 746.8124983579742
-    v36 = v35 * v15
-    v37 = v36 + 6202.125133759036
-    v38 = v37 * v15
-    v39 = v38 + 23553.080984642995
-    v40 = v39 * v15
-    v41 = v40 + 44404.005348491315
-    v42 = v41 * v15
-    v43 = v42 + 40380.01430284195
-    v44 = v43 * v15
-    v45 = v44 + 14099.684276696918
-    v46 = v45 * v15
-    v47 = v46 + 1.0
-    v48 = v31 / v47
-    v49 = v15 * v48
-    v50 = 0.6666666666666666 + v49
-    v51 = v8 * v50
-    v52 = v7 * v51
-    v53 = a > b
-    v54 = xp.where(v53, a, 2.0 * b)
-    v55 = v2 - b
-    v56 = xp.maximum(v55, 0.0)
-    v57 = v2 + b
-    v58 = v56 * v57
-    v59 = xp.sqrt(v58)
-    v60 = v54 - b
-    v61 = xp.maximum(v60, 0.0)
-    v62 = v54 + b
-    v63 = v61 * v62
-    v64 = xp.sqrt(v63)
-    v65 = v2 - v54
-    v66 = xp.maximum(v65, 0.0)
-    v67 = v2 + v54
-    v68 = v66 * v67
-    v69 = xp.sqrt(v68)
-    v70 = v64 / v69
-    v71 = b / v2
-    v72 = v70 / v71
-    v73 = xp.arcsinh(v72)
-    v74 = nodes * v73
-    v75 = b * b
-    v76 = -v74
-    v77 = xp.exp(v76)
-    v78 = v73 - v74
-    v79 = (-2.0) * v78
-    v80 = xp.expm1(v79)
-    v81 = 0.0 - v80
-    v82 = v77 * v81
-    v83 = (-2.0) * v73
-    v84 = xp.expm1(v83)
-    v85 = 0.0 - v84
-    v86 = v85 > 0.0
-    v87 = xp.where(v86, v85, xp.inf)
-    v88 = v82 / v87
-    v89 = v70 * v88
-    v90 = v59 * v89
-    v91 = v89 * v89
-    v92 = 1.0 + v91
-    v93 = xp.sqrt(v92)
-    v94 = v90 / v93
-    v95 = v94 * v94
-    v96 = v75 + v95
-    v97 = xp.sqrt(v96)
-    v98 = 2.0 * v97
-    v99 = v98 / R1
-    v100 = R1 - R2
-    v101 = 2.0 * v100
-    v102 = R1 * R2
-    v103 = v101 / v102
-    v104 = v103 * v94
-    v105 = v99 + v104
-    v106 = b ** 2.0
-    v107 = v106 * v100
-    v108 = v102 * v94
-    v109 = v107 / v108
-    v110 = v105 + v109
-    v111 = v110 * v94
-    v112 = v111 / v97
-    v113 = v59 / v93
-    v114 = xp.arctan2(v97, v113)
-    v115 = v112 * v114
-    v116 = v71 * v71
-    v117 = v116 + v91
-    v118 = xp.sqrt(v117)
-    v119 = v93 * v93
-    v120 = v119 * v93
-    v121 = v118 / v120
-    v122 = v115 * v121
-    v123 = v73 * xp.sum(weights * v122, axis=0)
-    v124 = v59 * v123
-    v125 = xp.where(v53, 0.5 * b, a)
-    v126 = xp.where(v53, v124, 0.0)
-    v127 = 0.6366197723675814 * v126
-    v128 = v52 + v127
-    v129 = xp.where(v1, 0.5 * a, r)
-    v130 = a < b
-    v131 = xp.where(v130, a, 0.5 * b)
-    v132 = v131 ** 2.0
-    v133 = v132 / R1
-    v134 = xp.where(v130, 2.0 * b, a)
-    v135 = R1 - R2
-    v136 = v135 / R2
-    v137 = v134 - b
-    v138 = v134 + b
-    v139 = v137 * v138
-    v140 = xp.sqrt(v139)
-    v141 = v136 * v140
-    v142 = v134 + v141
-    v143 = v134 * v142
-    v144 = v143 / R1
-    v145 = xp.where(v130, v133, v144)
-    v146 = v129 < b
-    v147 = xp.where(v146, v129, 0.5 * b)
-    v148 = v147 ** 2.0
-    v149 = 2.0 * R1
-    v150 = v148 / v149
-    v151 = xp.where(v146, 2.0 * b, v129)
-    v152 = b ** 2.0
-    v153 = 2.0 * R1
-    v154 = v152 / v153
-    v155 = v151 - b
-    v156 = v151 + b
-    v157 = v155 * v156
-    v158 = 2.0 * R2
-    v159 = v157 / v158
-    v160 = v154 + v159
-    v161 = xp.where(v146, v150, v160)
-    v162 = v145 - v161
-    v163 = xp.where(v1, v128, v162)
-    v164 = xp.sqrt(a)
-    v165 = 6.283185307179586 * dgamma
-    v166 = v165 / E_star
-    v167 = xp.sqrt(v166)
-    v168 = v164 * v167
-    v169 = xp.where(v1, r, 2.0 * a)
-    v170 = v169 - a
-    v171 = xp.maximum(v170, 0.0)
-    v172 = v169 + a
-    v173 = v171 * v172
-    v174 = xp.sqrt(v173)
-    v175 = xp.arctan2(a, v174)
-    v176 = 0.6366197723675814 * v175
-    v177 = xp.where(v1, 0.5 * a, r)
-    v178 = xp.where(v1, v176, 1.0)
-    v179 = v168 * v178
-    v180 = v163 - v179
-    return v180
+    return normal_depth(xp, a, R1, R2, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R1, R2, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = 4.0 * E_star
-    v3 = 3.0 * R1
-    v4 = v2 / v3
-    v5 = v1 ** 2.0
-    v6 = v1 * v5
-    v7 = v4 * v6
-    v8 = xp.where(v0, 2.0 * b, a)
-    v9 = 2.0 * E_star
-    v10 = 3.0 * R1
-    v11 = v9 / v10
-    v12 = v8 ** 2.0
-    v13 = v8 * v12
-    v14 = 2.0 * v13
-    v15 = R1 - R2
-    v16 = v15 / R2
-    v17 = 2.0 * v12
-    v18 = b ** 2.0
-    v19 = v17 + v18
-    v20 = v16 * v19
-    v21 = v8 - b
-    v22 = v8 + b
-    v23 = v21 * v22
-    v24 = xp.sqrt(v23)
-    v25 = v20 * v24
-    v26 = v14 + v25
-    v27 = v11 * v26
-    v28 = xp.where(v0, v7, v27)
-    v29 = 2.0 * E_star
-    v30 = v29 * a
-    v31 = xp.sqrt(a)
-    v32 = 6.283185307179586 * dgamma
-    v33 = v32 / E_star
-    v34 = xp.sqrt(v33)
-    v35 = v31 * v34
-    v36 = v30 * v35
-    v37 = v28 - v36
-    return v37
+    return normal_force(xp, a, R1, R2, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R1, R2, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R1, R2, b, E_star, dgamma)
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = v2 == b
-    v4 = a > b
-    v5 = v3 & v4
-    v6 = R1 > R2
-    v7 = v5 & v6
-    v8 = xp.minimum(a, b)
-    v9 = v2 < v8
-    v10 = xp.where(v9, v2, 0.5 * v8)
-    v11 = 2.0 * E_star
-    v12 = 3.141592653589793 * R1
-    v13 = v11 / v12
-    v14 = v8 - v10
-    v15 = v8 + v10
-    v16 = v14 * v15
-    v17 = xp.sqrt(v16)
-    v18 = v13 * v17
-    v19 = xp.where(v9, 2.0 * v8, v2)
-    v20 = xp.where(v9, v18, 0.0)
-    v21 = E_star / 3.141592653589793
-    v22 = xp.nextafter(b, xp.inf)
-    v23 = xp.where(v3, v22, v2)
-    v24 = xp.maximum(v23, b)
-    v25 = a > v24
-    v26 = xp.where(v25, a, 2.0 * v24)
-    v27 = v23 < b
-    v28 = xp.where(v27, v23, 0.5 * b)
-    v29 = v26 - b
-    v30 = xp.maximum(v29, 0.0)
-    v31 = v26 + b
-    v32 = v30 * v31
-    v33 = xp.sqrt(v32)
-    v34 = xp.where(v27, 2.0 * b, v23)
-    v35 = v26 - v34
-    v36 = xp.maximum(v35, 0.0)
-    v37 = v26 + v34
-    v38 = v36 * v37
-    v39 = xp.sqrt(v38)
-    v40 = xp.where(v27, v33, v39)
-    v41 = v23 - b
-    v42 = xp.absolute(v41)
-    v43 = v23 + b
-    v44 = v42 * v43
-    v45 = xp.sqrt(v44)
-    v46 = v40 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = nodes * v47
-    v49 = b * b
-    v50 = v26 - b
-    v51 = xp.maximum(v50, 0.0)
-    v52 = v26 + b
-    v53 = v51 * v52
-    v54 = xp.sqrt(v53)
-    v55 = -v48
-    v56 = xp.exp(v55)
-    v57 = xp.where(v27, v23, 0.5 * b)
-    v58 = xp.where(v27, 2.0 * b, v23)
-    v59 = xp.where(v27, 0.0, 1.0)
-    v60 = 2.0 * v59
-    v61 = 1.0 - v60
-    v62 = v47 - v48
-    v63 = (-2.0) * v62
-    v64 = xp.expm1(v63)
-    v65 = v61 * v64
-    v66 = v60 - v65
-    v67 = v56 * v66
-    v68 = (-2.0) * v47
-    v69 = xp.expm1(v68)
-    v70 = v61 * v69
-    v71 = v60 - v70
-    v72 = v71 > 0.0
-    v73 = xp.where(v72, v71, xp.inf)
-    v74 = v67 / v73
-    v75 = v54 * v74
-    v76 = v75 * v75
-    v77 = v49 + v76
-    v78 = xp.sqrt(v77)
-    v79 = 2.0 * v78
-    v80 = v79 / R1
-    v81 = R1 - R2
-    v82 = 2.0 * v81
-    v83 = R1 * R2
-    v84 = v82 / v83
-    v85 = v84 * v75
-    v86 = v80 + v85
-    v87 = b ** 2.0
-    v88 = v87 * v81
-    v89 = v83 * v75
-    v90 = v88 / v89
-    v91 = v86 + v90
-    v92 = v91 * v75
-    v93 = v92 / v78
-    v94 = v47 * xp.sum(weights * v93, axis=0)
-    v95 = xp.where(v25, 0.5 * v24, a)
-    v96 = xp.where(v25, v94, 0.0)
-    v97 = v21 * v96
-    v98 = v20 + v97
-    v99 = xp.where(v7, xp.inf, v98)
-    v100 = xp.where(v1, 2.0 * a, r)
-    v101 = xp.where(v1, v99, 0.0)
-    v102 = r <= a
-    v103 = xp.where(v102, r, 0.5 * a)
-    v104 = xp.sqrt(a)
-    v105 = 6.283185307179586 * dgamma
-    v106 = v105 / E_star
-    v107 = xp.sqrt(v106)
-    v108 = v104 * v107
-    v109 = v108 > 0.0
-    v110 = E_star * v108
-    v111 = a - v103
-    v112 = xp.maximum(v111, 0.0)
-    v113 = a + v103
-    v114 = v112 * v113
-    v115 = xp.sqrt(v114)
-    v116 = 3.141592653589793 * v115
-    v117 = v110 / v116
-    v118 = xp.where(v109, v117, 0.0)
-    v119 = xp.where(v102, 2.0 * a, r)
-    v120 = xp.where(v102, v118, 0.0)
-    v121 = v101 - v120
-    return v121
+    return normal_pressure(xp, r, a, R1, R2, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R1, R2, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, R1, R2, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, R1, R2, b):
+    v1 = a < b
+    v5 = xp.where(v1, 2.0 * b, a)
+    v9 = xp.maximum(v5 - b, 0.0) * (v5 + b)
+    v10 = v9 > 0.0
+    v14 = normal_slope_beyond(xp, v5, xp.where(v10, xp.sqrt(xp.where(v10, v9, 1.0)), 0.0), R1, R2, b)
+    return xp.where(v1, 2.0 * xp.where(v1, a, 0.5 * b) / R1, v14)
+
+
+def radius_from_depth(xp, d, R1, R2, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, R1, R2, b) - v5, rate(xp, v3, R1, R2, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_around', d, R1, R2, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, R1, R2, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, R1, R2, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, R1, R2, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_around', F, R1, R2, b, E_star, dgamma) * b)

@@ -1,392 +1,52 @@
 """Formulas of axicontact.adhesive.ellipsoid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.ellipsoid import depth as normal_depth
+from ...._programs.expressions.normal.ellipsoid import displacement as normal_displacement
+from ...._programs.expressions.normal.ellipsoid import force as normal_force
+from ...._programs.expressions.normal.ellipsoid import pressure as normal_pressure
+from ...._programs.expressions.normal.ellipsoid import slope as normal_slope
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, h, b, E_star, dgamma):
-    v0 = h / b
-    v1 = v0 * a
-    v2 = 2.0 * a
-    v3 = b - a
-    v4 = v2 / v3
-    v5 = xp.log1p(v4)
-    v6 = v5 / 2.0
-    v7 = v1 * v6
-    v8 = xp.sqrt(a)
-    v9 = 6.283185307179586 * dgamma
-    v10 = v9 / E_star
-    v11 = xp.sqrt(v10)
-    v12 = v8 * v11
-    v13 = v7 - v12
-    return v13
-
-
-def displacement(xp, r, a, h, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, h, b, E_star, dgamma)
-    v1 = a <= b
-    v2 = xp.where(v1, a, 0.5 * b)
-    v3 = r > v2
-    v4 = xp.where(v3, r, 2.0 * v2)
-    v5 = xp.minimum(v4, b)
-    v6 = v2 < v5
-    v7 = xp.where(v6, v2, 0.5 * v5)
-    v8 = v5 - v7
-    v9 = xp.maximum(v8, 0.0)
-    v10 = v5 + v7
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v7 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = h / b
-    v17 = -v15
-    v18 = xp.exp(v17)
-    v19 = v14 - v15
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v14
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v13 * v29
-    v31 = v30 * v30
-    v32 = 1.0 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v30 / v33
-    v35 = v5 * v34
-    v36 = b - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = b + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = v40 ** 2.0
-    v42 = v5 / v33
-    v43 = v42 * v42
-    v44 = v41 + v43
-    v45 = xp.sqrt(v44)
-    v46 = v35 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = v16 * v47
-    v49 = h * v35
-    v50 = v45 ** 2.0
-    v51 = v49 / v50
-    v52 = v48 + v51
-    v53 = v4 - b
-    v54 = xp.maximum(v53, 0.0)
-    v55 = v4 + b
-    v56 = v54 * v55
-    v57 = xp.sqrt(v56)
-    v58 = v57 ** 2.0
-    v59 = v58 + v43
-    v60 = xp.sqrt(v59)
-    v61 = xp.arctan2(v35, v60)
-    v62 = v52 * v61
-    v63 = v42 / v33
-    v64 = v62 * v63
-    v65 = v14 * xp.sum(weights * v64, axis=0)
-    v66 = xp.where(v6, 2.0 * v5, v2)
-    v67 = xp.where(v6, v65, xp.inf)
-    v68 = 0.6366197723675814 * v67
-    v69 = xp.where(v3, 0.5 * v2, r)
-    v70 = h / b
-    v71 = v70 * v2
-    v72 = 2.0 * v2
-    v73 = b - v2
-    v74 = v72 / v73
-    v75 = xp.log1p(v74)
-    v76 = v75 / 2.0
-    v77 = v71 * v76
-    v78 = v69 ** 2.0
-    v79 = h * v78
-    v80 = b ** 2.0
-    v81 = v69 / b
-    v82 = 1.0 - v81
-    v83 = v81 + 1.0
-    v84 = v82 * v83
-    v85 = xp.sqrt(v84)
-    v86 = v85 + 1.0
-    v87 = v80 * v86
-    v88 = v79 / v87
-    v89 = v77 - v88
-    v90 = xp.where(v3, v68, v89)
-    v91 = xp.where(v1, 2.0 * b, a)
-    v92 = xp.where(v1, v90, xp.nan)
-    v93 = xp.sqrt(a)
-    v94 = 6.283185307179586 * dgamma
-    v95 = v94 / E_star
-    v96 = xp.sqrt(v95)
-    v97 = v93 * v96
-    v98 = r > a
-    v99 = xp.where(v98, r, 2.0 * a)
-    v100 = v99 - a
-    v101 = xp.maximum(v100, 0.0)
-    v102 = v99 + a
-    v103 = v101 * v102
-    v104 = xp.sqrt(v103)
-    v105 = xp.arctan2(a, v104)
-    v106 = 0.6366197723675814 * v105
-    v107 = xp.where(v98, 0.5 * a, r)
-    v108 = xp.where(v98, v106, 1.0)
-    v109 = v97 * v108
-    v110 = v92 - v109
-    return v110
+    return normal_depth(xp, a, h, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, h, b, E_star, dgamma):
-    v0 = E_star * h
-    v1 = a ** 2.0
-    v2 = 2.0 * a
-    v3 = b - a
-    v4 = v2 / v3
-    v5 = xp.log1p(v4)
-    v6 = v5 / 2.0
-    v7 = v1 * v6
-    v8 = v7 / b
-    v9 = v6 < 1.0
-    v10 = xp.where(v9, v6, 0.5 * 1.0)
-    v11 = a / b
-    v12 = v11 * v11
-    v13 = v11 * v12
-    v14 = xp.minimum(v10, 1.0)
-    v15 = v14 * v14
-    v16 = 1.0716932453474512e-06 * v15
-    v17 = v16 + 0.00019982814521087247
-    v18 = v17 * v15
-    v19 = v18 + 0.007076196047699156
-    v20 = v19 * v15
-    v21 = v20 + 0.08608622548411103
-    v22 = v21 * v15
-    v23 = v22 + 0.3073858328214721
-    v24 = v23 * v15
-    v25 = v24 + 0.3333333333333333
-    v26 = 2.565078604208634e-08 * v15
-    v27 = v26 + 2.0203143566039827e-05
-    v28 = v27 * v15
-    v29 = v28 + 0.001617010334189783
-    v30 = v29 * v15
-    v31 = v30 + 0.03639274880225476
-    v32 = v31 * v15
-    v33 = v32 + 0.32215749846441627
-    v34 = v33 * v15
-    v35 = v34 + 1.0
-    v36 = v25 / v35
-    v37 = v13 * v36
-    v38 = xp.where(v9, 2.0 * 1.0, v6)
-    v39 = a / b
-    v40 = v38 - v39
-    v41 = xp.where(v9, v37, v40)
-    v42 = b * v41
-    v43 = v8 + v42
-    v44 = v0 * v43
-    v45 = 2.0 * E_star
-    v46 = v45 * a
-    v47 = xp.sqrt(a)
-    v48 = 6.283185307179586 * dgamma
-    v49 = v48 / E_star
-    v50 = xp.sqrt(v49)
-    v51 = v47 * v50
-    v52 = v46 * v51
-    v53 = v44 - v52
-    return v53
+    return normal_force(xp, a, h, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, h, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, h, b, E_star, dgamma)
-    v1 = a <= b
-    v2 = xp.where(v1, a, 0.5 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = E_star * h
-    v6 = v5 / 3.141592653589793
-    v7 = v2 - v4
-    v8 = v2 + v4
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = b - v2
-    v12 = v2 + b
-    v13 = v11 * v12
-    v14 = xp.sqrt(v13)
-    v15 = v10 / v14
-    v16 = xp.arcsinh(v15)
-    v17 = b - v4
-    v18 = v4 + b
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = v16 / v20
-    v22 = xp.maximum(v7, 0.0)
-    v23 = v22 * v8
-    v24 = xp.sqrt(v23)
-    v25 = v2 + v24
-    v26 = xp.maximum(v17, 0.0)
-    v27 = b + v4
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = b + v29
-    v31 = v25 / v30
-    v32 = v31 > 0.7
-    v33 = xp.where(v32, v31, 2.0 * 0.7)
-    v34 = v2 < b
-    v35 = xp.where(v34, v2, 0.5 * b)
-    v36 = v35 - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v35 + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = b - v35
-    v42 = xp.maximum(v41, 0.0)
-    v43 = b + v35
-    v44 = v42 * v43
-    v45 = xp.sqrt(v44)
-    v46 = v40 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = nodes * v47
-    v49 = v4 * v4
-    v50 = -v48
-    v51 = xp.exp(v50)
-    v52 = v47 - v48
-    v53 = (-2.0) * v52
-    v54 = xp.expm1(v53)
-    v55 = 0.0 - v54
-    v56 = v51 * v55
-    v57 = (-2.0) * v47
-    v58 = xp.expm1(v57)
-    v59 = 0.0 - v58
-    v60 = v59 > 0.0
-    v61 = xp.where(v60, v59, xp.inf)
-    v62 = v56 / v61
-    v63 = v46 * v62
-    v64 = v63 * v63
-    v65 = 1.0 + v64
-    v66 = xp.sqrt(v65)
-    v67 = v63 / v66
-    v68 = v29 * v67
-    v69 = v68 * v68
-    v70 = v49 + v69
-    v71 = xp.sqrt(v70)
-    v72 = v29 / v66
-    v73 = v71 / v72
-    v74 = xp.arcsinh(v73)
-    v75 = v74 / v71
-    v76 = v72 / v66
-    v77 = v75 * v76
-    v78 = v47 * xp.sum(weights * v77, axis=0)
-    v79 = xp.where(v34, 2.0 * b, v2)
-    v80 = xp.where(v34, v78, xp.inf)
-    v81 = xp.where(v32, 0.5 * 0.7, v31)
-    v82 = 2.0 * v24
-    v83 = v82 / v30
-    v84 = v81 * v81
-    v85 = 0.13579013365982337 * v84
-    v86 = v85 + (-0.4846453962188766)
-    v87 = v86 * v84
-    v88 = v87 + 0.8293825948837366
-    v89 = v88 * v84
-    v90 = v89 + (-0.8745573865774817)
-    v91 = v90 * v84
-    v92 = v91 + 0.6371928816963097
-    v93 = v92 * v84
-    v94 = v93 + (-0.3332798652335896)
-    v95 = v94 * v84
-    v96 = v95 + 0.13289328569967984
-    v97 = v96 * v84
-    v98 = v97 + (-0.03710676078458442)
-    v99 = v98 * v84
-    v100 = v99 + 0.011089560042611895
-    v101 = v100 * v84
-    v102 = v101 + 0.0012521687336059639
-    v103 = v102 * v84
-    v104 = v103 + 0.0036572276005780893
-    v105 = v104 * v84
-    v106 = v105 + 0.004425450516633092
-    v107 = v106 * v84
-    v108 = v107 + 0.005918487051520244
-    v109 = v108 * v84
-    v110 = v109 + 0.008264397984935742
-    v111 = v110 * v84
-    v112 = v111 + 0.012345681107818056
-    v113 = v112 * v84
-    v114 = v113 + 0.020408163224119494
-    v115 = v114 * v84
-    v116 = v115 + 0.04000000000042643
-    v117 = v116 * v84
-    v118 = v117 + 0.11111111111110937
-    v119 = v118 * v84
-    v120 = v119 + 1.0
-    v121 = v4 / v25
-    v122 = v4 * v121
-    v123 = v122 / v30
-    v124 = v123 + v81
-    v125 = v123 * v124
-    v126 = v123 * v123
-    v127 = 0.0 * v126
-    v128 = v127 + 0.13579013365982337
-    v129 = v128 * v126
-    v130 = v129 + v86
-    v131 = v130 * v126
-    v132 = v131 + v88
-    v133 = v132 * v126
-    v134 = v133 + v90
-    v135 = v134 * v126
-    v136 = v135 + v92
-    v137 = v136 * v126
-    v138 = v137 + v94
-    v139 = v138 * v126
-    v140 = v139 + v96
-    v141 = v140 * v126
-    v142 = v141 + v98
-    v143 = v142 * v126
-    v144 = v143 + v100
-    v145 = v144 * v126
-    v146 = v145 + v102
-    v147 = v146 * v126
-    v148 = v147 + v104
-    v149 = v148 * v126
-    v150 = v149 + v106
-    v151 = v150 * v126
-    v152 = v151 + v108
-    v153 = v152 * v126
-    v154 = v153 + v110
-    v155 = v154 * v126
-    v156 = v155 + v112
-    v157 = v156 * v126
-    v158 = v157 + v114
-    v159 = v158 * v126
-    v160 = v159 + v116
-    v161 = v160 * v126
-    v162 = v161 + v118
-    v163 = v125 * v162
-    v164 = v120 + v163
-    v165 = v83 * v164
-    v166 = xp.where(v32, v80, v165)
-    v167 = v166 / b
-    v168 = v21 + v167
-    v169 = v6 * v168
-    v170 = xp.where(v3, 2.0 * v2, r)
-    v171 = xp.where(v3, v169, 0.0)
-    v172 = xp.where(v1, 2.0 * b, a)
-    v173 = xp.where(v1, v171, xp.nan)
-    v174 = r <= a
-    v175 = xp.where(v174, r, 0.5 * a)
-    v176 = xp.sqrt(a)
-    v177 = 6.283185307179586 * dgamma
-    v178 = v177 / E_star
-    v179 = xp.sqrt(v178)
-    v180 = v176 * v179
-    v181 = v180 > 0.0
-    v182 = E_star * v180
-    v183 = a - v175
-    v184 = xp.maximum(v183, 0.0)
-    v185 = a + v175
-    v186 = v184 * v185
-    v187 = xp.sqrt(v186)
-    v188 = 3.141592653589793 * v187
-    v189 = v182 / v188
-    v190 = xp.where(v181, v189, 0.0)
-    v191 = xp.where(v174, 2.0 * a, r)
-    v192 = xp.where(v174, v190, 0.0)
-    v193 = v173 - v192
-    return v193
+    return normal_pressure(xp, r, a, h, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, h, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, h, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, h, b):
+    v4 = xp.maximum(b - a, 0.0) * (b + a)
+    v5 = v4 > 0.0
+    return normal_slope(xp, a, xp.where(v5, xp.sqrt(xp.where(v5, v4, 1.0)), 0.0), h, b)
+
+
+def radius_from_depth(xp, d, h, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, h, b) - v5, rate(xp, v3, h, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_below', d, h, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, h, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, h, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, h, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_below', F, h, b, E_star, dgamma) * b)

@@ -1,374 +1,48 @@
 """Formulas of axicontact.adhesive.gaussian over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.gaussian import depth as normal_depth
+from ...._programs.expressions.normal.gaussian import displacement as normal_displacement
+from ...._programs.expressions.normal.gaussian import force as normal_force
+from ...._programs.expressions.normal.gaussian import pressure as normal_pressure
+from ...._programs.expressions.normal.gaussian import slope as normal_slope
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, h, s, E_star, dgamma):
-    v0 = 1.5019752682686114 * s
-    v1 = a <= v0
-    v2 = xp.where(v1, a, 0.5 * v0)
-    v3 = 2.0 * h
-    v4 = v2 / s
-    v5 = v4 * v4
-    v6 = 1.567077144036674e-13 * v5
-    v7 = v6 + (-3.840375691006307e-12)
-    v8 = v7 * v5
-    v9 = v8 + 3.8015754128174666e-11
-    v10 = v9 * v5
-    v11 = v10 + (-1.8423006918213799e-10)
-    v12 = v11 * v5
-    v13 = v12 + 4.472469827763728e-10
-    v14 = v13 * v5
-    v15 = v14 + (-1.1927516362741588e-09)
-    v16 = v15 * v5
-    v17 = v16 + 6.225892246861416e-09
-    v18 = v17 * v5
-    v19 = v18 + 3.4413148480148793e-09
-    v20 = v19 * v5
-    v21 = v20 + (-9.933344851449817e-08)
-    v22 = v21 * v5
-    v23 = v22 + (-5.127541706569233e-07)
-    v24 = v23 * v5
-    v25 = v24 + 1.8119768160503268e-06
-    v26 = v25 * v5
-    v27 = v26 + 2.151585040783394e-05
-    v28 = v27 * v5
-    v29 = v28 + 4.61098799999374e-06
-    v30 = v29 * v5
-    v31 = v30 + (-0.000684089638073553)
-    v32 = v31 * v5
-    v33 = v32 + (-0.002257495580553435)
-    v34 = v33 * v5
-    v35 = v34 + 0.016931216930225715
-    v36 = v35 * v5
-    v37 = v36 + 0.17777777777782838
-    v38 = v37 * v5
-    v39 = v38 + 0.6666666666666656
-    v40 = v39 * v5
-    v41 = v40 + 1.0
-    v42 = v4 / v41
-    v43 = v3 * v42
-    v44 = v43 * v4
-    v45 = xp.where(v1, 2.0 * v0, a)
-    v46 = xp.where(v1, v44, xp.nan)
-    v47 = xp.sqrt(a)
-    v48 = 6.283185307179586 * dgamma
-    v49 = v48 / E_star
-    v50 = xp.sqrt(v49)
-    v51 = v47 * v50
-    v52 = v46 - v51
-    return v52
-
-
-def displacement(xp, r, a, h, s, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, h, s, E_star, dgamma)
-    v1 = 1.5019752682686114 * s
-    v2 = a <= v1
-    v3 = xp.where(v2, a, 0.5 * v1)
-    v4 = r > v3
-    v5 = xp.where(v4, r, 2.0 * v3)
-    v6 = v5 - v3
-    v7 = xp.maximum(v6, 0.0)
-    v8 = v5 + v3
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = xp.arctan2(v3, v10)
-    v12 = nodes * v11
-    v13 = 2.0 * h
-    v14 = v13 / s
-    v15 = xp.sin(v12)
-    v16 = v5 * v15
-    v17 = v16 / s
-    v18 = v17 * v17
-    v19 = 1.567077144036674e-13 * v18
-    v20 = v19 + (-3.840375691006307e-12)
-    v21 = v20 * v18
-    v22 = v21 + 3.8015754128174666e-11
-    v23 = v22 * v18
-    v24 = v23 + (-1.8423006918213799e-10)
-    v25 = v24 * v18
-    v26 = v25 + 4.472469827763728e-10
-    v27 = v26 * v18
-    v28 = v27 + (-1.1927516362741588e-09)
-    v29 = v28 * v18
-    v30 = v29 + 6.225892246861416e-09
-    v31 = v30 * v18
-    v32 = v31 + 3.4413148480148793e-09
-    v33 = v32 * v18
-    v34 = v33 + (-9.933344851449817e-08)
-    v35 = v34 * v18
-    v36 = v35 + (-5.127541706569233e-07)
-    v37 = v36 * v18
-    v38 = v37 + 1.8119768160503268e-06
-    v39 = v38 * v18
-    v40 = v39 + 2.151585040783394e-05
-    v41 = v40 * v18
-    v42 = v41 + 4.61098799999374e-06
-    v43 = v42 * v18
-    v44 = v43 + (-0.000684089638073553)
-    v45 = v44 * v18
-    v46 = v45 + (-0.002257495580553435)
-    v47 = v46 * v18
-    v48 = v47 + 0.016931216930225715
-    v49 = v48 * v18
-    v50 = v49 + 0.17777777777782838
-    v51 = v50 * v18
-    v52 = v51 + 0.6666666666666656
-    v53 = v52 * v18
-    v54 = v53 + 1.0
-    v55 = v17 / v54
-    v56 = 2.0 * v55
-    v57 = v56 * v17
-    v58 = 1.0 - v57
-    v59 = v58 * v17
-    v60 = v55 + v59
-    v61 = v14 * v60
-    v62 = v61 * v12
-    v63 = xp.cos(v12)
-    v64 = v62 * v63
-    v65 = v11 * xp.sum(weights * v64, axis=0)
-    v66 = v5 * v65
-    v67 = 0.6366197723675814 * v66
-    v68 = xp.where(v4, 0.5 * v3, r)
-    v69 = v3 <= v1
-    v70 = xp.where(v69, v3, 0.5 * v1)
-    v71 = 2.0 * h
-    v72 = v70 / s
-    v73 = v72 * v72
-    v74 = 1.567077144036674e-13 * v73
-    v75 = v74 + (-3.840375691006307e-12)
-    v76 = v75 * v73
-    v77 = v76 + 3.8015754128174666e-11
-    v78 = v77 * v73
-    v79 = v78 + (-1.8423006918213799e-10)
-    v80 = v79 * v73
-    v81 = v80 + 4.472469827763728e-10
-    v82 = v81 * v73
-    v83 = v82 + (-1.1927516362741588e-09)
-    v84 = v83 * v73
-    v85 = v84 + 6.225892246861416e-09
-    v86 = v85 * v73
-    v87 = v86 + 3.4413148480148793e-09
-    v88 = v87 * v73
-    v89 = v88 + (-9.933344851449817e-08)
-    v90 = v89 * v73
-    v91 = v90 + (-5.127541706569233e-07)
-    v92 = v91 * v73
-    v93 = v92 + 1.8119768160503268e-06
-    v94 = v93 * v73
-    v95 = v94 + 2.151585040783394e-05
-    v96 = v95 * v73
-    v97 = v96 + 4.61098799999374e-06
-    v98 = v97 * v73
-    v99 = v98 + (-0.000684089638073553)
-    v100 = v99 * v73
-    v101 = v100 + (-0.002257495580553435)
-    v102 = v101 * v73
-    v103 = v102 + 0.016931216930225715
-    v104 = v103 * v73
-    v105 = v104 + 0.17777777777782838
-    v106 = v105 * v73
-    v107 = v106 + 0.6666666666666656
-    v108 = v107 * v73
-    v109 = v108 + 1.0
-    v110 = v72 / v109
-    v111 = v71 * v110
-    v112 = v111 * v72
-    v113 = xp.where(v69, 2.0 * v1, v3)
-    v114 = xp.where(v69, v112, xp.nan)
-    v115 = -h
-    v116 = v68 ** 2.0
-    v117 = -v116
-    v118 = s ** 2.0
-    v119 = v117 / v118
-    v120 = xp.expm1(v119)
-    v121 = v115 * v120
-    v122 = v114 - v121
-    v123 = xp.where(v4, v67, v122)
-    v124 = xp.where(v2, 2.0 * v1, a)
-    v125 = xp.where(v2, v123, xp.nan)
-    v126 = xp.sqrt(a)
-    v127 = 6.283185307179586 * dgamma
-    v128 = v127 / E_star
-    v129 = xp.sqrt(v128)
-    v130 = v126 * v129
-    v131 = r > a
-    v132 = xp.where(v131, r, 2.0 * a)
-    v133 = v132 - a
-    v134 = xp.maximum(v133, 0.0)
-    v135 = v132 + a
-    v136 = v134 * v135
-    v137 = xp.sqrt(v136)
-    v138 = xp.arctan2(a, v137)
-    v139 = 0.6366197723675814 * v138
-    v140 = xp.where(v131, 0.5 * a, r)
-    v141 = xp.where(v131, v139, 1.0)
-    v142 = v130 * v141
-    v143 = v125 - v142
-    return v143
+    return normal_depth(xp, a, h, s) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, h, s, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, a, h, s, E_star, dgamma)
-    v1 = 1.5019752682686114 * s
-    v2 = a <= v1
-    v3 = xp.where(v2, a, 0.5 * v1)
-    v4 = 2.0 * E_star
-    v5 = nodes * v3
-    v6 = 2.0 * h
-    v7 = v6 / s
-    v8 = v5 / s
-    v9 = v8 * v8
-    v10 = 1.567077144036674e-13 * v9
-    v11 = v10 + (-3.840375691006307e-12)
-    v12 = v11 * v9
-    v13 = v12 + 3.8015754128174666e-11
-    v14 = v13 * v9
-    v15 = v14 + (-1.8423006918213799e-10)
-    v16 = v15 * v9
-    v17 = v16 + 4.472469827763728e-10
-    v18 = v17 * v9
-    v19 = v18 + (-1.1927516362741588e-09)
-    v20 = v19 * v9
-    v21 = v20 + 6.225892246861416e-09
-    v22 = v21 * v9
-    v23 = v22 + 3.4413148480148793e-09
-    v24 = v23 * v9
-    v25 = v24 + (-9.933344851449817e-08)
-    v26 = v25 * v9
-    v27 = v26 + (-5.127541706569233e-07)
-    v28 = v27 * v9
-    v29 = v28 + 1.8119768160503268e-06
-    v30 = v29 * v9
-    v31 = v30 + 2.151585040783394e-05
-    v32 = v31 * v9
-    v33 = v32 + 4.61098799999374e-06
-    v34 = v33 * v9
-    v35 = v34 + (-0.000684089638073553)
-    v36 = v35 * v9
-    v37 = v36 + (-0.002257495580553435)
-    v38 = v37 * v9
-    v39 = v38 + 0.016931216930225715
-    v40 = v39 * v9
-    v41 = v40 + 0.17777777777782838
-    v42 = v41 * v9
-    v43 = v42 + 0.6666666666666656
-    v44 = v43 * v9
-    v45 = v44 + 1.0
-    v46 = v8 / v45
-    v47 = 2.0 * v46
-    v48 = v47 * v8
-    v49 = 1.0 - v48
-    v50 = v49 * v8
-    v51 = v46 + v50
-    v52 = v7 * v51
-    v53 = v5 * v52
-    v54 = v3 * xp.sum(weights * v53, axis=0)
-    v55 = v4 * v54
-    v56 = xp.where(v2, 2.0 * v1, a)
-    v57 = xp.where(v2, v55, xp.nan)
-    v58 = 2.0 * E_star
-    v59 = v58 * a
-    v60 = xp.sqrt(a)
-    v61 = 6.283185307179586 * dgamma
-    v62 = v61 / E_star
-    v63 = xp.sqrt(v62)
-    v64 = v60 * v63
-    v65 = v59 * v64
-    v66 = v57 - v65
-    return v66
+    return normal_force(xp, a, h, s, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, h, s, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, h, s, E_star, dgamma)
-    v1 = 1.5019752682686114 * s
-    v2 = a <= v1
-    v3 = xp.where(v2, a, 0.5 * v1)
-    v4 = r < v3
-    v5 = xp.where(v4, r, 0.5 * v3)
-    v6 = E_star / 3.141592653589793
-    v7 = v3 - v5
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v3 + v5
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = nodes * v11
-    v13 = 2.0 * h
-    v14 = v13 / s
-    v15 = v5 * v5
-    v16 = v12 * v12
-    v17 = v15 + v16
-    v18 = xp.sqrt(v17)
-    v19 = v18 / s
-    v20 = v19 * v19
-    v21 = 1.567077144036674e-13 * v20
-    v22 = v21 + (-3.840375691006307e-12)
-    v23 = v22 * v20
-    v24 = v23 + 3.8015754128174666e-11
-    v25 = v24 * v20
-    v26 = v25 + (-1.8423006918213799e-10)
-    v27 = v26 * v20
-    v28 = v27 + 4.472469827763728e-10
-    v29 = v28 * v20
-    v30 = v29 + (-1.1927516362741588e-09)
-    v31 = v30 * v20
-    v32 = v31 + 6.225892246861416e-09
-    v33 = v32 * v20
-    v34 = v33 + 3.4413148480148793e-09
-    v35 = v34 * v20
-    v36 = v35 + (-9.933344851449817e-08)
-    v37 = v36 * v20
-    v38 = v37 + (-5.127541706569233e-07)
-    v39 = v38 * v20
-    v40 = v39 + 1.8119768160503268e-06
-    v41 = v40 * v20
-    v42 = v41 + 2.151585040783394e-05
-    v43 = v42 * v20
-    v44 = v43 + 4.61098799999374e-06
-    v45 = v44 * v20
-    v46 = v45 + (-0.000684089638073553)
-    v47 = v46 * v20
-    v48 = v47 + (-0.002257495580553435)
-    v49 = v48 * v20
-    v50 = v49 + 0.016931216930225715
-    v51 = v50 * v20
-    v52 = v51 + 0.17777777777782838
-    v53 = v52 * v20
-    v54 = v53 + 0.6666666666666656
-    v55 = v54 * v20
-    v56 = v55 + 1.0
-    v57 = v19 / v56
-    v58 = 2.0 * v57
-    v59 = v58 * v19
-    v60 = 1.0 - v59
-    v61 = v60 * v19
-    v62 = v57 + v61
-    v63 = v14 * v62
-    v64 = v63 / v18
-    v65 = v11 * xp.sum(weights * v64, axis=0)
-    v66 = v6 * v65
-    v67 = xp.where(v4, 2.0 * v3, r)
-    v68 = xp.where(v4, v66, 0.0)
-    v69 = xp.where(v2, 2.0 * v1, a)
-    v70 = xp.where(v2, v68, xp.nan)
-    v71 = r <= a
-    v72 = xp.where(v71, r, 0.5 * a)
-    v73 = xp.sqrt(a)
-    v74 = 6.283185307179586 * dgamma
-    v75 = v74 / E_star
-    v76 = xp.sqrt(v75)
-    v77 = v73 * v76
-    v78 = v77 > 0.0
-    v79 = E_star * v77
-    v80 = a - v72
-    v81 = xp.maximum(v80, 0.0)
-    v82 = a + v72
-    v83 = v81 * v82
-    v84 = xp.sqrt(v83)
-    v85 = 3.141592653589793 * v84
-    v86 = v79 / v85
-    v87 = xp.where(v78, v86, 0.0)
-    v88 = xp.where(v71, 2.0 * a, r)
-    v89 = xp.where(v71, v87, 0.0)
-    v90 = v70 - v89
-    return v90
+    return normal_pressure(xp, r, a, h, s, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, h, s, E_star, dgamma):
+    return normal_displacement(xp, r, a, h, s) - lift(xp, r, a, E_star, dgamma)
+
+
+def radius_from_depth(xp, d, h, s, E_star, dgamma):
+
+    def f3(v4):
+        v6 = retraction(xp, v4, E_star, dgamma)
+        return (normal_depth(xp, v4, h, s) - v6, normal_slope(xp, v4, h, s) - v6 / (2.0 * v4))
+    v3 = radii_along(xp, 'radii_to', d, h, s, E_star, dgamma) * (1.5019752682686114 * s)
+    return stable(xp, f3, d, v3)
+
+
+def radius_from_force(xp, F, h, s, E_star, dgamma):
+
+    def f3(v4):
+        v15 = normal_slope(xp, v4, h, s) - 3.0 * retraction(xp, v4, E_star, dgamma) / (2.0 * v4)
+        v7 = normal_force(xp, v4, h, s, E_star) - pull(xp, v4, E_star, dgamma)
+        return (v7, 2.0 * E_star * v4 * v15)
+    v3 = radii_along(xp, 'radii_to', F, h, s, E_star, dgamma) * (1.5019752682686114 * s)
+    return stable(xp, f3, F, v3)

@@ -1,248 +1,47 @@
 """Formulas of axicontact.adhesive.hyperboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.hyperboloid import depth as normal_depth
+from ...._programs.expressions.normal.hyperboloid import displacement as normal_displacement
+from ...._programs.expressions.normal.hyperboloid import force as normal_force
+from ...._programs.expressions.normal.hyperboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.hyperboloid import slope as normal_slope
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, theta, b, E_star, dgamma):
-    v0 = xp.tan(theta)
-    v1 = v0 * a
-    v2 = a / b
-    v3 = xp.arctan(v2)
-    v4 = v1 * v3
-    v5 = xp.sqrt(a)
-    v6 = 6.283185307179586 * dgamma
-    v7 = v6 / E_star
-    v8 = xp.sqrt(v7)
-    v9 = v5 * v8
-    v10 = v4 - v9
-    return v10
-
-
-def displacement(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = r > a
-    v2 = xp.where(v1, r, 2.0 * a)
-    v3 = v2 - a
-    v4 = xp.maximum(v3, 0.0)
-    v5 = v2 + a
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = a / v7
-    v9 = v2 * v2
-    v10 = b * b
-    v11 = v9 + v10
-    v12 = xp.sqrt(v11)
-    v13 = b / v12
-    v14 = v8 / v13
-    v15 = xp.arcsinh(v14)
-    v16 = nodes * v15
-    v17 = xp.tan(theta)
-    v18 = -v16
-    v19 = xp.exp(v18)
-    v20 = v15 - v16
-    v21 = (-2.0) * v20
-    v22 = xp.expm1(v21)
-    v23 = 0.0 - v22
-    v24 = v19 * v23
-    v25 = (-2.0) * v15
-    v26 = xp.expm1(v25)
-    v27 = 0.0 - v26
-    v28 = v27 > 0.0
-    v29 = xp.where(v28, v27, xp.inf)
-    v30 = v24 / v29
-    v31 = v8 * v30
-    v32 = v2 * v31
-    v33 = v31 * v31
-    v34 = 1.0 + v33
-    v35 = xp.sqrt(v34)
-    v36 = v32 / v35
-    v37 = v36 / b
-    v38 = xp.arctan(v37)
-    v39 = v17 * v38
-    v40 = b * v17
-    v41 = v40 * v36
-    v42 = v36 ** 2.0
-    v43 = b ** 2.0
-    v44 = v42 + v43
-    v45 = v41 / v44
-    v46 = v39 + v45
-    v47 = xp.arctan(v31)
-    v48 = v46 * v47
-    v49 = v13 * v13
-    v50 = v49 + v33
-    v51 = xp.sqrt(v50)
-    v52 = v35 * v35
-    v53 = v52 * v35
-    v54 = v51 / v53
-    v55 = v48 * v54
-    v56 = v15 * xp.sum(weights * v55, axis=0)
-    v57 = v2 * v56
-    v58 = 0.6366197723675814 * v57
-    v59 = xp.where(v1, 0.5 * a, r)
-    v60 = xp.tan(theta)
-    v61 = v60 * a
-    v62 = a / b
-    v63 = xp.arctan(v62)
-    v64 = v61 * v63
-    v65 = v59 ** 2.0
-    v66 = v60 * v65
-    v67 = b ** 2.0
-    v68 = v65 + v67
-    v69 = xp.sqrt(v68)
-    v70 = v69 + b
-    v71 = v66 / v70
-    v72 = v64 - v71
-    v73 = xp.where(v1, v58, v72)
-    v74 = xp.sqrt(a)
-    v75 = 6.283185307179586 * dgamma
-    v76 = v75 / E_star
-    v77 = xp.sqrt(v76)
-    v78 = v74 * v77
-    v79 = xp.where(v1, r, 2.0 * a)
-    v80 = v79 - a
-    v81 = xp.maximum(v80, 0.0)
-    v82 = v79 + a
-    v83 = v81 * v82
-    v84 = xp.sqrt(v83)
-    v85 = xp.arctan2(a, v84)
-    v86 = 0.6366197723675814 * v85
-    v87 = xp.where(v1, 0.5 * a, r)
-    v88 = xp.where(v1, v86, 1.0)
-    v89 = v78 * v88
-    v90 = v73 - v89
-    return v90
+    return normal_depth(xp, a, theta, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, theta, b, E_star, dgamma):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = a ** 2.0
-    v3 = xp.arctan2(a, b)
-    v4 = v2 * v3
-    v5 = b ** 2.0
-    v6 = a / b
-    v7 = v6 < 1.0
-    v8 = xp.where(v7, v6, 0.5 * 1.0)
-    v9 = xp.minimum(v8, 1.0)
-    v10 = v9 * v9
-    v11 = v9 * v10
-    v12 = 2.229767813968649e-06 * v10
-    v13 = v12 + 0.0021043873129700233
-    v14 = v13 * v10
-    v15 = v14 + 0.04325113828415611
-    v16 = v15 * v10
-    v17 = v16 + 0.2725778671008127
-    v18 = v17 * v10
-    v19 = v18 + 0.7123414383945195
-    v20 = v19 * v10
-    v21 = v20 + 0.8116412201960678
-    v22 = v21 * v10
-    v23 = v22 + 0.3333333333333333
-    v24 = 0.002445452808893491 * v10
-    v25 = v24 + 0.06453295925870227
-    v26 = v25 * v10
-    v27 = v26 + 0.5368820963772863
-    v28 = v27 * v10
-    v29 = v28 + 1.9680296155712274
-    v30 = v29 * v10
-    v31 = v30 + 3.5294070829658954
-    v32 = v31 * v10
-    v33 = v32 + 3.034923660588189
-    v34 = v33 * v10
-    v35 = v34 + 1.0
-    v36 = v23 / v35
-    v37 = v11 * v36
-    v38 = xp.where(v7, 2.0 * 1.0, v6)
-    v39 = xp.arctan(v38)
-    v40 = v38 - v39
-    v41 = xp.where(v7, v37, v40)
-    v42 = v5 * v41
-    v43 = v4 + v42
-    v44 = v1 * v43
-    v45 = 2.0 * E_star
-    v46 = v45 * a
-    v47 = xp.sqrt(a)
-    v48 = 6.283185307179586 * dgamma
-    v49 = v48 / E_star
-    v50 = xp.sqrt(v49)
-    v51 = v47 * v50
-    v52 = v46 * v51
-    v53 = v44 - v52
-    return v53
+    return normal_force(xp, a, theta, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = E_star / 3.141592653589793
-    v4 = a - v2
-    v5 = xp.maximum(v4, 0.0)
-    v6 = a + v2
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v2 * v2
-    v10 = b * b
-    v11 = v9 + v10
-    v12 = xp.sqrt(v11)
-    v13 = v8 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = xp.tan(theta)
-    v17 = -v15
-    v18 = xp.exp(v17)
-    v19 = v14 - v15
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v14
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v8 * v29
-    v31 = v30 * v30
-    v32 = v9 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v33 / b
-    v35 = xp.arctan(v34)
-    v36 = v16 * v35
-    v37 = b * v16
-    v38 = v37 * v33
-    v39 = v33 ** 2.0
-    v40 = b ** 2.0
-    v41 = v39 + v40
-    v42 = v38 / v41
-    v43 = v36 + v42
-    v44 = v43 / v33
-    v45 = v12 * v12
-    v46 = v45 + v31
-    v47 = xp.sqrt(v46)
-    v48 = v44 * v47
-    v49 = v14 * xp.sum(weights * v48, axis=0)
-    v50 = v3 * v49
-    v51 = xp.where(v1, 2.0 * a, r)
-    v52 = xp.where(v1, v50, 0.0)
-    v53 = r <= a
-    v54 = xp.where(v53, r, 0.5 * a)
-    v55 = xp.sqrt(a)
-    v56 = 6.283185307179586 * dgamma
-    v57 = v56 / E_star
-    v58 = xp.sqrt(v57)
-    v59 = v55 * v58
-    v60 = v59 > 0.0
-    v61 = E_star * v59
-    v62 = a - v54
-    v63 = xp.maximum(v62, 0.0)
-    v64 = a + v54
-    v65 = v63 * v64
-    v66 = xp.sqrt(v65)
-    v67 = 3.141592653589793 * v66
-    v68 = v61 / v67
-    v69 = xp.where(v60, v68, 0.0)
-    v70 = xp.where(v53, 2.0 * a, r)
-    v71 = xp.where(v53, v69, 0.0)
-    v72 = v52 - v71
-    return v72
+    return normal_pressure(xp, r, a, theta, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, theta, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, theta, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def radius_from_depth(xp, d, theta, b, E_star, dgamma):
+
+    def f1(v2):
+        v4 = retraction(xp, v2, E_star, dgamma)
+        v9 = normal_slope(xp, v2, theta, b) - v4 / (2.0 * v2)
+        return (normal_depth(xp, v2, theta, b) - v4, v9)
+    return stable(xp, f1, d, radii_along(xp, 'decades', d, theta, b, E_star, dgamma))
+
+
+def radius_from_force(xp, F, theta, b, E_star, dgamma):
+
+    def f1(v2):
+        v13 = normal_slope(xp, v2, theta, b) - 3.0 * retraction(xp, v2, E_star, dgamma) / (2.0 * v2)
+        v5 = normal_force(xp, v2, theta, b, E_star) - pull(xp, v2, E_star, dgamma)
+        return (v5, 2.0 * E_star * v2 * v13)
+    return stable(xp, f1, F, radii_along(xp, 'decades', F, theta, b, E_star, dgamma))

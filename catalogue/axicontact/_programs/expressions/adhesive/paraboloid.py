@@ -1,396 +1,76 @@
 """Formulas of axicontact.adhesive.paraboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import growth
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.paraboloid import displacement as normal_displacement
+from ...._programs.expressions.normal.paraboloid import force as normal_force
+from ...._programs.expressions.normal.paraboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.paraboloid import radius_from_force as normal_radius_from_force
 
 
 def depth(xp, a, R, E_star, dgamma):
-    v0 = a ** 2.0
-    v1 = v0 / R
-    v2 = xp.sqrt(a)
-    v3 = 6.283185307179586 * dgamma
-    v4 = v3 / E_star
-    v5 = xp.sqrt(v4)
-    v6 = v2 * v5
-    v7 = v1 - v6
-    return v7
-
-
-def displacement(xp, r, a, R, E_star, dgamma):
-    v0 = r > a
-    v1 = xp.where(v0, r, 2.0 * a)
-    v2 = a ** 2.0
-    v3 = 2.0 * v2
-    v4 = 3.141592653589793 * R
-    v5 = v3 / v4
-    v6 = a / v1
-    v7 = v1 - a
-    v8 = v1 + a
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = v1 + v10
-    v12 = a / v11
-    v13 = v12 * v12
-    v14 = (-0.7327347664453868) * v13
-    v15 = v14 + (-32.15553480435792)
-    v16 = v15 * v13
-    v17 = v16 + (-332.23363563146734)
-    v18 = v17 * v13
-    v19 = v18 + (-1070.7082873491413)
-    v20 = v19 * v13
-    v21 = v20 + (-85.27694715374247)
-    v22 = v21 * v13
-    v23 = v22 + 5044.821368830373
-    v24 = v23 * v13
-    v25 = v24 + 8082.413158212496
-    v26 = v25 * v13
-    v27 = v26 + 3759.725330928701
-    v28 = v27 * v13
-    v29 = v28 + 0.26666666666720995
-    v30 = 0.21387262524856868 * v13
-    v31 = v30 + 32.12935731379798
-    v32 = v31 * v13
-    v33 = v32 + 746.8124983579742
-    v34 = v33 * v13
-    v35 = v34 + 6202.125133759036
-    v36 = v35 * v13
-    v37 = v36 + 23553.080984642995
-    v38 = v37 * v13
-    v39 = v38 + 44404.005348491315
-    v40 = v39 * v13
-    v41 = v40 + 40380.01430284195
-    v42 = v41 * v13
-    v43 = v42 + 14099.684276696918
-    v44 = v43 * v13
-    v45 = v44 + 1.0
-    v46 = v29 / v45
-    v47 = v13 * v46
-    v48 = 0.6666666666666666 + v47
-    v49 = v6 * v48
-    v50 = v5 * v49
-    v51 = xp.where(v0, 0.5 * a, r)
-    v52 = a ** 2.0
-    v53 = v52 / R
-    v54 = v51 ** 2.0
-    v55 = 2.0 * R
-    v56 = v54 / v55
-    v57 = v53 - v56
-    v58 = xp.where(v0, v50, v57)
-    v59 = xp.sqrt(a)
-    v60 = 6.283185307179586 * dgamma
-    v61 = v60 / E_star
-    v62 = xp.sqrt(v61)
-    v63 = v59 * v62
-    v64 = xp.where(v0, r, 2.0 * a)
-    v65 = v64 - a
-    v66 = xp.maximum(v65, 0.0)
-    v67 = v64 + a
-    v68 = v66 * v67
-    v69 = xp.sqrt(v68)
-    v70 = xp.arctan2(a, v69)
-    v71 = 0.6366197723675814 * v70
-    v72 = xp.where(v0, 0.5 * a, r)
-    v73 = xp.where(v0, v71, 1.0)
-    v74 = v63 * v73
-    v75 = v58 - v74
-    return v75
+    return a ** 2.0 / R - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R, E_star, dgamma):
-    v0 = 4.0 * E_star
-    v1 = 3.0 * R
-    v2 = v0 / v1
-    v3 = a ** 2.0
-    v4 = a * v3
-    v5 = v2 * v4
-    v6 = 2.0 * E_star
-    v7 = v6 * a
-    v8 = xp.sqrt(a)
-    v9 = 6.283185307179586 * dgamma
-    v10 = v9 / E_star
-    v11 = xp.sqrt(v10)
-    v12 = v8 * v11
-    v13 = v7 * v12
-    v14 = v5 - v13
-    return v14
+    return normal_force(xp, a, R, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R, E_star, dgamma):
-    v0 = r < a
-    v1 = xp.where(v0, r, 0.5 * a)
-    v2 = 2.0 * E_star
-    v3 = 3.141592653589793 * R
-    v4 = v2 / v3
-    v5 = a - v1
-    v6 = a + v1
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v4 * v8
-    v10 = xp.where(v0, 2.0 * a, r)
-    v11 = xp.where(v0, v9, 0.0)
-    v12 = r <= a
-    v13 = xp.where(v12, r, 0.5 * a)
-    v14 = xp.sqrt(a)
-    v15 = 6.283185307179586 * dgamma
-    v16 = v15 / E_star
-    v17 = xp.sqrt(v16)
-    v18 = v14 * v17
-    v19 = v18 > 0.0
-    v20 = E_star * v18
-    v21 = a - v13
-    v22 = xp.maximum(v21, 0.0)
-    v23 = a + v13
-    v24 = v22 * v23
-    v25 = xp.sqrt(v24)
-    v26 = 3.141592653589793 * v25
-    v27 = v20 / v26
-    v28 = xp.where(v19, v27, 0.0)
-    v29 = xp.where(v12, 2.0 * a, r)
-    v30 = xp.where(v12, v28, 0.0)
-    v31 = v11 - v30
-    return v31
+    return normal_pressure(xp, r, a, R, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R, E_star, dgamma):
+    return normal_displacement(xp, r, a, R) - lift(xp, r, a, E_star, dgamma)
 
 
 def radius_from_depth(xp, d, R, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, d, R, E_star, dgamma)
     v1 = dgamma > 0.0
-    v2 = R ** 2.0
-    v3 = 3.141592653589793 * v2
-    v4 = v3 * dgamma
-    v5 = 8.0 * E_star
-    v6 = v4 / v5
-    v7 = xp.cbrt(v6)
-    v8 = xp.where(v1, v7, 0.0)
-    v9 = v8 ** 2.0
-    v10 = v9 / R
-    v11 = v10 * (-3.0)
-    v12 = v11 < 0.0
-    v13 = xp.where(v12, v11, (-1.0))
-    v14 = d / v13
-    v15 = 1.0 - v14
-    v16 = xp.where(v12, v15, xp.inf)
-    v17 = xp.absolute(v16)
-    v18 = v17 < 1e-15
-    v19 = xp.where(v18, v17, 0.5 * 1e-15)
-    v20 = xp.where(v18, 2.0 * 1e-15, v17)
-    v21 = xp.where(v18, 0.0, v16)
-    v22 = v21 < 0.0
-    v23 = xp.isfinite(v21)
-    v24 = v21 == 0.0
-    v25 = v21 > 0.0
-    v26 = xp.where(v25, v21, 1.0)
-    v27 = v26 * 4.0
-    v28 = v27 < 1.0
-    v29 = xp.where(v28, v27, 0.5 * 1.0)
-    v30 = 2.0 * v26
-    v31 = v30 / 4.0
-    v32 = xp.sqrt(v31)
-    v33 = xp.where(v28, 2.0 * 1.0, v27)
-    v34 = 3.0 * v26
-    v35 = v34 + 0.0
-    v36 = xp.log1p(v35)
-    v37 = v36 / 4.0
-    v38 = xp.expm1(v37)
-    v39 = 4.0 * v38
-    v40 = v34 + v39
-    v41 = xp.log1p(v40)
-    v42 = v41 / 4.0
-    v43 = xp.expm1(v42)
-    v44 = 4.0 * v43
-    v45 = v34 + v44
-    v46 = xp.log1p(v45)
-    v47 = v46 / 4.0
-    v48 = xp.expm1(v47)
-    v49 = xp.where(v28, v32, v48)
-    v50 = xp.where(v26 > 0.0, v26, 1.0)
-    v51 = xp.minimum(v49, xp.inf)
-    for _ in range(6):
-        v53 = xp.minimum(v51, 4.0)
-        v54 = v53 * 4.0
-        v55 = v54 < 4.0
-        v56 = xp.where(v55, v54, 0.5 * 4.0)
-        v57 = xp.minimum(v51, 2.0)
-        v58 = 4.0 * v57
-        v59 = v58 * v57
-        v60 = nodes * 1.0
-        v61 = 1.0 - v60
-        v62 = v57 * v60
-        v63 = xp.log1p(v62)
-        v64 = 2.0 * v63
-        v65 = xp.exp(v64)
-        v66 = v61 * v65
-        v67 = 1.0 * xp.sum(weights * v66, axis=0)
-        v68 = v59 * v67
-        v69 = xp.where(v55, 2.0 * 4.0, v54)
-        v70 = 1.0 + v51
-        v71 = v51 > 1.0
-        v72 = xp.log1p(v51)
-        v73 = 3.0 * v72
-        v74 = v73 > 1.0
-        v75 = v71 & v74
-        v76 = v70 ** 2.0
-        v77 = v70 * v76
-        v78 = v77 - 1.0
-        v79 = xp.expm1(v73)
-        v80 = xp.where(v75, v78, v79)
-        v81 = 4.0 * v80
-        v82 = v81 / 3.0
-        v83 = v70 * v82
-        v84 = v83 / 4.0
-        v85 = v84 - v51
-        v86 = xp.where(v55, v68, v85)
-        v87 = v51 > 1.0
-        v88 = xp.log1p(v51)
-        v89 = 3.0 * v88
-        v90 = v89 > 1.0
-        v91 = v87 & v90
-        v92 = 1.0 + v51
-        v93 = v92 ** 2.0
-        v94 = v92 * v93
-        v95 = v94 - 1.0
-        v96 = xp.expm1(v89)
-        v97 = xp.where(v91, v95, v96)
-        v98 = 4.0 * v97
-        v99 = v98 / 3.0
-        v100 = v51 * v99
-        v101 = v100 / v86
-        v102 = xp.log(v50 / v86)
-        v103 = v102 / 2.0
-        v104 = v102 / 4.0
-        v105 = xp.minimum(xp.maximum(v102 / v101, xp.minimum(v103, v104)), xp.maximum(v103, v104))
-        v106 = xp.where(v86 < xp.inf, v105, 0.0)
-        v51 = xp.minimum(v51 * xp.exp(v106), xp.inf)
-    v108 = xp.where(v26 > 0.0, v51, 0.0 * v26)
-    v109 = xp.where(v24, 0.0, v108)
-    v110 = 1.0 + v109
-    v111 = v110 ** 2.0
-    v112 = v8 * v111
-    v113 = d >= 0.0
-    v114 = xp.maximum(d, 0.0)
-    v115 = R * v114
-    v116 = xp.sqrt(v115)
-    v117 = xp.where(v113, v116, xp.nan)
-    v118 = xp.where(v23, v112, v117)
-    v119 = xp.where(v22, xp.nan, v118)
-    return v119
+    v8 = xp.cbrt(3.141592653589793 * R ** 2.0 * xp.where(v1, dgamma, 1.0) / (8.0 * E_star))
+    v9 = xp.where(v1, v8, 0.0)
+    v12 = v9 ** 2.0 / R * -3.0
+    v13 = v12 < 0.0
+    v14 = xp.where(v13, 1.0, v12)
+    v18 = xp.where(v13, 1.0, v12)
+    v19 = xp.where(v13, 1.0 - d / xp.where(v13, v12, -1.0), xp.inf)
+    v20 = xp.absolute(v19)
+    v21 = v20 < 1e-15
+    v22 = xp.where(v21, v20, 0.5 * 1e-15)
+    v23 = xp.where(v21, 2.0 * 1e-15, v20)
+    v24 = xp.where(v21, 0.0, v19)
+    v25 = v24 < 0.0
+    v26 = xp.where(v25, 1.0, v24)
+    v29 = v26 > 0.0
+    v33 = xp.where(v26 == 0.0, 0.0, growth(xp, xp.where(v29, xp.where(v29, v26, 1.0), 1.0), 4.0))
+    v37 = d >= 0.0
+    v40 = R * xp.maximum(xp.where(v37, d, 1.0), 0.0)
+    v41 = v40 > 0.0
+    v45 = xp.where(v37, xp.where(v41, xp.sqrt(xp.where(v41, v40, 1.0)), 0.0), xp.nan)
+    return xp.where(v25, xp.nan, xp.where(xp.isfinite(v26), v9 * (1.0 + v33) ** 2.0, v45))
 
 
 def radius_from_force(xp, F, R, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, F, R, E_star, dgamma)
-    v1 = 4.0 * E_star
-    v2 = 3.0 * R
-    v3 = v1 / v2
-    v4 = dgamma > 0.0
-    v5 = R ** 2.0
-    v6 = 28.274333882308138 * v5
-    v7 = v6 * dgamma
-    v8 = 8.0 * E_star
-    v9 = v7 / v8
-    v10 = xp.cbrt(v9)
-    v11 = xp.where(v4, v10, 0.0)
-    v12 = v11 ** 2.0
-    v13 = v11 * v12
-    v14 = v3 * v13
-    v15 = v14 * (-1.0)
-    v16 = v15 < 0.0
-    v17 = xp.where(v16, v15, (-1.0))
-    v18 = F / v17
-    v19 = 1.0 - v18
-    v20 = xp.where(v16, v19, xp.inf)
-    v21 = xp.absolute(v20)
-    v22 = v21 < 1e-15
-    v23 = xp.where(v22, v21, 0.5 * 1e-15)
-    v24 = xp.where(v22, 2.0 * 1e-15, v21)
-    v25 = xp.where(v22, 0.0, v20)
-    v26 = v25 < 0.0
-    v27 = xp.isfinite(v25)
-    v28 = v25 == 0.0
-    v29 = v25 > 0.0
-    v30 = xp.where(v29, v25, 1.0)
-    v31 = v30 * 2.0
-    v32 = v31 < 1.0
-    v33 = xp.where(v32, v31, 0.5 * 1.0)
-    v34 = 2.0 * v30
-    v35 = v34 / 2.0
-    v36 = xp.sqrt(v35)
-    v37 = xp.where(v32, 2.0 * 1.0, v31)
-    v38 = v30 + 0.0
-    v39 = xp.log1p(v38)
-    v40 = v39 / 2.0
-    v41 = xp.expm1(v40)
-    v42 = 2.0 * v41
-    v43 = v30 + v42
-    v44 = xp.log1p(v43)
-    v45 = v44 / 2.0
-    v46 = xp.expm1(v45)
-    v47 = 2.0 * v46
-    v48 = v30 + v47
-    v49 = xp.log1p(v48)
-    v50 = v49 / 2.0
-    v51 = xp.expm1(v50)
-    v52 = xp.where(v32, v36, v51)
-    v53 = xp.where(v30 > 0.0, v30, 1.0)
-    v54 = xp.minimum(v52, xp.inf)
-    for _ in range(6):
-        v56 = xp.minimum(v54, 4.0)
-        v57 = v56 * 2.0
-        v58 = v57 < 4.0
-        v59 = xp.where(v58, v57, 0.5 * 4.0)
-        v60 = xp.minimum(v54, 2.0)
-        v61 = 2.0 * v60
-        v62 = v61 * v60
-        v63 = nodes * 1.0
-        v64 = 1.0 - v63
-        v65 = v60 * v63
-        v66 = xp.log1p(v65)
-        v67 = 0.0 * v66
-        v68 = xp.exp(v67)
-        v69 = v64 * v68
-        v70 = 1.0 * xp.sum(weights * v69, axis=0)
-        v71 = v62 * v70
-        v72 = xp.where(v58, 2.0 * 4.0, v57)
-        v73 = 1.0 + v54
-        v74 = v54 > 1.0
-        v75 = xp.log1p(v54)
-        v76 = v75 > 1.0
-        v77 = v74 & v76
-        v78 = v73 ** 1.0
-        v79 = v78 - 1.0
-        v80 = xp.expm1(v75)
-        v81 = xp.where(v77, v79, v80)
-        v82 = 2.0 * v81
-        v83 = v73 * v82
-        v84 = v83 / 2.0
-        v85 = v84 - v54
-        v86 = xp.where(v58, v71, v85)
-        v87 = v54 > 1.0
-        v88 = xp.log1p(v54)
-        v89 = v88 > 1.0
-        v90 = v87 & v89
-        v91 = 1.0 + v54
-        v92 = v91 ** 1.0
-        v93 = v92 - 1.0
-        v94 = xp.expm1(v88)
-        v95 = xp.where(v90, v93, v94)
-        v96 = 2.0 * v95
-        v97 = v54 * v96
-        v98 = v97 / v86
-        v99 = xp.log(v53 / v86)
-        v100 = v99 / 2.0
-        v101 = v99 / 2.0
-        v102 = xp.minimum(xp.maximum(v99 / v98, xp.minimum(v100, v101)), xp.maximum(v100, v101))
-        v103 = xp.where(v86 < xp.inf, v102, 0.0)
-        v54 = xp.minimum(v54 * xp.exp(v103), xp.inf)
-    v105 = xp.where(v30 > 0.0, v54, 0.0 * v30)
-    v106 = xp.where(v28, 0.0, v105)
-    v107 = 1.0 + v106
-    v108 = v107 ** 0.6666666666666666
-    v109 = v11 * v108
-    v110 = F >= 0.0
-    v111 = v2 / v1
-    v112 = xp.maximum(F, 0.0)
-    v113 = v111 * v112
-    v114 = xp.cbrt(v113)
-    v115 = xp.where(v110, v114, xp.nan)
-    v116 = xp.where(v27, v109, v115)
-    v117 = xp.where(v26, xp.nan, v116)
-    return v117
+    v1 = dgamma > 0.0
+    v8 = xp.cbrt(28.274333882308138 * R ** 2.0 * xp.where(v1, dgamma, 1.0) / (8.0 * E_star))
+    v9 = xp.where(v1, v8, 0.0)
+    v11 = normal_force(xp, v9, R, E_star) * -1.0
+    v12 = v11 < 0.0
+    v13 = xp.where(v12, 1.0, v11)
+    v17 = xp.where(v12, 1.0, v11)
+    v18 = xp.where(v12, 1.0 - F / xp.where(v12, v11, -1.0), xp.inf)
+    v19 = xp.absolute(v18)
+    v20 = v19 < 1e-15
+    v21 = xp.where(v20, v19, 0.5 * 1e-15)
+    v22 = xp.where(v20, 2.0 * 1e-15, v19)
+    v23 = xp.where(v20, 0.0, v18)
+    v24 = v23 < 0.0
+    v25 = xp.where(v24, 1.0, v23)
+    v28 = v25 > 0.0
+    v32 = xp.where(v25 == 0.0, 0.0, growth(xp, xp.where(v28, xp.where(v28, v25, 1.0), 1.0), 2.0))
+    v36 = F >= 0.0
+    v39 = normal_radius_from_force(xp, xp.maximum(xp.where(v36, F, 1.0), 0.0), R, E_star)
+    v35 = v9 * (1.0 + v32) ** 0.6666666666666666
+    return xp.where(v24, xp.nan, xp.where(xp.isfinite(v25), v35, xp.where(v36, v39, xp.nan)))

@@ -1,478 +1,89 @@
 """Formulas of axicontact.adhesive.quartic over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import growth
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.quartic import depth as normal_depth
+from ...._programs.expressions.normal.quartic import displacement as normal_displacement
+from ...._programs.expressions.normal.quartic import force as normal_force
+from ...._programs.expressions.normal.quartic import pressure as normal_pressure
+from ...._programs.expressions.normal.quartic import radius_from_depth as normal_radius_from_depth
+from ...._programs.expressions.normal.quartic import radius_from_force as normal_radius_from_force
 
 
 def depth(xp, a, A, E_star, dgamma):
-    v0 = 8.0 * A
-    v1 = v0 / 3.0
-    v2 = a ** 2.0
-    v3 = v2 ** 2.0
-    v4 = v1 * v3
-    v5 = xp.sqrt(a)
-    v6 = 6.283185307179586 * dgamma
-    v7 = v6 / E_star
-    v8 = xp.sqrt(v7)
-    v9 = v5 * v8
-    v10 = v4 - v9
-    return v10
-
-
-def displacement(xp, r, a, A, E_star, dgamma):
-    v0 = r > a
-    v1 = xp.where(v0, r, 2.0 * a)
-    v2 = 16.0 * A
-    v3 = v2 / 9.42477796076938
-    v4 = a ** 2.0
-    v5 = v4 ** 2.0
-    v6 = v3 * v5
-    v7 = a / v1
-    v8 = v1 - a
-    v9 = v1 + a
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v1 + v11
-    v13 = a / v12
-    v14 = v13 * v13
-    v15 = (-4.320959889429597) * v14
-    v16 = v15 + (-106.53004831006083)
-    v17 = v16 * v14
-    v18 = v17 + (-683.6776777243583)
-    v19 = v18 * v14
-    v20 = v19 + (-1307.862063615897)
-    v21 = v20 * v14
-    v22 = v21 + 1123.6903304493044
-    v23 = v22 * v14
-    v24 = v23 + 6598.931700123421
-    v25 = v24 * v14
-    v26 = v25 + 7450.127483097781
-    v27 = v26 * v14
-    v28 = v27 + 2696.481329529376
-    v29 = v28 * v14
-    v30 = v29 + 0.3809523809520408
-    v31 = (-0.06548708381580395) * v14
-    v32 = v31 + 10.743349921788495
-    v33 = v32 * v14
-    v34 = v33 + 655.5477291446655
-    v35 = v34 * v14
-    v36 = v35 + 5580.132341984832
-    v37 = v36 * v14
-    v38 = v37 + 18919.75045798054
-    v39 = v38 * v14
-    v40 = v39 + 30703.596314182465
-    v41 = v40 * v14
-    v42 = v41 + 23803.775464413437
-    v43 = v42 * v14
-    v44 = v43 + 7078.863490014608
-    v45 = v44 * v14
-    v46 = v45 + 1.0
-    v47 = v30 / v46
-    v48 = v14 * v47
-    v49 = 0.8 + v48
-    v50 = v7 * v49
-    v51 = v6 * v50
-    v52 = xp.where(v0, 0.5 * a, r)
-    v53 = 8.0 * A
-    v54 = v53 / 3.0
-    v55 = a ** 2.0
-    v56 = v55 ** 2.0
-    v57 = v54 * v56
-    v58 = v52 ** 2.0
-    v59 = v58 ** 2.0
-    v60 = A * v59
-    v61 = v57 - v60
-    v62 = xp.where(v0, v51, v61)
-    v63 = xp.sqrt(a)
-    v64 = 6.283185307179586 * dgamma
-    v65 = v64 / E_star
-    v66 = xp.sqrt(v65)
-    v67 = v63 * v66
-    v68 = xp.where(v0, r, 2.0 * a)
-    v69 = v68 - a
-    v70 = xp.maximum(v69, 0.0)
-    v71 = v68 + a
-    v72 = v70 * v71
-    v73 = xp.sqrt(v72)
-    v74 = xp.arctan2(a, v73)
-    v75 = 0.6366197723675814 * v74
-    v76 = xp.where(v0, 0.5 * a, r)
-    v77 = xp.where(v0, v75, 1.0)
-    v78 = v67 * v77
-    v79 = v62 - v78
-    return v79
+    return normal_depth(xp, a, A) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, A, E_star, dgamma):
-    v0 = 64.0 * E_star
-    v1 = v0 * A
-    v2 = v1 / 15.0
-    v3 = a ** 5.0
-    v4 = v2 * v3
-    v5 = 2.0 * E_star
-    v6 = v5 * a
-    v7 = xp.sqrt(a)
-    v8 = 6.283185307179586 * dgamma
-    v9 = v8 / E_star
-    v10 = xp.sqrt(v9)
-    v11 = v7 * v10
-    v12 = v6 * v11
-    v13 = v4 - v12
-    return v13
+    return normal_force(xp, a, A, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, A, E_star, dgamma):
-    v0 = r < a
-    v1 = xp.where(v0, r, 0.5 * a)
-    v2 = 32.0 * E_star
-    v3 = v2 * A
-    v4 = v3 / 28.274333882308138
-    v5 = a ** 2.0
-    v6 = v1 ** 2.0
-    v7 = 2.0 * v6
-    v8 = v5 + v7
-    v9 = v4 * v8
-    v10 = a - v1
-    v11 = a + v1
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v9 * v13
-    v15 = xp.where(v0, 2.0 * a, r)
-    v16 = xp.where(v0, v14, 0.0)
-    v17 = r <= a
-    v18 = xp.where(v17, r, 0.5 * a)
-    v19 = xp.sqrt(a)
-    v20 = 6.283185307179586 * dgamma
-    v21 = v20 / E_star
-    v22 = xp.sqrt(v21)
-    v23 = v19 * v22
-    v24 = v23 > 0.0
-    v25 = E_star * v23
-    v26 = a - v18
-    v27 = xp.maximum(v26, 0.0)
-    v28 = a + v18
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = 3.141592653589793 * v30
-    v32 = v25 / v31
-    v33 = xp.where(v24, v32, 0.0)
-    v34 = xp.where(v17, 2.0 * a, r)
-    v35 = xp.where(v17, v33, 0.0)
-    v36 = v16 - v35
-    return v36
+    return normal_pressure(xp, r, a, A, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, A, E_star, dgamma):
+    return normal_displacement(xp, r, a, A) - lift(xp, r, a, E_star, dgamma)
 
 
 def radius_from_depth(xp, d, A, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, d, A, E_star, dgamma)
-    v1 = 8.0 * A
-    v2 = v1 / 3.0
-    v3 = dgamma > 0.0
-    v4 = 1.0 / A
-    v5 = v4 > 0.0
-    v6 = v4 < xp.inf
-    v7 = v5 & v6
-    v8 = v4 ** 0.14285714285714285
-    v9 = v8 ** 7.0
-    v10 = v8 ** 0.0
-    v11 = v9 * v10
-    v12 = v4 / v11
-    v13 = v12 - 1.0
-    v14 = v13 / 7.0
-    v15 = v8 * v14
-    v16 = v8 + v15
-    v17 = xp.where(v7, v16, v8)
-    v18 = v17 ** 2.0
-    v19 = 28.274333882308138 * dgamma
-    v20 = 2048.0 * E_star
-    v21 = v19 / v20
-    v22 = v21 > 0.0
-    v23 = v21 < xp.inf
-    v24 = v22 & v23
-    v25 = v21 ** 0.14285714285714285
-    v26 = v25 ** 7.0
-    v27 = v25 ** 0.0
-    v28 = v26 * v27
-    v29 = v21 / v28
-    v30 = v29 - 1.0
-    v31 = v30 / 7.0
-    v32 = v25 * v31
-    v33 = v25 + v32
-    v34 = xp.where(v24, v33, v25)
-    v35 = v18 * v34
-    v36 = xp.where(v3, v35, 0.0)
-    v37 = v36 ** 2.0
-    v38 = v37 ** 2.0
-    v39 = v2 * v38
-    v40 = v39 * (-7.0)
-    v41 = v40 < 0.0
-    v42 = xp.where(v41, v40, (-1.0))
-    v43 = d / v42
-    v44 = 1.0 - v43
-    v45 = xp.where(v41, v44, xp.inf)
-    v46 = xp.absolute(v45)
-    v47 = v46 < 1e-15
-    v48 = xp.where(v47, v46, 0.5 * 1e-15)
-    v49 = xp.where(v47, 2.0 * 1e-15, v46)
-    v50 = xp.where(v47, 0.0, v45)
-    v51 = v50 < 0.0
-    v52 = xp.isfinite(v50)
-    v53 = v50 == 0.0
-    v54 = v50 > 0.0
-    v55 = xp.where(v54, v50, 1.0)
-    v56 = v55 * 8.0
-    v57 = v56 < 1.0
-    v58 = xp.where(v57, v56, 0.5 * 1.0)
-    v59 = 2.0 * v55
-    v60 = v59 / 8.0
-    v61 = xp.sqrt(v60)
-    v62 = xp.where(v57, 2.0 * 1.0, v56)
-    v63 = 7.0 * v55
-    v64 = v63 + 0.0
-    v65 = xp.log1p(v64)
-    v66 = v65 / 8.0
-    v67 = xp.expm1(v66)
-    v68 = 8.0 * v67
-    v69 = v63 + v68
-    v70 = xp.log1p(v69)
-    v71 = v70 / 8.0
-    v72 = xp.expm1(v71)
-    v73 = 8.0 * v72
-    v74 = v63 + v73
-    v75 = xp.log1p(v74)
-    v76 = v75 / 8.0
-    v77 = xp.expm1(v76)
-    v78 = xp.where(v57, v61, v77)
-    v79 = xp.where(v55 > 0.0, v55, 1.0)
-    v80 = xp.minimum(v78, xp.inf)
-    for _ in range(6):
-        v82 = xp.minimum(v80, 4.0)
-        v83 = v82 * 8.0
-        v84 = v83 < 4.0
-        v85 = xp.where(v84, v83, 0.5 * 4.0)
-        v86 = xp.minimum(v80, 2.0)
-        v87 = 8.0 * v86
-        v88 = v87 * v86
-        v89 = nodes * 1.0
-        v90 = 1.0 - v89
-        v91 = v86 * v89
-        v92 = xp.log1p(v91)
-        v93 = 6.0 * v92
-        v94 = xp.exp(v93)
-        v95 = v90 * v94
-        v96 = 1.0 * xp.sum(weights * v95, axis=0)
-        v97 = v88 * v96
-        v98 = xp.where(v84, 2.0 * 4.0, v83)
-        v99 = 1.0 + v80
-        v100 = v80 > 1.0
-        v101 = xp.log1p(v80)
-        v102 = 7.0 * v101
-        v103 = v102 > 1.0
-        v104 = v100 & v103
-        v105 = v99 ** 7.0
-        v106 = v105 - 1.0
-        v107 = xp.expm1(v102)
-        v108 = xp.where(v104, v106, v107)
-        v109 = 8.0 * v108
-        v110 = v109 / 7.0
-        v111 = v99 * v110
-        v112 = v111 / 8.0
-        v113 = v112 - v80
-        v114 = xp.where(v84, v97, v113)
-        v115 = v80 > 1.0
-        v116 = xp.log1p(v80)
-        v117 = 7.0 * v116
-        v118 = v117 > 1.0
-        v119 = v115 & v118
-        v120 = 1.0 + v80
-        v121 = v120 ** 7.0
-        v122 = v121 - 1.0
-        v123 = xp.expm1(v117)
-        v124 = xp.where(v119, v122, v123)
-        v125 = 8.0 * v124
-        v126 = v125 / 7.0
-        v127 = v80 * v126
-        v128 = v127 / v114
-        v129 = xp.log(v79 / v114)
-        v130 = v129 / 2.0
-        v131 = v129 / 8.0
-        v132 = xp.minimum(xp.maximum(v129 / v128, xp.minimum(v130, v131)), xp.maximum(v130, v131))
-        v133 = xp.where(v114 < xp.inf, v132, 0.0)
-        v80 = xp.minimum(v80 * xp.exp(v133), xp.inf)
-    v135 = xp.where(v55 > 0.0, v80, 0.0 * v55)
-    v136 = xp.where(v53, 0.0, v135)
-    v137 = 1.0 + v136
-    v138 = v137 ** 2.0
-    v139 = v36 * v138
-    v140 = d >= 0.0
-    v141 = xp.maximum(d, 0.0)
-    v142 = 3.0 * v141
-    v143 = v142 / v1
-    v144 = xp.sqrt(v143)
-    v145 = xp.sqrt(v144)
-    v146 = xp.where(v140, v145, xp.nan)
-    v147 = xp.where(v52, v139, v146)
-    v148 = xp.where(v51, xp.nan, v147)
-    return v148
+    v1 = dgamma > 0.0
+    v3 = 1.0 / A
+    v7 = v3 ** 0.14285714285714285
+    v15 = v7 + v7 * ((v3 / (v7 ** 7.0 * v7 ** 0.0) - 1.0) / 7.0)
+    v20 = 28.274333882308138 * xp.where(v1, dgamma, 1.0) / (2048.0 * E_star)
+    v24 = v20 ** 0.14285714285714285
+    v32 = v24 + v24 * ((v20 / (v24 ** 7.0 * v24 ** 0.0) - 1.0) / 7.0)
+    v17 = xp.where((v3 > 0.0) & (v3 < xp.inf), v15, v7) ** 2.0
+    v35 = xp.where(v1, v17 * xp.where((v20 > 0.0) & (v20 < xp.inf), v32, v24), 0.0)
+    v37 = normal_depth(xp, v35, A) * -7.0
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v43 = xp.where(v38, 1.0, v37)
+    v44 = xp.where(v38, 1.0 - d / xp.where(v38, v37, -1.0), xp.inf)
+    v45 = xp.absolute(v44)
+    v46 = v45 < 1e-15
+    v47 = xp.where(v46, v45, 0.5 * 1e-15)
+    v48 = xp.where(v46, 2.0 * 1e-15, v45)
+    v49 = xp.where(v46, 0.0, v44)
+    v50 = v49 < 0.0
+    v51 = xp.where(v50, 1.0, v49)
+    v54 = v51 > 0.0
+    v58 = xp.where(v51 == 0.0, 0.0, growth(xp, xp.where(v54, xp.where(v54, v51, 1.0), 1.0), 8.0))
+    v62 = d >= 0.0
+    v65 = normal_radius_from_depth(xp, xp.maximum(xp.where(v62, d, 1.0), 0.0), A)
+    v67 = xp.where(xp.isfinite(v51), v35 * (1.0 + v58) ** 2.0, xp.where(v62, v65, xp.nan))
+    return xp.where(v50, xp.nan, v67)
 
 
 def radius_from_force(xp, F, A, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, F, A, E_star, dgamma)
-    v1 = 64.0 * E_star
-    v2 = v1 * A
-    v3 = v2 / 15.0
-    v4 = dgamma > 0.0
-    v5 = 1.0 / A
-    v6 = v5 > 0.0
-    v7 = v5 < xp.inf
-    v8 = v6 & v7
-    v9 = v5 ** 0.14285714285714285
-    v10 = v9 ** 7.0
-    v11 = v9 ** 0.0
-    v12 = v10 * v11
-    v13 = v5 / v12
-    v14 = v13 - 1.0
-    v15 = v14 / 7.0
-    v16 = v9 * v15
-    v17 = v9 + v16
-    v18 = xp.where(v8, v17, v9)
-    v19 = v18 ** 2.0
-    v20 = 254.46900494077323 * dgamma
-    v21 = 2048.0 * E_star
-    v22 = v20 / v21
-    v23 = v22 > 0.0
-    v24 = v22 < xp.inf
-    v25 = v23 & v24
-    v26 = v22 ** 0.14285714285714285
-    v27 = v26 ** 7.0
-    v28 = v26 ** 0.0
-    v29 = v27 * v28
-    v30 = v22 / v29
-    v31 = v30 - 1.0
-    v32 = v31 / 7.0
-    v33 = v26 * v32
-    v34 = v26 + v33
-    v35 = xp.where(v25, v34, v26)
-    v36 = v19 * v35
-    v37 = xp.where(v4, v36, 0.0)
-    v38 = v37 ** 5.0
-    v39 = v3 * v38
-    v40 = v39 * (-2.3333333333333335)
-    v41 = v40 < 0.0
-    v42 = xp.where(v41, v40, (-1.0))
-    v43 = F / v42
-    v44 = 1.0 - v43
-    v45 = xp.where(v41, v44, xp.inf)
-    v46 = xp.absolute(v45)
-    v47 = v46 < 1e-15
-    v48 = xp.where(v47, v46, 0.5 * 1e-15)
-    v49 = xp.where(v47, 2.0 * 1e-15, v46)
-    v50 = xp.where(v47, 0.0, v45)
-    v51 = v50 < 0.0
-    v52 = xp.isfinite(v50)
-    v53 = v50 == 0.0
-    v54 = v50 > 0.0
-    v55 = xp.where(v54, v50, 1.0)
-    v56 = v55 * 3.3333333333333335
-    v57 = v56 < 1.0
-    v58 = xp.where(v57, v56, 0.5 * 1.0)
-    v59 = 2.0 * v55
-    v60 = v59 / 3.3333333333333335
-    v61 = xp.sqrt(v60)
-    v62 = xp.where(v57, 2.0 * 1.0, v56)
-    v63 = 2.3333333333333335 * v55
-    v64 = v63 + 0.0
-    v65 = xp.log1p(v64)
-    v66 = v65 / 3.3333333333333335
-    v67 = xp.expm1(v66)
-    v68 = 3.3333333333333335 * v67
-    v69 = v63 + v68
-    v70 = xp.log1p(v69)
-    v71 = v70 / 3.3333333333333335
-    v72 = xp.expm1(v71)
-    v73 = 3.3333333333333335 * v72
-    v74 = v63 + v73
-    v75 = xp.log1p(v74)
-    v76 = v75 / 3.3333333333333335
-    v77 = xp.expm1(v76)
-    v78 = xp.where(v57, v61, v77)
-    v79 = xp.where(v55 > 0.0, v55, 1.0)
-    v80 = xp.minimum(v78, xp.inf)
-    for _ in range(6):
-        v82 = xp.minimum(v80, 4.0)
-        v83 = v82 * 3.3333333333333335
-        v84 = v83 < 4.0
-        v85 = xp.where(v84, v83, 0.5 * 4.0)
-        v86 = xp.minimum(v80, 2.0)
-        v87 = 3.3333333333333335 * v86
-        v88 = v87 * v86
-        v89 = nodes * 1.0
-        v90 = 1.0 - v89
-        v91 = v86 * v89
-        v92 = xp.log1p(v91)
-        v93 = 1.3333333333333335 * v92
-        v94 = xp.exp(v93)
-        v95 = v90 * v94
-        v96 = 1.0 * xp.sum(weights * v95, axis=0)
-        v97 = v88 * v96
-        v98 = xp.where(v84, 2.0 * 4.0, v83)
-        v99 = 1.0 + v80
-        v100 = v80 > 1.0
-        v101 = xp.log1p(v80)
-        v102 = 2.3333333333333335 * v101
-        v103 = v102 > 1.0
-        v104 = v100 & v103
-        v105 = v99 ** 2.3333333333333335
-        v106 = v105 - 1.0
-        v107 = xp.expm1(v102)
-        v108 = xp.where(v104, v106, v107)
-        v109 = 3.3333333333333335 * v108
-        v110 = v109 / 2.3333333333333335
-        v111 = v99 * v110
-        v112 = v111 / 3.3333333333333335
-        v113 = v112 - v80
-        v114 = xp.where(v84, v97, v113)
-        v115 = v80 > 1.0
-        v116 = xp.log1p(v80)
-        v117 = 2.3333333333333335 * v116
-        v118 = v117 > 1.0
-        v119 = v115 & v118
-        v120 = 1.0 + v80
-        v121 = v120 ** 2.3333333333333335
-        v122 = v121 - 1.0
-        v123 = xp.expm1(v117)
-        v124 = xp.where(v119, v122, v123)
-        v125 = 3.3333333333333335 * v124
-        v126 = v125 / 2.3333333333333335
-        v127 = v80 * v126
-        v128 = v127 / v114
-        v129 = xp.log(v79 / v114)
-        v130 = v129 / 2.0
-        v131 = v129 / 3.3333333333333335
-        v132 = xp.minimum(xp.maximum(v129 / v128, xp.minimum(v130, v131)), xp.maximum(v130, v131))
-        v133 = xp.where(v114 < xp.inf, v132, 0.0)
-        v80 = xp.minimum(v80 * xp.exp(v133), xp.inf)
-    v135 = xp.where(v55 > 0.0, v80, 0.0 * v55)
-    v136 = xp.where(v53, 0.0, v135)
-    v137 = 1.0 + v136
-    v138 = v137 ** 0.6666666666666666
-    v139 = v37 * v138
-    v140 = F >= 0.0
-    v141 = xp.maximum(F, 0.0)
-    v142 = 15.0 * v141
-    v143 = v142 / v2
-    v144 = v143 > 0.0
-    v145 = v143 < xp.inf
-    v146 = v144 & v145
-    v147 = v143 ** 0.2
-    v148 = v147 ** 5.0
-    v149 = v147 ** 0.0
-    v150 = v148 * v149
-    v151 = v143 / v150
-    v152 = v151 - 1.0
-    v153 = v152 / 5.0
-    v154 = v147 * v153
-    v155 = v147 + v154
-    v156 = xp.where(v146, v155, v147)
-    v157 = xp.where(v140, v156, xp.nan)
-    v158 = xp.where(v52, v139, v157)
-    v159 = xp.where(v51, xp.nan, v158)
-    return v159
+    v1 = dgamma > 0.0
+    v3 = 1.0 / A
+    v7 = v3 ** 0.14285714285714285
+    v15 = v7 + v7 * ((v3 / (v7 ** 7.0 * v7 ** 0.0) - 1.0) / 7.0)
+    v20 = 254.46900494077323 * xp.where(v1, dgamma, 1.0) / (2048.0 * E_star)
+    v24 = v20 ** 0.14285714285714285
+    v32 = v24 + v24 * ((v20 / (v24 ** 7.0 * v24 ** 0.0) - 1.0) / 7.0)
+    v17 = xp.where((v3 > 0.0) & (v3 < xp.inf), v15, v7) ** 2.0
+    v35 = xp.where(v1, v17 * xp.where((v20 > 0.0) & (v20 < xp.inf), v32, v24), 0.0)
+    v37 = normal_force(xp, v35, A, E_star) * -2.3333333333333335
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v43 = xp.where(v38, 1.0, v37)
+    v44 = xp.where(v38, 1.0 - F / xp.where(v38, v37, -1.0), xp.inf)
+    v45 = xp.absolute(v44)
+    v46 = v45 < 1e-15
+    v47 = xp.where(v46, v45, 0.5 * 1e-15)
+    v48 = xp.where(v46, 2.0 * 1e-15, v45)
+    v49 = xp.where(v46, 0.0, v44)
+    v50 = v49 < 0.0
+    v51 = xp.where(v50, 1.0, v49)
+    v54 = v51 > 0.0
+    v57 = growth(xp, xp.where(v54, xp.where(v54, v51, 1.0), 1.0), 3.3333333333333335)
+    v62 = F >= 0.0
+    v65 = normal_radius_from_force(xp, xp.maximum(xp.where(v62, F, 1.0), 0.0), A, E_star)
+    v61 = v35 * (1.0 + xp.where(v51 == 0.0, 0.0, v57)) ** 0.6666666666666666
+    return xp.where(v50, xp.nan, xp.where(xp.isfinite(v51), v61, xp.where(v62, v65, xp.nan)))

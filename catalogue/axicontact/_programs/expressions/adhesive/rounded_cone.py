@@ -1,378 +1,56 @@
 """Formulas of axicontact.adhesive.rounded_cone over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.rounded_cone import depth as normal_depth
+from ...._programs.expressions.normal.rounded_cone import displacement as normal_displacement
+from ...._programs.expressions.normal.rounded_cone import force as normal_force
+from ...._programs.expressions.normal.rounded_cone import pressure as normal_pressure
+from ...._programs.expressions.normal.rounded_cone import slope as normal_slope
+from ...._programs.expressions.normal.rounded_cone import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, theta, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = xp.tan(theta)
-    v3 = v2 / b
-    v4 = v1 ** 2.0
-    v5 = v3 * v4
-    v6 = xp.where(v0, 2.0 * b, a)
-    v7 = xp.tan(theta)
-    v8 = v7 * v6
-    v9 = v6 - b
-    v10 = v6 + b
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v12 / b
-    v14 = xp.arctan(v13)
-    v15 = v12 + v6
-    v16 = b / v15
-    v17 = v14 + v16
-    v18 = v8 * v17
-    v19 = xp.where(v0, v5, v18)
-    v20 = xp.sqrt(a)
-    v21 = 6.283185307179586 * dgamma
-    v22 = v21 / E_star
-    v23 = xp.sqrt(v22)
-    v24 = v20 * v23
-    v25 = v19 - v24
-    return v25
-
-
-def displacement(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = r > a
-    v2 = xp.where(v1, r, 2.0 * a)
-    v3 = xp.tan(theta)
-    v4 = 2.0 * v3
-    v5 = 3.141592653589793 * b
-    v6 = v4 / v5
-    v7 = xp.minimum(a, b)
-    v8 = v7 ** 2.0
-    v9 = v6 * v8
-    v10 = v7 / v2
-    v11 = v2 - v7
-    v12 = v2 + v7
-    v13 = v11 * v12
-    v14 = xp.sqrt(v13)
-    v15 = v2 + v14
-    v16 = v7 / v15
-    v17 = v16 * v16
-    v18 = (-0.7327347664453868) * v17
-    v19 = v18 + (-32.15553480435792)
-    v20 = v19 * v17
-    v21 = v20 + (-332.23363563146734)
-    v22 = v21 * v17
-    v23 = v22 + (-1070.7082873491413)
-    v24 = v23 * v17
-    v25 = v24 + (-85.27694715374247)
-    v26 = v25 * v17
-    v27 = v26 + 5044.821368830373
-    v28 = v27 * v17
-    v29 = v28 + 8082.413158212496
-    v30 = v29 * v17
-    v31 = v30 + 3759.725330928701
-    v32 = v31 * v17
-    v33 = v32 + 0.26666666666720995
-    v34 = 0.21387262524856868 * v17
-    v35 = v34 + 32.12935731379798
-    v36 = v35 * v17
-    v37 = v36 + 746.8124983579742
-    v38 = v37 * v17
-    v39 = v38 + 6202.125133759036
-    v40 = v39 * v17
-    v41 = v40 + 23553.080984642995
-    v42 = v41 * v17
-    v43 = v42 + 44404.005348491315
-    v44 = v43 * v17
-    v45 = v44 + 40380.01430284195
-    v46 = v45 * v17
-    v47 = v46 + 14099.684276696918
-    v48 = v47 * v17
-    v49 = v48 + 1.0
-    v50 = v33 / v49
-    v51 = v17 * v50
-    v52 = 0.6666666666666666 + v51
-    v53 = v10 * v52
-    v54 = v9 * v53
-    v55 = a > b
-    v56 = xp.where(v55, a, 2.0 * b)
-    v57 = v2 - b
-    v58 = xp.maximum(v57, 0.0)
-    v59 = v2 + b
-    v60 = v58 * v59
-    v61 = xp.sqrt(v60)
-    v62 = v56 - b
-    v63 = xp.maximum(v62, 0.0)
-    v64 = v56 + b
-    v65 = v63 * v64
-    v66 = xp.sqrt(v65)
-    v67 = v2 - v56
-    v68 = xp.maximum(v67, 0.0)
-    v69 = v2 + v56
-    v70 = v68 * v69
-    v71 = xp.sqrt(v70)
-    v72 = v66 / v71
-    v73 = b / v2
-    v74 = v72 / v73
-    v75 = xp.arcsinh(v74)
-    v76 = nodes * v75
-    v77 = -v76
-    v78 = xp.exp(v77)
-    v79 = v75 - v76
-    v80 = (-2.0) * v79
-    v81 = xp.expm1(v80)
-    v82 = 0.0 - v81
-    v83 = v78 * v82
-    v84 = (-2.0) * v75
-    v85 = xp.expm1(v84)
-    v86 = 0.0 - v85
-    v87 = v86 > 0.0
-    v88 = xp.where(v87, v86, xp.inf)
-    v89 = v83 / v88
-    v90 = v72 * v89
-    v91 = v61 * v90
-    v92 = v90 * v90
-    v93 = 1.0 + v92
-    v94 = xp.sqrt(v93)
-    v95 = v91 / v94
-    v96 = v95 / b
-    v97 = xp.arctan(v96)
-    v98 = 2.0 * b
-    v99 = b * b
-    v100 = v95 * v95
-    v101 = v99 + v100
-    v102 = xp.sqrt(v101)
-    v103 = v95 + v102
-    v104 = v98 / v103
-    v105 = v97 + v104
-    v106 = v3 * v105
-    v107 = v106 * v95
-    v108 = v107 / v102
-    v109 = v61 / v94
-    v110 = xp.arctan2(v102, v109)
-    v111 = v108 * v110
-    v112 = v73 * v73
-    v113 = v112 + v92
-    v114 = xp.sqrt(v113)
-    v115 = v94 * v94
-    v116 = v115 * v94
-    v117 = v114 / v116
-    v118 = v111 * v117
-    v119 = v75 * xp.sum(weights * v118, axis=0)
-    v120 = v61 * v119
-    v121 = xp.where(v55, 0.5 * b, a)
-    v122 = xp.where(v55, v120, 0.0)
-    v123 = 0.6366197723675814 * v122
-    v124 = v54 + v123
-    v125 = xp.where(v1, 0.5 * a, r)
-    v126 = a < b
-    v127 = xp.where(v126, a, 0.5 * b)
-    v128 = xp.tan(theta)
-    v129 = v128 / b
-    v130 = v127 ** 2.0
-    v131 = v129 * v130
-    v132 = xp.where(v126, 2.0 * b, a)
-    v133 = xp.tan(theta)
-    v134 = v133 * v132
-    v135 = v132 - b
-    v136 = v132 + b
-    v137 = v135 * v136
-    v138 = xp.sqrt(v137)
-    v139 = v138 / b
-    v140 = xp.arctan(v139)
-    v141 = v138 + v132
-    v142 = b / v141
-    v143 = v140 + v142
-    v144 = v134 * v143
-    v145 = xp.where(v126, v131, v144)
-    v146 = v125 < b
-    v147 = xp.where(v146, v125, 0.5 * b)
-    v148 = xp.tan(theta)
-    v149 = 2.0 * b
-    v150 = v148 / v149
-    v151 = v147 ** 2.0
-    v152 = v150 * v151
-    v153 = xp.where(v146, 2.0 * b, v125)
-    v154 = xp.tan(theta)
-    v155 = b / 2.0
-    v156 = v153 - v155
-    v157 = v154 * v156
-    v158 = xp.where(v146, v152, v157)
-    v159 = v145 - v158
-    v160 = xp.where(v1, v124, v159)
-    v161 = xp.sqrt(a)
-    v162 = 6.283185307179586 * dgamma
-    v163 = v162 / E_star
-    v164 = xp.sqrt(v163)
-    v165 = v161 * v164
-    v166 = xp.where(v1, r, 2.0 * a)
-    v167 = v166 - a
-    v168 = xp.maximum(v167, 0.0)
-    v169 = v166 + a
-    v170 = v168 * v169
-    v171 = xp.sqrt(v170)
-    v172 = xp.arctan2(a, v171)
-    v173 = 0.6366197723675814 * v172
-    v174 = xp.where(v1, 0.5 * a, r)
-    v175 = xp.where(v1, v173, 1.0)
-    v176 = v165 * v175
-    v177 = v160 - v176
-    return v177
+    return normal_depth(xp, a, theta, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, theta, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = 4.0 * E_star
-    v3 = xp.tan(theta)
-    v4 = v2 * v3
-    v5 = 3.0 * b
-    v6 = v4 / v5
-    v7 = v1 ** 2.0
-    v8 = v1 * v7
-    v9 = v6 * v8
-    v10 = xp.where(v0, 2.0 * b, a)
-    v11 = xp.tan(theta)
-    v12 = E_star * v11
-    v13 = v10 ** 2.0
-    v14 = v10 - b
-    v15 = v10 + b
-    v16 = v14 * v15
-    v17 = xp.sqrt(v16)
-    v18 = v17 / b
-    v19 = xp.arctan(v18)
-    v20 = v13 * v19
-    v21 = 4.0 * b
-    v22 = v21 * v13
-    v23 = v17 + v10
-    v24 = 3.0 * v23
-    v25 = v22 / v24
-    v26 = v20 + v25
-    v27 = b / 3.0
-    v28 = v27 * v17
-    v29 = v26 + v28
-    v30 = v12 * v29
-    v31 = xp.where(v0, v9, v30)
-    v32 = 2.0 * E_star
-    v33 = v32 * a
-    v34 = xp.sqrt(a)
-    v35 = 6.283185307179586 * dgamma
-    v36 = v35 / E_star
-    v37 = xp.sqrt(v36)
-    v38 = v34 * v37
-    v39 = v33 * v38
-    v40 = v31 - v39
-    return v40
+    return normal_force(xp, a, theta, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = xp.minimum(a, b)
-    v4 = v2 < v3
-    v5 = xp.where(v4, v2, 0.5 * v3)
-    v6 = 2.0 * E_star
-    v7 = xp.tan(theta)
-    v8 = v6 * v7
-    v9 = 3.141592653589793 * b
-    v10 = v8 / v9
-    v11 = v3 - v5
-    v12 = v3 + v5
-    v13 = v11 * v12
-    v14 = xp.sqrt(v13)
-    v15 = v10 * v14
-    v16 = xp.where(v4, 2.0 * v3, v2)
-    v17 = xp.where(v4, v15, 0.0)
-    v18 = E_star / 3.141592653589793
-    v19 = v2 == b
-    v20 = xp.nextafter(b, xp.inf)
-    v21 = xp.where(v19, v20, v2)
-    v22 = xp.maximum(v21, b)
-    v23 = a > v22
-    v24 = xp.where(v23, a, 2.0 * v22)
-    v25 = v21 < b
-    v26 = xp.where(v25, v21, 0.5 * b)
-    v27 = v24 - b
-    v28 = xp.maximum(v27, 0.0)
-    v29 = v24 + b
-    v30 = v28 * v29
-    v31 = xp.sqrt(v30)
-    v32 = xp.where(v25, 2.0 * b, v21)
-    v33 = v24 - v32
-    v34 = xp.maximum(v33, 0.0)
-    v35 = v24 + v32
-    v36 = v34 * v35
-    v37 = xp.sqrt(v36)
-    v38 = xp.where(v25, v31, v37)
-    v39 = v21 - b
-    v40 = xp.absolute(v39)
-    v41 = v21 + b
-    v42 = v40 * v41
-    v43 = xp.sqrt(v42)
-    v44 = v38 / v43
-    v45 = xp.arcsinh(v44)
-    v46 = nodes * v45
-    v47 = xp.tan(theta)
-    v48 = v24 - b
-    v49 = xp.maximum(v48, 0.0)
-    v50 = v24 + b
-    v51 = v49 * v50
-    v52 = xp.sqrt(v51)
-    v53 = -v46
-    v54 = xp.exp(v53)
-    v55 = xp.where(v25, v21, 0.5 * b)
-    v56 = xp.where(v25, 2.0 * b, v21)
-    v57 = xp.where(v25, 0.0, 1.0)
-    v58 = 2.0 * v57
-    v59 = 1.0 - v58
-    v60 = v45 - v46
-    v61 = (-2.0) * v60
-    v62 = xp.expm1(v61)
-    v63 = v59 * v62
-    v64 = v58 - v63
-    v65 = v54 * v64
-    v66 = (-2.0) * v45
-    v67 = xp.expm1(v66)
-    v68 = v59 * v67
-    v69 = v58 - v68
-    v70 = v69 > 0.0
-    v71 = xp.where(v70, v69, xp.inf)
-    v72 = v65 / v71
-    v73 = v52 * v72
-    v74 = v73 / b
-    v75 = xp.arctan(v74)
-    v76 = 2.0 * b
-    v77 = b * b
-    v78 = v73 * v73
-    v79 = v77 + v78
-    v80 = xp.sqrt(v79)
-    v81 = v73 + v80
-    v82 = v76 / v81
-    v83 = v75 + v82
-    v84 = v47 * v83
-    v85 = v84 * v73
-    v86 = v85 / v80
-    v87 = v45 * xp.sum(weights * v86, axis=0)
-    v88 = xp.where(v23, 0.5 * v22, a)
-    v89 = xp.where(v23, v87, 0.0)
-    v90 = v18 * v89
-    v91 = v17 + v90
-    v92 = xp.where(v1, 2.0 * a, r)
-    v93 = xp.where(v1, v91, 0.0)
-    v94 = r <= a
-    v95 = xp.where(v94, r, 0.5 * a)
-    v96 = xp.sqrt(a)
-    v97 = 6.283185307179586 * dgamma
-    v98 = v97 / E_star
-    v99 = xp.sqrt(v98)
-    v100 = v96 * v99
-    v101 = v100 > 0.0
-    v102 = E_star * v100
-    v103 = a - v95
-    v104 = xp.maximum(v103, 0.0)
-    v105 = a + v95
-    v106 = v104 * v105
-    v107 = xp.sqrt(v106)
-    v108 = 3.141592653589793 * v107
-    v109 = v102 / v108
-    v110 = xp.where(v101, v109, 0.0)
-    v111 = xp.where(v94, 2.0 * a, r)
-    v112 = xp.where(v94, v110, 0.0)
-    v113 = v93 - v112
-    return v113
+    return normal_pressure(xp, r, a, theta, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, theta, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, theta, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, theta, b):
+    v1 = a < b
+    v4 = xp.where(v1, 2.0 * b, a)
+    v8 = xp.maximum(v4 - b, 0.0) * (v4 + b)
+    v9 = v8 > 0.0
+    v13 = normal_slope_beyond(xp, v4, xp.where(v9, xp.sqrt(xp.where(v9, v8, 1.0)), 0.0), theta, b)
+    return xp.where(v1, normal_slope(xp, xp.where(v1, a, 0.5 * b), theta, b), v13)
+
+
+def radius_from_depth(xp, d, theta, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, theta, b) - v5, rate(xp, v3, theta, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_around', d, theta, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, theta, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, theta, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, theta, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_around', F, theta, b, E_star, dgamma) * b)

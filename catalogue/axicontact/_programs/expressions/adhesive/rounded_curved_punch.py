@@ -1,467 +1,55 @@
 """Formulas of axicontact.adhesive.rounded_curved_punch over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.rounded_curved_punch import depth as normal_depth
+from ...._programs.expressions.normal.rounded_curved_punch import displacement as normal_displacement
+from ...._programs.expressions.normal.rounded_curved_punch import force as normal_force
+from ...._programs.expressions.normal.rounded_curved_punch import pressure as normal_pressure
+from ...._programs.expressions.normal.rounded_curved_punch import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, R1, R2, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = v1 ** 2.0
-    v3 = v2 / R1
-    v4 = xp.where(v0, 2.0 * b, a)
-    v5 = v4 / R1
-    v6 = b / R2
-    v7 = v4 - b
-    v8 = v7 / b
-    v9 = v8 < 0.42
-    v10 = xp.where(v9, v8, 0.5 * 0.42)
-    v11 = xp.minimum(v10, 0.42)
-    v12 = xp.sqrt(v11)
-    v13 = v11 * v12
-    v14 = 0.0005288491342179178 * v11
-    v15 = v14 + 0.038096760299703034
-    v16 = v15 * v11
-    v17 = v16 + 0.4065213849117787
-    v18 = v17 * v11
-    v19 = v18 + 1.438682033198726
-    v20 = v19 * v11
-    v21 = v20 + 1.9979042349620892
-    v22 = v21 * v11
-    v23 = v22 + 0.9428090415820634
-    v24 = 0.006421883194715949 * v11
-    v25 = v24 + 0.15001504718401248
-    v26 = v25 * v11
-    v27 = v26 + 0.9450913324352289
-    v28 = v27 * v11
-    v29 = v28 + 2.37401087025821
-    v30 = v29 * v11
-    v31 = v30 + 2.569097449054519
-    v32 = v31 * v11
-    v33 = v32 + 1.0
-    v34 = v23 / v33
-    v35 = v13 * v34
-    v36 = xp.where(v9, 2.0 * 0.42, v8)
-    v37 = v4 + b
-    v38 = v7 * v37
-    v39 = xp.sqrt(v38)
-    v40 = v39 / b
-    v41 = xp.arctan(v40)
-    v42 = v40 - v41
-    v43 = xp.where(v9, v35, v42)
-    v44 = v6 * v43
-    v45 = v5 + v44
-    v46 = v4 * v45
-    v47 = xp.where(v0, v3, v46)
-    v48 = xp.sqrt(a)
-    v49 = 6.283185307179586 * dgamma
-    v50 = v49 / E_star
-    v51 = xp.sqrt(v50)
-    v52 = v48 * v51
-    v53 = v47 - v52
-    return v53
-
-
-def displacement(xp, r, a, R1, R2, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R1, R2, b, E_star, dgamma)
-    v1 = r > a
-    v2 = xp.where(v1, r, 2.0 * a)
-    v3 = xp.minimum(a, b)
-    v4 = v3 ** 2.0
-    v5 = 2.0 * v4
-    v6 = 3.141592653589793 * R1
-    v7 = v5 / v6
-    v8 = v3 / v2
-    v9 = v2 - v3
-    v10 = v2 + v3
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v2 + v12
-    v14 = v3 / v13
-    v15 = v14 * v14
-    v16 = (-0.7327347664453868) * v15
-    v17 = v16 + (-32.15553480435792)
-    v18 = v17 * v15
-    v19 = v18 + (-332.23363563146734)
-    v20 = v19 * v15
-    v21 = v20 + (-1070.7082873491413)
-    v22 = v21 * v15
-    v23 = v22 + (-85.27694715374247)
-    v24 = v23 * v15
-    v25 = v24 + 5044.821368830373
-    v26 = v25 * v15
-    v27 = v26 + 8082.413158212496
-    v28 = v27 * v15
-    v29 = v28 + 3759.725330928701
-    v30 = v29 * v15
-    v31 = v30 + 0.26666666666720995
-    v32 = 0.21387262524856868 * v15
-    v33 = v32 + 32.12935731379798
-    v34 = v33 * v15
-    v35 = v34 + 746.8124983579742
-    v36 = v35 * v15
-    v37 = v36 + 6202.125133759036
-    v38 = v37 * v15
-    v39 = v38 + 23553.080984642995
-    v40 = v39 * v15
-    v41 = v40 + 44404.005348491315
-    v42 = v41 * v15
-    v43 = v42 + 40380.01430284195
-    v44 = v43 * v15
-    v45 = v44 + 14099.684276696918
-    v46 = v45 * v15
-    v47 = v46 + 1.0
-    v48 = v31 / v47
-    v49 = v15 * v48
-    v50 = 0.6666666666666666 + v49
-    v51 = v8 * v50
-    v52 = v7 * v51
-    v53 = a > b
-    v54 = xp.where(v53, a, 2.0 * b)
-    v55 = v2 - b
-    v56 = xp.maximum(v55, 0.0)
-    v57 = v2 + b
-    v58 = v56 * v57
-    v59 = xp.sqrt(v58)
-    v60 = v54 - b
-    v61 = xp.maximum(v60, 0.0)
-    v62 = v54 + b
-    v63 = v61 * v62
-    v64 = xp.sqrt(v63)
-    v65 = v2 - v54
-    v66 = xp.maximum(v65, 0.0)
-    v67 = v2 + v54
-    v68 = v66 * v67
-    v69 = xp.sqrt(v68)
-    v70 = v64 / v69
-    v71 = b / v2
-    v72 = v70 / v71
-    v73 = xp.arcsinh(v72)
-    v74 = nodes * v73
-    v75 = b * b
-    v76 = -v74
-    v77 = xp.exp(v76)
-    v78 = v73 - v74
-    v79 = (-2.0) * v78
-    v80 = xp.expm1(v79)
-    v81 = 0.0 - v80
-    v82 = v77 * v81
-    v83 = (-2.0) * v73
-    v84 = xp.expm1(v83)
-    v85 = 0.0 - v84
-    v86 = v85 > 0.0
-    v87 = xp.where(v86, v85, xp.inf)
-    v88 = v82 / v87
-    v89 = v70 * v88
-    v90 = v59 * v89
-    v91 = v89 * v89
-    v92 = 1.0 + v91
-    v93 = xp.sqrt(v92)
-    v94 = v90 / v93
-    v95 = v94 * v94
-    v96 = v75 + v95
-    v97 = xp.sqrt(v96)
-    v98 = 2.0 * v97
-    v99 = v98 / R1
-    v100 = 2.0 * v94
-    v101 = v100 / R2
-    v102 = v99 + v101
-    v103 = b / R2
-    v104 = xp.arctan2(v94, b)
-    v105 = v103 * v104
-    v106 = v102 - v105
-    v107 = v106 * v94
-    v108 = v107 / v97
-    v109 = v59 / v93
-    v110 = xp.arctan2(v97, v109)
-    v111 = v108 * v110
-    v112 = v71 * v71
-    v113 = v112 + v91
-    v114 = xp.sqrt(v113)
-    v115 = v93 * v93
-    v116 = v115 * v93
-    v117 = v114 / v116
-    v118 = v111 * v117
-    v119 = v73 * xp.sum(weights * v118, axis=0)
-    v120 = v59 * v119
-    v121 = xp.where(v53, 0.5 * b, a)
-    v122 = xp.where(v53, v120, 0.0)
-    v123 = 0.6366197723675814 * v122
-    v124 = v52 + v123
-    v125 = xp.where(v1, 0.5 * a, r)
-    v126 = a < b
-    v127 = xp.where(v126, a, 0.5 * b)
-    v128 = v127 ** 2.0
-    v129 = v128 / R1
-    v130 = xp.where(v126, 2.0 * b, a)
-    v131 = v130 / R1
-    v132 = b / R2
-    v133 = v130 - b
-    v134 = v133 / b
-    v135 = v134 < 0.42
-    v136 = xp.where(v135, v134, 0.5 * 0.42)
-    v137 = xp.minimum(v136, 0.42)
-    v138 = xp.sqrt(v137)
-    v139 = v137 * v138
-    v140 = 0.0005288491342179178 * v137
-    v141 = v140 + 0.038096760299703034
-    v142 = v141 * v137
-    v143 = v142 + 0.4065213849117787
-    v144 = v143 * v137
-    v145 = v144 + 1.438682033198726
-    v146 = v145 * v137
-    v147 = v146 + 1.9979042349620892
-    v148 = v147 * v137
-    v149 = v148 + 0.9428090415820634
-    v150 = 0.006421883194715949 * v137
-    v151 = v150 + 0.15001504718401248
-    v152 = v151 * v137
-    v153 = v152 + 0.9450913324352289
-    v154 = v153 * v137
-    v155 = v154 + 2.37401087025821
-    v156 = v155 * v137
-    v157 = v156 + 2.569097449054519
-    v158 = v157 * v137
-    v159 = v158 + 1.0
-    v160 = v149 / v159
-    v161 = v139 * v160
-    v162 = xp.where(v135, 2.0 * 0.42, v134)
-    v163 = v130 + b
-    v164 = v133 * v163
-    v165 = xp.sqrt(v164)
-    v166 = v165 / b
-    v167 = xp.arctan(v166)
-    v168 = v166 - v167
-    v169 = xp.where(v135, v161, v168)
-    v170 = v132 * v169
-    v171 = v131 + v170
-    v172 = v130 * v171
-    v173 = xp.where(v126, v129, v172)
-    v174 = v125 < b
-    v175 = xp.where(v174, v125, 0.5 * b)
-    v176 = v175 ** 2.0
-    v177 = 2.0 * R1
-    v178 = v176 / v177
-    v179 = xp.where(v174, 2.0 * b, v125)
-    v180 = v179 ** 2.0
-    v181 = 2.0 * R1
-    v182 = v180 / v181
-    v183 = v179 - b
-    v184 = v183 ** 2.0
-    v185 = 2.0 * R2
-    v186 = v184 / v185
-    v187 = v182 + v186
-    v188 = xp.where(v174, v178, v187)
-    v189 = v173 - v188
-    v190 = xp.where(v1, v124, v189)
-    v191 = xp.sqrt(a)
-    v192 = 6.283185307179586 * dgamma
-    v193 = v192 / E_star
-    v194 = xp.sqrt(v193)
-    v195 = v191 * v194
-    v196 = xp.where(v1, r, 2.0 * a)
-    v197 = v196 - a
-    v198 = xp.maximum(v197, 0.0)
-    v199 = v196 + a
-    v200 = v198 * v199
-    v201 = xp.sqrt(v200)
-    v202 = xp.arctan2(a, v201)
-    v203 = 0.6366197723675814 * v202
-    v204 = xp.where(v1, 0.5 * a, r)
-    v205 = xp.where(v1, v203, 1.0)
-    v206 = v195 * v205
-    v207 = v190 - v206
-    return v207
+    return normal_depth(xp, a, R1, R2, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R1, R2, b, E_star, dgamma):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = 4.0 * E_star
-    v3 = 3.0 * R1
-    v4 = v2 / v3
-    v5 = v1 ** 2.0
-    v6 = v1 * v5
-    v7 = v4 * v6
-    v8 = xp.where(v0, 2.0 * b, a)
-    v9 = v8 ** 2.0
-    v10 = v8 * v9
-    v11 = 4.0 * v10
-    v12 = 3.0 * R1
-    v13 = v11 / v12
-    v14 = b / R2
-    v15 = v14 * v9
-    v16 = v8 - b
-    v17 = v16 / b
-    v18 = v17 < 0.42
-    v19 = xp.where(v18, v17, 0.5 * 0.42)
-    v20 = xp.minimum(v19, 0.42)
-    v21 = xp.sqrt(v20)
-    v22 = v20 * v21
-    v23 = 0.0005288491342179178 * v20
-    v24 = v23 + 0.038096760299703034
-    v25 = v24 * v20
-    v26 = v25 + 0.4065213849117787
-    v27 = v26 * v20
-    v28 = v27 + 1.438682033198726
-    v29 = v28 * v20
-    v30 = v29 + 1.9979042349620892
-    v31 = v30 * v20
-    v32 = v31 + 0.9428090415820634
-    v33 = 0.006421883194715949 * v20
-    v34 = v33 + 0.15001504718401248
-    v35 = v34 * v20
-    v36 = v35 + 0.9450913324352289
-    v37 = v36 * v20
-    v38 = v37 + 2.37401087025821
-    v39 = v38 * v20
-    v40 = v39 + 2.569097449054519
-    v41 = v40 * v20
-    v42 = v41 + 1.0
-    v43 = v32 / v42
-    v44 = v22 * v43
-    v45 = xp.where(v18, 2.0 * 0.42, v17)
-    v46 = v8 + b
-    v47 = v16 * v46
-    v48 = xp.sqrt(v47)
-    v49 = v48 / b
-    v50 = xp.arctan(v49)
-    v51 = v49 - v50
-    v52 = xp.where(v18, v44, v51)
-    v53 = v15 * v52
-    v54 = v13 + v53
-    v55 = v8 + b
-    v56 = v16 * v55
-    v57 = xp.sqrt(v56)
-    v58 = v56 * v57
-    v59 = 3.0 * R2
-    v60 = v58 / v59
-    v61 = v54 + v60
-    v62 = E_star * v61
-    v63 = xp.where(v0, v7, v62)
-    v64 = 2.0 * E_star
-    v65 = v64 * a
-    v66 = xp.sqrt(a)
-    v67 = 6.283185307179586 * dgamma
-    v68 = v67 / E_star
-    v69 = xp.sqrt(v68)
-    v70 = v66 * v69
-    v71 = v65 * v70
-    v72 = v63 - v71
-    return v72
+    return normal_force(xp, a, R1, R2, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R1, R2, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R1, R2, b, E_star, dgamma)
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = xp.minimum(a, b)
-    v4 = v2 < v3
-    v5 = xp.where(v4, v2, 0.5 * v3)
-    v6 = 2.0 * E_star
-    v7 = 3.141592653589793 * R1
-    v8 = v6 / v7
-    v9 = v3 - v5
-    v10 = v3 + v5
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v8 * v12
-    v14 = xp.where(v4, 2.0 * v3, v2)
-    v15 = xp.where(v4, v13, 0.0)
-    v16 = E_star / 3.141592653589793
-    v17 = v2 == b
-    v18 = xp.nextafter(b, xp.inf)
-    v19 = xp.where(v17, v18, v2)
-    v20 = xp.maximum(v19, b)
-    v21 = a > v20
-    v22 = xp.where(v21, a, 2.0 * v20)
-    v23 = v19 < b
-    v24 = xp.where(v23, v19, 0.5 * b)
-    v25 = v22 - b
-    v26 = xp.maximum(v25, 0.0)
-    v27 = v22 + b
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = xp.where(v23, 2.0 * b, v19)
-    v31 = v22 - v30
-    v32 = xp.maximum(v31, 0.0)
-    v33 = v22 + v30
-    v34 = v32 * v33
-    v35 = xp.sqrt(v34)
-    v36 = xp.where(v23, v29, v35)
-    v37 = v19 - b
-    v38 = xp.absolute(v37)
-    v39 = v19 + b
-    v40 = v38 * v39
-    v41 = xp.sqrt(v40)
-    v42 = v36 / v41
-    v43 = xp.arcsinh(v42)
-    v44 = nodes * v43
-    v45 = b * b
-    v46 = v22 - b
-    v47 = xp.maximum(v46, 0.0)
-    v48 = v22 + b
-    v49 = v47 * v48
-    v50 = xp.sqrt(v49)
-    v51 = -v44
-    v52 = xp.exp(v51)
-    v53 = xp.where(v23, v19, 0.5 * b)
-    v54 = xp.where(v23, 2.0 * b, v19)
-    v55 = xp.where(v23, 0.0, 1.0)
-    v56 = 2.0 * v55
-    v57 = 1.0 - v56
-    v58 = v43 - v44
-    v59 = (-2.0) * v58
-    v60 = xp.expm1(v59)
-    v61 = v57 * v60
-    v62 = v56 - v61
-    v63 = v52 * v62
-    v64 = (-2.0) * v43
-    v65 = xp.expm1(v64)
-    v66 = v57 * v65
-    v67 = v56 - v66
-    v68 = v67 > 0.0
-    v69 = xp.where(v68, v67, xp.inf)
-    v70 = v63 / v69
-    v71 = v50 * v70
-    v72 = v71 * v71
-    v73 = v45 + v72
-    v74 = xp.sqrt(v73)
-    v75 = 2.0 * v74
-    v76 = v75 / R1
-    v77 = 2.0 * v71
-    v78 = v77 / R2
-    v79 = v76 + v78
-    v80 = b / R2
-    v81 = xp.arctan2(v71, b)
-    v82 = v80 * v81
-    v83 = v79 - v82
-    v84 = v83 * v71
-    v85 = v84 / v74
-    v86 = v43 * xp.sum(weights * v85, axis=0)
-    v87 = xp.where(v21, 0.5 * v20, a)
-    v88 = xp.where(v21, v86, 0.0)
-    v89 = v16 * v88
-    v90 = v15 + v89
-    v91 = xp.where(v1, 2.0 * a, r)
-    v92 = xp.where(v1, v90, 0.0)
-    v93 = r <= a
-    v94 = xp.where(v93, r, 0.5 * a)
-    v95 = xp.sqrt(a)
-    v96 = 6.283185307179586 * dgamma
-    v97 = v96 / E_star
-    v98 = xp.sqrt(v97)
-    v99 = v95 * v98
-    v100 = v99 > 0.0
-    v101 = E_star * v99
-    v102 = a - v94
-    v103 = xp.maximum(v102, 0.0)
-    v104 = a + v94
-    v105 = v103 * v104
-    v106 = xp.sqrt(v105)
-    v107 = 3.141592653589793 * v106
-    v108 = v101 / v107
-    v109 = xp.where(v100, v108, 0.0)
-    v110 = xp.where(v93, 2.0 * a, r)
-    v111 = xp.where(v93, v109, 0.0)
-    v112 = v92 - v111
-    return v112
+    return normal_pressure(xp, r, a, R1, R2, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R1, R2, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, R1, R2, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, R1, R2, b):
+    v1 = a < b
+    v5 = xp.where(v1, 2.0 * b, a)
+    v9 = xp.maximum(v5 - b, 0.0) * (v5 + b)
+    v10 = v9 > 0.0
+    v14 = normal_slope_beyond(xp, v5, xp.where(v10, xp.sqrt(xp.where(v10, v9, 1.0)), 0.0), R1, R2, b)
+    return xp.where(v1, 2.0 * xp.where(v1, a, 0.5 * b) / R1, v14)
+
+
+def radius_from_depth(xp, d, R1, R2, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, R1, R2, b) - v5, rate(xp, v3, R1, R2, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_around', d, R1, R2, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, R1, R2, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, R1, R2, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, R1, R2, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_around', F, R1, R2, b, E_star, dgamma) * b)

@@ -1,366 +1,52 @@
 """Formulas of axicontact.adhesive.rounded_punch over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.rounded_punch import depth as normal_depth
+from ...._programs.expressions.normal.rounded_punch import displacement as normal_displacement
+from ...._programs.expressions.normal.rounded_punch import force as normal_force
+from ...._programs.expressions.normal.rounded_punch import pressure as normal_pressure
+from ...._programs.expressions.normal.rounded_punch import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, R, b, E_star, dgamma):
-    v0 = b / R
-    v1 = v0 * a
-    v2 = a - b
-    v3 = v2 / b
-    v4 = v3 < 0.42
-    v5 = xp.where(v4, v3, 0.5 * 0.42)
-    v6 = xp.minimum(v5, 0.42)
-    v7 = xp.sqrt(v6)
-    v8 = v6 * v7
-    v9 = 0.0005288491342179178 * v6
-    v10 = v9 + 0.038096760299703034
-    v11 = v10 * v6
-    v12 = v11 + 0.4065213849117787
-    v13 = v12 * v6
-    v14 = v13 + 1.438682033198726
-    v15 = v14 * v6
-    v16 = v15 + 1.9979042349620892
-    v17 = v16 * v6
-    v18 = v17 + 0.9428090415820634
-    v19 = 0.006421883194715949 * v6
-    v20 = v19 + 0.15001504718401248
-    v21 = v20 * v6
-    v22 = v21 + 0.9450913324352289
-    v23 = v22 * v6
-    v24 = v23 + 2.37401087025821
-    v25 = v24 * v6
-    v26 = v25 + 2.569097449054519
-    v27 = v26 * v6
-    v28 = v27 + 1.0
-    v29 = v18 / v28
-    v30 = v8 * v29
-    v31 = xp.where(v4, 2.0 * 0.42, v3)
-    v32 = a + b
-    v33 = v2 * v32
-    v34 = xp.sqrt(v33)
-    v35 = v34 / b
-    v36 = xp.arctan(v35)
-    v37 = v35 - v36
-    v38 = xp.where(v4, v30, v37)
-    v39 = v1 * v38
-    v40 = xp.sqrt(a)
-    v41 = 6.283185307179586 * dgamma
-    v42 = v41 / E_star
-    v43 = xp.sqrt(v42)
-    v44 = v40 * v43
-    v45 = v39 - v44
-    return v45
-
-
-def displacement(xp, r, a, R, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r > v2
-    v4 = xp.where(v3, r, 2.0 * v2)
-    v5 = v2 > b
-    v6 = xp.where(v5, v2, 2.0 * b)
-    v7 = v4 - b
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v4 + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v6 - b
-    v13 = xp.maximum(v12, 0.0)
-    v14 = v6 + b
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v4 - v6
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v4 + v6
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v16 / v21
-    v23 = b / v4
-    v24 = v22 / v23
-    v25 = xp.arcsinh(v24)
-    v26 = nodes * v25
-    v27 = -v26
-    v28 = xp.exp(v27)
-    v29 = v25 - v26
-    v30 = (-2.0) * v29
-    v31 = xp.expm1(v30)
-    v32 = 0.0 - v31
-    v33 = v28 * v32
-    v34 = (-2.0) * v25
-    v35 = xp.expm1(v34)
-    v36 = 0.0 - v35
-    v37 = v36 > 0.0
-    v38 = xp.where(v37, v36, xp.inf)
-    v39 = v33 / v38
-    v40 = v22 * v39
-    v41 = v11 * v40
-    v42 = v40 * v40
-    v43 = 1.0 + v42
-    v44 = xp.sqrt(v43)
-    v45 = v41 / v44
-    v46 = 2.0 * v45
-    v47 = v46 / R
-    v48 = b / R
-    v49 = xp.arctan2(v45, b)
-    v50 = v48 * v49
-    v51 = v47 - v50
-    v52 = v51 * v45
-    v53 = b * b
-    v54 = v45 * v45
-    v55 = v53 + v54
-    v56 = xp.sqrt(v55)
-    v57 = v52 / v56
-    v58 = v11 / v44
-    v59 = xp.arctan2(v56, v58)
-    v60 = v57 * v59
-    v61 = v23 * v23
-    v62 = v61 + v42
-    v63 = xp.sqrt(v62)
-    v64 = v44 * v44
-    v65 = v64 * v44
-    v66 = v63 / v65
-    v67 = v60 * v66
-    v68 = v25 * xp.sum(weights * v67, axis=0)
-    v69 = v11 * v68
-    v70 = xp.where(v5, 0.5 * b, v2)
-    v71 = xp.where(v5, v69, 0.0)
-    v72 = 0.6366197723675814 * v71
-    v73 = xp.where(v3, 0.5 * v2, r)
-    v74 = b / R
-    v75 = v74 * v2
-    v76 = v2 - b
-    v77 = v76 / b
-    v78 = v77 < 0.42
-    v79 = xp.where(v78, v77, 0.5 * 0.42)
-    v80 = xp.minimum(v79, 0.42)
-    v81 = xp.sqrt(v80)
-    v82 = v80 * v81
-    v83 = 0.0005288491342179178 * v80
-    v84 = v83 + 0.038096760299703034
-    v85 = v84 * v80
-    v86 = v85 + 0.4065213849117787
-    v87 = v86 * v80
-    v88 = v87 + 1.438682033198726
-    v89 = v88 * v80
-    v90 = v89 + 1.9979042349620892
-    v91 = v90 * v80
-    v92 = v91 + 0.9428090415820634
-    v93 = 0.006421883194715949 * v80
-    v94 = v93 + 0.15001504718401248
-    v95 = v94 * v80
-    v96 = v95 + 0.9450913324352289
-    v97 = v96 * v80
-    v98 = v97 + 2.37401087025821
-    v99 = v98 * v80
-    v100 = v99 + 2.569097449054519
-    v101 = v100 * v80
-    v102 = v101 + 1.0
-    v103 = v92 / v102
-    v104 = v82 * v103
-    v105 = xp.where(v78, 2.0 * 0.42, v77)
-    v106 = v2 + b
-    v107 = v76 * v106
-    v108 = xp.sqrt(v107)
-    v109 = v108 / b
-    v110 = xp.arctan(v109)
-    v111 = v109 - v110
-    v112 = xp.where(v78, v104, v111)
-    v113 = v75 * v112
-    v114 = v73 < b
-    v115 = xp.where(v114, v73, 0.5 * b)
-    v116 = xp.where(v114, 2.0 * b, v73)
-    v117 = v116 - b
-    v118 = v117 ** 2.0
-    v119 = 2.0 * R
-    v120 = v118 / v119
-    v121 = xp.where(v114, 0.0, v120)
-    v122 = v113 - v121
-    v123 = xp.where(v3, v72, v122)
-    v124 = xp.where(v1, 0.5 * b, a)
-    v125 = xp.where(v1, v123, xp.nan)
-    v126 = xp.sqrt(a)
-    v127 = 6.283185307179586 * dgamma
-    v128 = v127 / E_star
-    v129 = xp.sqrt(v128)
-    v130 = v126 * v129
-    v131 = r > a
-    v132 = xp.where(v131, r, 2.0 * a)
-    v133 = v132 - a
-    v134 = xp.maximum(v133, 0.0)
-    v135 = v132 + a
-    v136 = v134 * v135
-    v137 = xp.sqrt(v136)
-    v138 = xp.arctan2(a, v137)
-    v139 = 0.6366197723675814 * v138
-    v140 = xp.where(v131, 0.5 * a, r)
-    v141 = xp.where(v131, v139, 1.0)
-    v142 = v130 * v141
-    v143 = v125 - v142
-    return v143
+    return normal_depth(xp, a, R, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R, b, E_star, dgamma):
-    v0 = E_star / R
-    v1 = a ** 2.0
-    v2 = b * v1
-    v3 = a - b
-    v4 = v3 / b
-    v5 = v4 < 0.42
-    v6 = xp.where(v5, v4, 0.5 * 0.42)
-    v7 = xp.minimum(v6, 0.42)
-    v8 = xp.sqrt(v7)
-    v9 = v7 * v8
-    v10 = 0.0005288491342179178 * v7
-    v11 = v10 + 0.038096760299703034
-    v12 = v11 * v7
-    v13 = v12 + 0.4065213849117787
-    v14 = v13 * v7
-    v15 = v14 + 1.438682033198726
-    v16 = v15 * v7
-    v17 = v16 + 1.9979042349620892
-    v18 = v17 * v7
-    v19 = v18 + 0.9428090415820634
-    v20 = 0.006421883194715949 * v7
-    v21 = v20 + 0.15001504718401248
-    v22 = v21 * v7
-    v23 = v22 + 0.9450913324352289
-    v24 = v23 * v7
-    v25 = v24 + 2.37401087025821
-    v26 = v25 * v7
-    v27 = v26 + 2.569097449054519
-    v28 = v27 * v7
-    v29 = v28 + 1.0
-    v30 = v19 / v29
-    v31 = v9 * v30
-    v32 = xp.where(v5, 2.0 * 0.42, v4)
-    v33 = a + b
-    v34 = v3 * v33
-    v35 = xp.sqrt(v34)
-    v36 = v35 / b
-    v37 = xp.arctan(v36)
-    v38 = v36 - v37
-    v39 = xp.where(v5, v31, v38)
-    v40 = v2 * v39
-    v41 = a + b
-    v42 = v3 * v41
-    v43 = xp.sqrt(v42)
-    v44 = v42 * v43
-    v45 = v44 / 3.0
-    v46 = v40 + v45
-    v47 = v0 * v46
-    v48 = 2.0 * E_star
-    v49 = v48 * a
-    v50 = xp.sqrt(a)
-    v51 = 6.283185307179586 * dgamma
-    v52 = v51 / E_star
-    v53 = xp.sqrt(v52)
-    v54 = v50 * v53
-    v55 = v49 * v54
-    v56 = v47 - v55
-    return v56
+    return normal_force(xp, a, R, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = E_star / 3.141592653589793
-    v6 = v4 == b
-    v7 = xp.nextafter(b, xp.inf)
-    v8 = xp.where(v6, v7, v4)
-    v9 = xp.maximum(v8, b)
-    v10 = v2 > v9
-    v11 = xp.where(v10, v2, 2.0 * v9)
-    v12 = v8 < b
-    v13 = xp.where(v12, v8, 0.5 * b)
-    v14 = v11 - b
-    v15 = xp.maximum(v14, 0.0)
-    v16 = v11 + b
-    v17 = v15 * v16
-    v18 = xp.sqrt(v17)
-    v19 = xp.where(v12, 2.0 * b, v8)
-    v20 = v11 - v19
-    v21 = xp.maximum(v20, 0.0)
-    v22 = v11 + v19
-    v23 = v21 * v22
-    v24 = xp.sqrt(v23)
-    v25 = xp.where(v12, v18, v24)
-    v26 = v8 - b
-    v27 = xp.absolute(v26)
-    v28 = v8 + b
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = v25 / v30
-    v32 = xp.arcsinh(v31)
-    v33 = nodes * v32
-    v34 = v11 - b
-    v35 = xp.maximum(v34, 0.0)
-    v36 = v11 + b
-    v37 = v35 * v36
-    v38 = xp.sqrt(v37)
-    v39 = -v33
-    v40 = xp.exp(v39)
-    v41 = xp.where(v12, v8, 0.5 * b)
-    v42 = xp.where(v12, 2.0 * b, v8)
-    v43 = xp.where(v12, 0.0, 1.0)
-    v44 = 2.0 * v43
-    v45 = 1.0 - v44
-    v46 = v32 - v33
-    v47 = (-2.0) * v46
-    v48 = xp.expm1(v47)
-    v49 = v45 * v48
-    v50 = v44 - v49
-    v51 = v40 * v50
-    v52 = (-2.0) * v32
-    v53 = xp.expm1(v52)
-    v54 = v45 * v53
-    v55 = v44 - v54
-    v56 = v55 > 0.0
-    v57 = xp.where(v56, v55, xp.inf)
-    v58 = v51 / v57
-    v59 = v38 * v58
-    v60 = 2.0 * v59
-    v61 = v60 / R
-    v62 = b / R
-    v63 = xp.arctan2(v59, b)
-    v64 = v62 * v63
-    v65 = v61 - v64
-    v66 = v65 * v59
-    v67 = b * b
-    v68 = v59 * v59
-    v69 = v67 + v68
-    v70 = xp.sqrt(v69)
-    v71 = v66 / v70
-    v72 = v32 * xp.sum(weights * v71, axis=0)
-    v73 = xp.where(v10, 0.5 * v9, v2)
-    v74 = xp.where(v10, v72, 0.0)
-    v75 = v5 * v74
-    v76 = xp.where(v3, 2.0 * v2, r)
-    v77 = xp.where(v3, v75, 0.0)
-    v78 = xp.where(v1, 0.5 * b, a)
-    v79 = xp.where(v1, v77, xp.nan)
-    v80 = r <= a
-    v81 = xp.where(v80, r, 0.5 * a)
-    v82 = xp.sqrt(a)
-    v83 = 6.283185307179586 * dgamma
-    v84 = v83 / E_star
-    v85 = xp.sqrt(v84)
-    v86 = v82 * v85
-    v87 = v86 > 0.0
-    v88 = E_star * v86
-    v89 = a - v81
-    v90 = xp.maximum(v89, 0.0)
-    v91 = a + v81
-    v92 = v90 * v91
-    v93 = xp.sqrt(v92)
-    v94 = 3.141592653589793 * v93
-    v95 = v88 / v94
-    v96 = xp.where(v87, v95, 0.0)
-    v97 = xp.where(v80, 2.0 * a, r)
-    v98 = xp.where(v80, v96, 0.0)
-    v99 = v79 - v98
-    return v99
+    return normal_pressure(xp, r, a, R, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, R, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, R, b):
+    v4 = xp.maximum(a - b, 0.0) * (a + b)
+    v5 = v4 > 0.0
+    return normal_slope_beyond(xp, a, xp.where(v5, xp.sqrt(xp.where(v5, v4, 1.0)), 0.0), R, b)
+
+
+def radius_from_depth(xp, d, R, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, R, b) - v5, rate(xp, v3, R, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_beyond', d, R, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, R, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, R, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, R, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_beyond', F, R, b, E_star, dgamma) * b)

@@ -1,490 +1,89 @@
 """Formulas of axicontact.adhesive.sextic over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import growth
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.sextic import depth as normal_depth
+from ...._programs.expressions.normal.sextic import displacement as normal_displacement
+from ...._programs.expressions.normal.sextic import force as normal_force
+from ...._programs.expressions.normal.sextic import pressure as normal_pressure
+from ...._programs.expressions.normal.sextic import radius_from_depth as normal_radius_from_depth
+from ...._programs.expressions.normal.sextic import radius_from_force as normal_radius_from_force
 
 
 def depth(xp, a, A, E_star, dgamma):
-    v0 = 16.0 * A
-    v1 = v0 / 5.0
-    v2 = a ** 6.0
-    v3 = v1 * v2
-    v4 = xp.sqrt(a)
-    v5 = 6.283185307179586 * dgamma
-    v6 = v5 / E_star
-    v7 = xp.sqrt(v6)
-    v8 = v4 * v7
-    v9 = v3 - v8
-    return v9
-
-
-def displacement(xp, r, a, A, E_star, dgamma):
-    v0 = r > a
-    v1 = xp.where(v0, r, 2.0 * a)
-    v2 = 32.0 * A
-    v3 = v2 / 15.707963267948966
-    v4 = a ** 6.0
-    v5 = v3 * v4
-    v6 = a / v1
-    v7 = v1 - a
-    v8 = v1 + a
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = v1 + v10
-    v12 = a / v11
-    v13 = v12 * v12
-    v14 = (-1.2774361052403345) * v13
-    v15 = v14 + (-23.178809850601194)
-    v16 = v15 * v13
-    v17 = v16 + (-181.92316258227586)
-    v18 = v17 * v13
-    v19 = v18 + (-611.3425551498234)
-    v20 = v19 * v13
-    v21 = v20 + (-362.00165963521414)
-    v22 = v21 * v13
-    v23 = v22 + 2098.825846649865
-    v24 = v23 * v13
-    v25 = v24 + 3992.6681072942106
-    v26 = v25 * v13
-    v27 = v26 + 2012.329045387071
-    v28 = v27 * v13
-    v29 = v28 + 0.44444444444468756
-    v30 = 0.008653162919782199 * v13
-    v31 = v30 + (-0.42336499735873506)
-    v32 = v31 * v13
-    v33 = v32 + 23.453299031698904
-    v34 = v33 * v13
-    v35 = v34 + 657.0260884407312
-    v36 = v35 * v13
-    v37 = v36 + 4128.7190564480725
-    v38 = v37 * v13
-    v39 = v38 + 10373.373159937977
-    v40 = v39 * v13
-    v41 = v40 + 11371.059137910102
-    v42 = v41 * v13
-    v43 = v42 + 4528.267624848188
-    v44 = v43 * v13
-    v45 = v44 + 1.0
-    v46 = v29 / v45
-    v47 = v13 * v46
-    v48 = 0.8571428571428571 + v47
-    v49 = v6 * v48
-    v50 = v5 * v49
-    v51 = xp.where(v0, 0.5 * a, r)
-    v52 = 16.0 * A
-    v53 = v52 / 5.0
-    v54 = a ** 6.0
-    v55 = v53 * v54
-    v56 = v51 ** 6.0
-    v57 = A * v56
-    v58 = v55 - v57
-    v59 = xp.where(v0, v50, v58)
-    v60 = xp.sqrt(a)
-    v61 = 6.283185307179586 * dgamma
-    v62 = v61 / E_star
-    v63 = xp.sqrt(v62)
-    v64 = v60 * v63
-    v65 = xp.where(v0, r, 2.0 * a)
-    v66 = v65 - a
-    v67 = xp.maximum(v66, 0.0)
-    v68 = v65 + a
-    v69 = v67 * v68
-    v70 = xp.sqrt(v69)
-    v71 = xp.arctan2(a, v70)
-    v72 = 0.6366197723675814 * v71
-    v73 = xp.where(v0, 0.5 * a, r)
-    v74 = xp.where(v0, v72, 1.0)
-    v75 = v64 * v74
-    v76 = v59 - v75
-    return v76
+    return normal_depth(xp, a, A) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, A, E_star, dgamma):
-    v0 = 192.0 * E_star
-    v1 = v0 * A
-    v2 = v1 / 35.0
-    v3 = a ** 7.0
-    v4 = v2 * v3
-    v5 = 2.0 * E_star
-    v6 = v5 * a
-    v7 = xp.sqrt(a)
-    v8 = 6.283185307179586 * dgamma
-    v9 = v8 / E_star
-    v10 = xp.sqrt(v9)
-    v11 = v7 * v10
-    v12 = v6 * v11
-    v13 = v4 - v12
-    return v13
+    return normal_force(xp, a, A, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, A, E_star, dgamma):
-    v0 = r < a
-    v1 = xp.where(v0, r, 0.5 * a)
-    v2 = 32.0 * E_star
-    v3 = v2 * A
-    v4 = v3 / 78.53981633974483
-    v5 = a ** 2.0
-    v6 = v5 ** 2.0
-    v7 = 3.0 * v6
-    v8 = 4.0 * v5
-    v9 = v1 ** 2.0
-    v10 = v8 * v9
-    v11 = v7 + v10
-    v12 = v9 ** 2.0
-    v13 = 8.0 * v12
-    v14 = v11 + v13
-    v15 = v4 * v14
-    v16 = a - v1
-    v17 = a + v1
-    v18 = v16 * v17
-    v19 = xp.sqrt(v18)
-    v20 = v15 * v19
-    v21 = xp.where(v0, 2.0 * a, r)
-    v22 = xp.where(v0, v20, 0.0)
-    v23 = r <= a
-    v24 = xp.where(v23, r, 0.5 * a)
-    v25 = xp.sqrt(a)
-    v26 = 6.283185307179586 * dgamma
-    v27 = v26 / E_star
-    v28 = xp.sqrt(v27)
-    v29 = v25 * v28
-    v30 = v29 > 0.0
-    v31 = E_star * v29
-    v32 = a - v24
-    v33 = xp.maximum(v32, 0.0)
-    v34 = a + v24
-    v35 = v33 * v34
-    v36 = xp.sqrt(v35)
-    v37 = 3.141592653589793 * v36
-    v38 = v31 / v37
-    v39 = xp.where(v30, v38, 0.0)
-    v40 = xp.where(v23, 2.0 * a, r)
-    v41 = xp.where(v23, v39, 0.0)
-    v42 = v22 - v41
-    return v42
+    return normal_pressure(xp, r, a, A, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, A, E_star, dgamma):
+    return normal_displacement(xp, r, a, A) - lift(xp, r, a, E_star, dgamma)
 
 
 def radius_from_depth(xp, d, A, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, d, A, E_star, dgamma)
-    v1 = 16.0 * A
-    v2 = v1 / 5.0
-    v3 = dgamma > 0.0
-    v4 = 1.0 / A
-    v5 = v4 > 0.0
-    v6 = v4 < xp.inf
-    v7 = v5 & v6
-    v8 = v4 ** 0.09090909090909091
-    v9 = v8 ** 11.0
-    v10 = v8 ** 0.0
-    v11 = v9 * v10
-    v12 = v4 / v11
-    v13 = v12 - 1.0
-    v14 = v13 / 11.0
-    v15 = v8 * v14
-    v16 = v8 + v15
-    v17 = xp.where(v7, v16, v8)
-    v18 = v17 ** 2.0
-    v19 = 78.53981633974483 * dgamma
-    v20 = 18432.0 * E_star
-    v21 = v19 / v20
-    v22 = v21 > 0.0
-    v23 = v21 < xp.inf
-    v24 = v22 & v23
-    v25 = v21 ** 0.09090909090909091
-    v26 = v25 ** 11.0
-    v27 = v25 ** 0.0
-    v28 = v26 * v27
-    v29 = v21 / v28
-    v30 = v29 - 1.0
-    v31 = v30 / 11.0
-    v32 = v25 * v31
-    v33 = v25 + v32
-    v34 = xp.where(v24, v33, v25)
-    v35 = v18 * v34
-    v36 = xp.where(v3, v35, 0.0)
-    v37 = v36 ** 6.0
-    v38 = v2 * v37
-    v39 = v38 * (-11.0)
-    v40 = v39 < 0.0
-    v41 = xp.where(v40, v39, (-1.0))
-    v42 = d / v41
-    v43 = 1.0 - v42
-    v44 = xp.where(v40, v43, xp.inf)
+    v1 = dgamma > 0.0
+    v3 = 1.0 / A
+    v7 = v3 ** 0.09090909090909091
+    v15 = v7 + v7 * ((v3 / (v7 ** 11.0 * v7 ** 0.0) - 1.0) / 11.0)
+    v20 = 78.53981633974483 * xp.where(v1, dgamma, 1.0) / (18432.0 * E_star)
+    v24 = v20 ** 0.09090909090909091
+    v32 = v24 + v24 * ((v20 / (v24 ** 11.0 * v24 ** 0.0) - 1.0) / 11.0)
+    v17 = xp.where((v3 > 0.0) & (v3 < xp.inf), v15, v7) ** 2.0
+    v35 = xp.where(v1, v17 * xp.where((v20 > 0.0) & (v20 < xp.inf), v32, v24), 0.0)
+    v37 = normal_depth(xp, v35, A) * -11.0
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v43 = xp.where(v38, 1.0, v37)
+    v44 = xp.where(v38, 1.0 - d / xp.where(v38, v37, -1.0), xp.inf)
     v45 = xp.absolute(v44)
     v46 = v45 < 1e-15
     v47 = xp.where(v46, v45, 0.5 * 1e-15)
     v48 = xp.where(v46, 2.0 * 1e-15, v45)
     v49 = xp.where(v46, 0.0, v44)
     v50 = v49 < 0.0
-    v51 = xp.isfinite(v49)
-    v52 = v49 == 0.0
-    v53 = v49 > 0.0
-    v54 = xp.where(v53, v49, 1.0)
-    v55 = v54 * 12.0
-    v56 = v55 < 1.0
-    v57 = xp.where(v56, v55, 0.5 * 1.0)
-    v58 = 2.0 * v54
-    v59 = v58 / 12.0
-    v60 = xp.sqrt(v59)
-    v61 = xp.where(v56, 2.0 * 1.0, v55)
-    v62 = 11.0 * v54
-    v63 = v62 + 0.0
-    v64 = xp.log1p(v63)
-    v65 = v64 / 12.0
-    v66 = xp.expm1(v65)
-    v67 = 12.0 * v66
-    v68 = v62 + v67
-    v69 = xp.log1p(v68)
-    v70 = v69 / 12.0
-    v71 = xp.expm1(v70)
-    v72 = 12.0 * v71
-    v73 = v62 + v72
-    v74 = xp.log1p(v73)
-    v75 = v74 / 12.0
-    v76 = xp.expm1(v75)
-    v77 = xp.where(v56, v60, v76)
-    v78 = xp.where(v54 > 0.0, v54, 1.0)
-    v79 = xp.minimum(v77, xp.inf)
-    for _ in range(6):
-        v81 = xp.minimum(v79, 4.0)
-        v82 = v81 * 12.0
-        v83 = v82 < 4.0
-        v84 = xp.where(v83, v82, 0.5 * 4.0)
-        v85 = xp.minimum(v79, 2.0)
-        v86 = 12.0 * v85
-        v87 = v86 * v85
-        v88 = nodes * 1.0
-        v89 = 1.0 - v88
-        v90 = v85 * v88
-        v91 = xp.log1p(v90)
-        v92 = 10.0 * v91
-        v93 = xp.exp(v92)
-        v94 = v89 * v93
-        v95 = 1.0 * xp.sum(weights * v94, axis=0)
-        v96 = v87 * v95
-        v97 = xp.where(v83, 2.0 * 4.0, v82)
-        v98 = 1.0 + v79
-        v99 = v79 > 1.0
-        v100 = xp.log1p(v79)
-        v101 = 11.0 * v100
-        v102 = v101 > 1.0
-        v103 = v99 & v102
-        v104 = v98 ** 11.0
-        v105 = v104 - 1.0
-        v106 = xp.expm1(v101)
-        v107 = xp.where(v103, v105, v106)
-        v108 = 12.0 * v107
-        v109 = v108 / 11.0
-        v110 = v98 * v109
-        v111 = v110 / 12.0
-        v112 = v111 - v79
-        v113 = xp.where(v83, v96, v112)
-        v114 = v79 > 1.0
-        v115 = xp.log1p(v79)
-        v116 = 11.0 * v115
-        v117 = v116 > 1.0
-        v118 = v114 & v117
-        v119 = 1.0 + v79
-        v120 = v119 ** 11.0
-        v121 = v120 - 1.0
-        v122 = xp.expm1(v116)
-        v123 = xp.where(v118, v121, v122)
-        v124 = 12.0 * v123
-        v125 = v124 / 11.0
-        v126 = v79 * v125
-        v127 = v126 / v113
-        v128 = xp.log(v78 / v113)
-        v129 = v128 / 2.0
-        v130 = v128 / 12.0
-        v131 = xp.minimum(xp.maximum(v128 / v127, xp.minimum(v129, v130)), xp.maximum(v129, v130))
-        v132 = xp.where(v113 < xp.inf, v131, 0.0)
-        v79 = xp.minimum(v79 * xp.exp(v132), xp.inf)
-    v134 = xp.where(v54 > 0.0, v79, 0.0 * v54)
-    v135 = xp.where(v52, 0.0, v134)
-    v136 = 1.0 + v135
-    v137 = v136 ** 2.0
-    v138 = v36 * v137
-    v139 = d >= 0.0
-    v140 = xp.maximum(d, 0.0)
-    v141 = 5.0 * v140
-    v142 = v141 / v1
-    v143 = v142 > 0.0
-    v144 = v142 < xp.inf
-    v145 = v143 & v144
-    v146 = v142 ** 0.16666666666666666
-    v147 = v146 ** 6.0
-    v148 = v146 ** 0.0
-    v149 = v147 * v148
-    v150 = v142 / v149
-    v151 = v150 - 1.0
-    v152 = v151 / 6.0
-    v153 = v146 * v152
-    v154 = v146 + v153
-    v155 = xp.where(v145, v154, v146)
-    v156 = xp.where(v139, v155, xp.nan)
-    v157 = xp.where(v51, v138, v156)
-    v158 = xp.where(v50, xp.nan, v157)
-    return v158
+    v51 = xp.where(v50, 1.0, v49)
+    v54 = v51 > 0.0
+    v58 = xp.where(v51 == 0.0, 0.0, growth(xp, xp.where(v54, xp.where(v54, v51, 1.0), 1.0), 12.0))
+    v62 = d >= 0.0
+    v65 = normal_radius_from_depth(xp, xp.maximum(xp.where(v62, d, 1.0), 0.0), A)
+    v67 = xp.where(xp.isfinite(v51), v35 * (1.0 + v58) ** 2.0, xp.where(v62, v65, xp.nan))
+    return xp.where(v50, xp.nan, v67)
 
 
 def radius_from_force(xp, F, A, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, F, A, E_star, dgamma)
-    v1 = 192.0 * E_star
-    v2 = v1 * A
-    v3 = v2 / 35.0
-    v4 = dgamma > 0.0
-    v5 = 1.0 / A
-    v6 = v5 > 0.0
-    v7 = v5 < xp.inf
-    v8 = v6 & v7
-    v9 = v5 ** 0.09090909090909091
-    v10 = v9 ** 11.0
-    v11 = v9 ** 0.0
-    v12 = v10 * v11
-    v13 = v5 / v12
-    v14 = v13 - 1.0
-    v15 = v14 / 11.0
-    v16 = v9 * v15
-    v17 = v9 + v16
-    v18 = xp.where(v8, v17, v9)
-    v19 = v18 ** 2.0
-    v20 = 78.53981633974483 * dgamma
-    v21 = 2048.0 * E_star
-    v22 = v20 / v21
-    v23 = v22 > 0.0
-    v24 = v22 < xp.inf
-    v25 = v23 & v24
-    v26 = v22 ** 0.09090909090909091
-    v27 = v26 ** 11.0
-    v28 = v26 ** 0.0
-    v29 = v27 * v28
-    v30 = v22 / v29
-    v31 = v30 - 1.0
-    v32 = v31 / 11.0
-    v33 = v26 * v32
-    v34 = v26 + v33
-    v35 = xp.where(v25, v34, v26)
-    v36 = v19 * v35
-    v37 = xp.where(v4, v36, 0.0)
-    v38 = v37 ** 7.0
-    v39 = v3 * v38
-    v40 = v39 * (-3.666666666666667)
-    v41 = v40 < 0.0
-    v42 = xp.where(v41, v40, (-1.0))
-    v43 = F / v42
-    v44 = 1.0 - v43
-    v45 = xp.where(v41, v44, xp.inf)
-    v46 = xp.absolute(v45)
-    v47 = v46 < 1e-15
-    v48 = xp.where(v47, v46, 0.5 * 1e-15)
-    v49 = xp.where(v47, 2.0 * 1e-15, v46)
-    v50 = xp.where(v47, 0.0, v45)
-    v51 = v50 < 0.0
-    v52 = xp.isfinite(v50)
-    v53 = v50 == 0.0
-    v54 = v50 > 0.0
-    v55 = xp.where(v54, v50, 1.0)
-    v56 = v55 * 4.666666666666667
-    v57 = v56 < 1.0
-    v58 = xp.where(v57, v56, 0.5 * 1.0)
-    v59 = 2.0 * v55
-    v60 = v59 / 4.666666666666667
-    v61 = xp.sqrt(v60)
-    v62 = xp.where(v57, 2.0 * 1.0, v56)
-    v63 = 3.666666666666667 * v55
-    v64 = v63 + 0.0
-    v65 = xp.log1p(v64)
-    v66 = v65 / 4.666666666666667
-    v67 = xp.expm1(v66)
-    v68 = 4.666666666666667 * v67
-    v69 = v63 + v68
-    v70 = xp.log1p(v69)
-    v71 = v70 / 4.666666666666667
-    v72 = xp.expm1(v71)
-    v73 = 4.666666666666667 * v72
-    v74 = v63 + v73
-    v75 = xp.log1p(v74)
-    v76 = v75 / 4.666666666666667
-    v77 = xp.expm1(v76)
-    v78 = xp.where(v57, v61, v77)
-    v79 = xp.where(v55 > 0.0, v55, 1.0)
-    v80 = xp.minimum(v78, xp.inf)
-    for _ in range(6):
-        v82 = xp.minimum(v80, 4.0)
-        v83 = v82 * 4.666666666666667
-        v84 = v83 < 4.0
-        v85 = xp.where(v84, v83, 0.5 * 4.0)
-        v86 = xp.minimum(v80, 2.0)
-        v87 = 4.666666666666667 * v86
-        v88 = v87 * v86
-        v89 = nodes * 1.0
-        v90 = 1.0 - v89
-        v91 = v86 * v89
-        v92 = xp.log1p(v91)
-        v93 = 2.666666666666667 * v92
-        v94 = xp.exp(v93)
-        v95 = v90 * v94
-        v96 = 1.0 * xp.sum(weights * v95, axis=0)
-        v97 = v88 * v96
-        v98 = xp.where(v84, 2.0 * 4.0, v83)
-        v99 = 1.0 + v80
-        v100 = v80 > 1.0
-        v101 = xp.log1p(v80)
-        v102 = 3.666666666666667 * v101
-        v103 = v102 > 1.0
-        v104 = v100 & v103
-        v105 = v99 ** 3.666666666666667
-        v106 = v105 - 1.0
-        v107 = xp.expm1(v102)
-        v108 = xp.where(v104, v106, v107)
-        v109 = 4.666666666666667 * v108
-        v110 = v109 / 3.666666666666667
-        v111 = v99 * v110
-        v112 = v111 / 4.666666666666667
-        v113 = v112 - v80
-        v114 = xp.where(v84, v97, v113)
-        v115 = v80 > 1.0
-        v116 = xp.log1p(v80)
-        v117 = 3.666666666666667 * v116
-        v118 = v117 > 1.0
-        v119 = v115 & v118
-        v120 = 1.0 + v80
-        v121 = v120 ** 3.666666666666667
-        v122 = v121 - 1.0
-        v123 = xp.expm1(v117)
-        v124 = xp.where(v119, v122, v123)
-        v125 = 4.666666666666667 * v124
-        v126 = v125 / 3.666666666666667
-        v127 = v80 * v126
-        v128 = v127 / v114
-        v129 = xp.log(v79 / v114)
-        v130 = v129 / 2.0
-        v131 = v129 / 4.666666666666667
-        v132 = xp.minimum(xp.maximum(v129 / v128, xp.minimum(v130, v131)), xp.maximum(v130, v131))
-        v133 = xp.where(v114 < xp.inf, v132, 0.0)
-        v80 = xp.minimum(v80 * xp.exp(v133), xp.inf)
-    v135 = xp.where(v55 > 0.0, v80, 0.0 * v55)
-    v136 = xp.where(v53, 0.0, v135)
-    v137 = 1.0 + v136
-    v138 = v137 ** 0.6666666666666666
-    v139 = v37 * v138
-    v140 = F >= 0.0
-    v141 = xp.maximum(F, 0.0)
-    v142 = 35.0 * v141
-    v143 = v142 / v2
-    v144 = v143 > 0.0
-    v145 = v143 < xp.inf
-    v146 = v144 & v145
-    v147 = v143 ** 0.14285714285714285
-    v148 = v147 ** 7.0
-    v149 = v147 ** 0.0
-    v150 = v148 * v149
-    v151 = v143 / v150
-    v152 = v151 - 1.0
-    v153 = v152 / 7.0
-    v154 = v147 * v153
-    v155 = v147 + v154
-    v156 = xp.where(v146, v155, v147)
-    v157 = xp.where(v140, v156, xp.nan)
-    v158 = xp.where(v52, v139, v157)
-    v159 = xp.where(v51, xp.nan, v158)
-    return v159
+    v1 = dgamma > 0.0
+    v3 = 1.0 / A
+    v7 = v3 ** 0.09090909090909091
+    v15 = v7 + v7 * ((v3 / (v7 ** 11.0 * v7 ** 0.0) - 1.0) / 11.0)
+    v20 = 78.53981633974483 * xp.where(v1, dgamma, 1.0) / (2048.0 * E_star)
+    v24 = v20 ** 0.09090909090909091
+    v32 = v24 + v24 * ((v20 / (v24 ** 11.0 * v24 ** 0.0) - 1.0) / 11.0)
+    v17 = xp.where((v3 > 0.0) & (v3 < xp.inf), v15, v7) ** 2.0
+    v35 = xp.where(v1, v17 * xp.where((v20 > 0.0) & (v20 < xp.inf), v32, v24), 0.0)
+    v37 = normal_force(xp, v35, A, E_star) * -3.666666666666667
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v43 = xp.where(v38, 1.0, v37)
+    v44 = xp.where(v38, 1.0 - F / xp.where(v38, v37, -1.0), xp.inf)
+    v45 = xp.absolute(v44)
+    v46 = v45 < 1e-15
+    v47 = xp.where(v46, v45, 0.5 * 1e-15)
+    v48 = xp.where(v46, 2.0 * 1e-15, v45)
+    v49 = xp.where(v46, 0.0, v44)
+    v50 = v49 < 0.0
+    v51 = xp.where(v50, 1.0, v49)
+    v54 = v51 > 0.0
+    v57 = growth(xp, xp.where(v54, xp.where(v54, v51, 1.0), 1.0), 4.666666666666667)
+    v62 = F >= 0.0
+    v65 = normal_radius_from_force(xp, xp.maximum(xp.where(v62, F, 1.0), 0.0), A, E_star)
+    v61 = v35 * (1.0 + xp.where(v51 == 0.0, 0.0, v57)) ** 0.6666666666666666
+    return xp.where(v50, xp.nan, xp.where(xp.isfinite(v51), v61, xp.where(v62, v65, xp.nan)))

@@ -1,380 +1,52 @@
 """Formulas of axicontact.adhesive.sphere over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.sphere import depth as normal_depth
+from ...._programs.expressions.normal.sphere import displacement as normal_displacement
+from ...._programs.expressions.normal.sphere import force as normal_force
+from ...._programs.expressions.normal.sphere import pressure as normal_pressure
+from ...._programs.expressions.normal.sphere import slope as normal_slope
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, R, E_star, dgamma):
-    v0 = 2.0 * a
-    v1 = R - a
-    v2 = v0 / v1
-    v3 = xp.log1p(v2)
-    v4 = v3 / 2.0
-    v5 = a * v4
-    v6 = xp.sqrt(a)
-    v7 = 6.283185307179586 * dgamma
-    v8 = v7 / E_star
-    v9 = xp.sqrt(v8)
-    v10 = v6 * v9
-    v11 = v5 - v10
-    return v11
-
-
-def displacement(xp, r, a, R, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, E_star, dgamma)
-    v1 = a <= R
-    v2 = xp.where(v1, a, 0.5 * R)
-    v3 = r > v2
-    v4 = xp.where(v3, r, 2.0 * v2)
-    v5 = xp.minimum(v4, R)
-    v6 = v2 < v5
-    v7 = xp.where(v6, v2, 0.5 * v5)
-    v8 = v5 - v7
-    v9 = xp.maximum(v8, 0.0)
-    v10 = v5 + v7
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v7 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = -v15
-    v17 = xp.exp(v16)
-    v18 = v14 - v15
-    v19 = (-2.0) * v18
-    v20 = xp.expm1(v19)
-    v21 = 0.0 - v20
-    v22 = v17 * v21
-    v23 = (-2.0) * v14
-    v24 = xp.expm1(v23)
-    v25 = 0.0 - v24
-    v26 = v25 > 0.0
-    v27 = xp.where(v26, v25, xp.inf)
-    v28 = v22 / v27
-    v29 = v13 * v28
-    v30 = v29 * v29
-    v31 = 1.0 + v30
-    v32 = xp.sqrt(v31)
-    v33 = v29 / v32
-    v34 = v5 * v33
-    v35 = R - v4
-    v36 = xp.maximum(v35, 0.0)
-    v37 = R + v4
-    v38 = v36 * v37
-    v39 = xp.sqrt(v38)
-    v40 = v39 ** 2.0
-    v41 = v5 / v32
-    v42 = v41 * v41
-    v43 = v40 + v42
-    v44 = xp.sqrt(v43)
-    v45 = v34 / v44
-    v46 = xp.arcsinh(v45)
-    v47 = R * v34
-    v48 = v44 ** 2.0
-    v49 = v47 / v48
-    v50 = v46 + v49
-    v51 = v4 - R
-    v52 = xp.maximum(v51, 0.0)
-    v53 = v4 + R
-    v54 = v52 * v53
-    v55 = xp.sqrt(v54)
-    v56 = v55 ** 2.0
-    v57 = v56 + v42
-    v58 = xp.sqrt(v57)
-    v59 = xp.arctan2(v34, v58)
-    v60 = v50 * v59
-    v61 = v41 / v32
-    v62 = v60 * v61
-    v63 = v14 * xp.sum(weights * v62, axis=0)
-    v64 = xp.where(v6, 2.0 * v5, v2)
-    v65 = xp.where(v6, v63, xp.inf)
-    v66 = 0.6366197723675814 * v65
-    v67 = xp.where(v3, 0.5 * v2, r)
-    v68 = 2.0 * v2
-    v69 = R - v2
-    v70 = v68 / v69
-    v71 = xp.log1p(v70)
-    v72 = v71 / 2.0
-    v73 = v2 * v72
-    v74 = v67 ** 2.0
-    v75 = R - v67
-    v76 = v67 + R
-    v77 = v75 * v76
-    v78 = xp.sqrt(v77)
-    v79 = v78 + R
-    v80 = v74 / v79
-    v81 = v73 - v80
-    v82 = xp.where(v3, v66, v81)
-    v83 = xp.where(v1, 2.0 * R, a)
-    v84 = xp.where(v1, v82, xp.nan)
-    v85 = xp.sqrt(a)
-    v86 = 6.283185307179586 * dgamma
-    v87 = v86 / E_star
-    v88 = xp.sqrt(v87)
-    v89 = v85 * v88
-    v90 = r > a
-    v91 = xp.where(v90, r, 2.0 * a)
-    v92 = v91 - a
-    v93 = xp.maximum(v92, 0.0)
-    v94 = v91 + a
-    v95 = v93 * v94
-    v96 = xp.sqrt(v95)
-    v97 = xp.arctan2(a, v96)
-    v98 = 0.6366197723675814 * v97
-    v99 = xp.where(v90, 0.5 * a, r)
-    v100 = xp.where(v90, v98, 1.0)
-    v101 = v89 * v100
-    v102 = v84 - v101
-    return v102
+    return normal_depth(xp, a, R) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R, E_star, dgamma):
-    v0 = a ** 2.0
-    v1 = 2.0 * a
-    v2 = R - a
-    v3 = v1 / v2
-    v4 = xp.log1p(v3)
-    v5 = v4 / 2.0
-    v6 = v0 * v5
-    v7 = R ** 2.0
-    v8 = v5 < 1.0
-    v9 = xp.where(v8, v5, 0.5 * 1.0)
-    v10 = a / R
-    v11 = v10 * v10
-    v12 = v10 * v11
-    v13 = xp.minimum(v9, 1.0)
-    v14 = v13 * v13
-    v15 = 1.0716932453474512e-06 * v14
-    v16 = v15 + 0.00019982814521087247
-    v17 = v16 * v14
-    v18 = v17 + 0.007076196047699156
-    v19 = v18 * v14
-    v20 = v19 + 0.08608622548411103
-    v21 = v20 * v14
-    v22 = v21 + 0.3073858328214721
-    v23 = v22 * v14
-    v24 = v23 + 0.3333333333333333
-    v25 = 2.565078604208634e-08 * v14
-    v26 = v25 + 2.0203143566039827e-05
-    v27 = v26 * v14
-    v28 = v27 + 0.001617010334189783
-    v29 = v28 * v14
-    v30 = v29 + 0.03639274880225476
-    v31 = v30 * v14
-    v32 = v31 + 0.32215749846441627
-    v33 = v32 * v14
-    v34 = v33 + 1.0
-    v35 = v24 / v34
-    v36 = v12 * v35
-    v37 = xp.where(v8, 2.0 * 1.0, v5)
-    v38 = a / R
-    v39 = v37 - v38
-    v40 = xp.where(v8, v36, v39)
-    v41 = v7 * v40
-    v42 = v6 + v41
-    v43 = E_star * v42
-    v44 = 2.0 * E_star
-    v45 = v44 * a
-    v46 = xp.sqrt(a)
-    v47 = 6.283185307179586 * dgamma
-    v48 = v47 / E_star
-    v49 = xp.sqrt(v48)
-    v50 = v46 * v49
-    v51 = v45 * v50
-    v52 = v43 - v51
-    return v52
+    return normal_force(xp, a, R, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, E_star, dgamma)
-    v1 = a <= R
-    v2 = xp.where(v1, a, 0.5 * R)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = E_star / 3.141592653589793
-    v6 = v2 - v4
-    v7 = v2 + v4
-    v8 = v6 * v7
-    v9 = xp.sqrt(v8)
-    v10 = R - v2
-    v11 = v2 + R
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v9 / v13
-    v15 = xp.arcsinh(v14)
-    v16 = R * v15
-    v17 = R - v4
-    v18 = v4 + R
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = v16 / v20
-    v22 = xp.maximum(v6, 0.0)
-    v23 = v22 * v7
-    v24 = xp.sqrt(v23)
-    v25 = v2 + v24
-    v26 = xp.maximum(v17, 0.0)
-    v27 = R + v4
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = R + v29
-    v31 = v25 / v30
-    v32 = v31 > 0.7
-    v33 = xp.where(v32, v31, 2.0 * 0.7)
-    v34 = v2 < R
-    v35 = xp.where(v34, v2, 0.5 * R)
-    v36 = v35 - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v35 + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = R - v35
-    v42 = xp.maximum(v41, 0.0)
-    v43 = R + v35
-    v44 = v42 * v43
-    v45 = xp.sqrt(v44)
-    v46 = v40 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = nodes * v47
-    v49 = v4 * v4
-    v50 = -v48
-    v51 = xp.exp(v50)
-    v52 = v47 - v48
-    v53 = (-2.0) * v52
-    v54 = xp.expm1(v53)
-    v55 = 0.0 - v54
-    v56 = v51 * v55
-    v57 = (-2.0) * v47
-    v58 = xp.expm1(v57)
-    v59 = 0.0 - v58
-    v60 = v59 > 0.0
-    v61 = xp.where(v60, v59, xp.inf)
-    v62 = v56 / v61
-    v63 = v46 * v62
-    v64 = v63 * v63
-    v65 = 1.0 + v64
-    v66 = xp.sqrt(v65)
-    v67 = v63 / v66
-    v68 = v29 * v67
-    v69 = v68 * v68
-    v70 = v49 + v69
-    v71 = xp.sqrt(v70)
-    v72 = v29 / v66
-    v73 = v71 / v72
-    v74 = xp.arcsinh(v73)
-    v75 = v74 / v71
-    v76 = v72 / v66
-    v77 = v75 * v76
-    v78 = v47 * xp.sum(weights * v77, axis=0)
-    v79 = xp.where(v34, 2.0 * R, v2)
-    v80 = xp.where(v34, v78, xp.inf)
-    v81 = xp.where(v32, 0.5 * 0.7, v31)
-    v82 = 2.0 * v24
-    v83 = v82 / v30
-    v84 = v81 * v81
-    v85 = 0.13579013365982337 * v84
-    v86 = v85 + (-0.4846453962188766)
-    v87 = v86 * v84
-    v88 = v87 + 0.8293825948837366
-    v89 = v88 * v84
-    v90 = v89 + (-0.8745573865774817)
-    v91 = v90 * v84
-    v92 = v91 + 0.6371928816963097
-    v93 = v92 * v84
-    v94 = v93 + (-0.3332798652335896)
-    v95 = v94 * v84
-    v96 = v95 + 0.13289328569967984
-    v97 = v96 * v84
-    v98 = v97 + (-0.03710676078458442)
-    v99 = v98 * v84
-    v100 = v99 + 0.011089560042611895
-    v101 = v100 * v84
-    v102 = v101 + 0.0012521687336059639
-    v103 = v102 * v84
-    v104 = v103 + 0.0036572276005780893
-    v105 = v104 * v84
-    v106 = v105 + 0.004425450516633092
-    v107 = v106 * v84
-    v108 = v107 + 0.005918487051520244
-    v109 = v108 * v84
-    v110 = v109 + 0.008264397984935742
-    v111 = v110 * v84
-    v112 = v111 + 0.012345681107818056
-    v113 = v112 * v84
-    v114 = v113 + 0.020408163224119494
-    v115 = v114 * v84
-    v116 = v115 + 0.04000000000042643
-    v117 = v116 * v84
-    v118 = v117 + 0.11111111111110937
-    v119 = v118 * v84
-    v120 = v119 + 1.0
-    v121 = v4 / v25
-    v122 = v4 * v121
-    v123 = v122 / v30
-    v124 = v123 + v81
-    v125 = v123 * v124
-    v126 = v123 * v123
-    v127 = 0.0 * v126
-    v128 = v127 + 0.13579013365982337
-    v129 = v128 * v126
-    v130 = v129 + v86
-    v131 = v130 * v126
-    v132 = v131 + v88
-    v133 = v132 * v126
-    v134 = v133 + v90
-    v135 = v134 * v126
-    v136 = v135 + v92
-    v137 = v136 * v126
-    v138 = v137 + v94
-    v139 = v138 * v126
-    v140 = v139 + v96
-    v141 = v140 * v126
-    v142 = v141 + v98
-    v143 = v142 * v126
-    v144 = v143 + v100
-    v145 = v144 * v126
-    v146 = v145 + v102
-    v147 = v146 * v126
-    v148 = v147 + v104
-    v149 = v148 * v126
-    v150 = v149 + v106
-    v151 = v150 * v126
-    v152 = v151 + v108
-    v153 = v152 * v126
-    v154 = v153 + v110
-    v155 = v154 * v126
-    v156 = v155 + v112
-    v157 = v156 * v126
-    v158 = v157 + v114
-    v159 = v158 * v126
-    v160 = v159 + v116
-    v161 = v160 * v126
-    v162 = v161 + v118
-    v163 = v125 * v162
-    v164 = v120 + v163
-    v165 = v83 * v164
-    v166 = xp.where(v32, v80, v165)
-    v167 = v21 + v166
-    v168 = v5 * v167
-    v169 = xp.where(v3, 2.0 * v2, r)
-    v170 = xp.where(v3, v168, 0.0)
-    v171 = xp.where(v1, 2.0 * R, a)
-    v172 = xp.where(v1, v170, xp.nan)
-    v173 = r <= a
-    v174 = xp.where(v173, r, 0.5 * a)
-    v175 = xp.sqrt(a)
-    v176 = 6.283185307179586 * dgamma
-    v177 = v176 / E_star
-    v178 = xp.sqrt(v177)
-    v179 = v175 * v178
-    v180 = v179 > 0.0
-    v181 = E_star * v179
-    v182 = a - v174
-    v183 = xp.maximum(v182, 0.0)
-    v184 = a + v174
-    v185 = v183 * v184
-    v186 = xp.sqrt(v185)
-    v187 = 3.141592653589793 * v186
-    v188 = v181 / v187
-    v189 = xp.where(v180, v188, 0.0)
-    v190 = xp.where(v173, 2.0 * a, r)
-    v191 = xp.where(v173, v189, 0.0)
-    v192 = v172 - v191
-    return v192
+    return normal_pressure(xp, r, a, R, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R, E_star, dgamma):
+    return normal_displacement(xp, r, a, R) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, R):
+    v4 = xp.maximum(R - a, 0.0) * (R + a)
+    v5 = v4 > 0.0
+    return normal_slope(xp, a, xp.where(v5, xp.sqrt(xp.where(v5, v4, 1.0)), 0.0), R)
+
+
+def radius_from_depth(xp, d, R, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, R) - v5, rate(xp, v3, R) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_below', d, R, E_star, dgamma) * R)
+
+
+def radius_from_force(xp, F, R, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, R) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, R, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_below', F, R, E_star, dgamma) * R)

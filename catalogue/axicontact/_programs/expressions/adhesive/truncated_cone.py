@@ -1,272 +1,53 @@
 """Formulas of axicontact.adhesive.truncated_cone over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.truncated_cone import depth as normal_depth
+from ...._programs.expressions.normal.truncated_cone import displacement as normal_displacement
+from ...._programs.expressions.normal.truncated_cone import force as normal_force
+from ...._programs.expressions.normal.truncated_cone import pressure as normal_pressure
+from ...._programs.expressions.normal.truncated_cone import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, theta, b, E_star, dgamma):
-    v0 = xp.tan(theta)
-    v1 = v0 * a
-    v2 = a - b
-    v3 = a + b
-    v4 = v2 * v3
-    v5 = xp.sqrt(v4)
-    v6 = v5 / b
-    v7 = xp.arctan(v6)
-    v8 = v1 * v7
-    v9 = xp.sqrt(a)
-    v10 = 6.283185307179586 * dgamma
-    v11 = v10 / E_star
-    v12 = xp.sqrt(v11)
-    v13 = v9 * v12
-    v14 = v8 - v13
-    return v14
-
-
-def displacement(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r > v2
-    v4 = xp.where(v3, r, 2.0 * v2)
-    v5 = v2 > b
-    v6 = xp.where(v5, v2, 2.0 * b)
-    v7 = v4 - b
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v4 + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v6 - b
-    v13 = xp.maximum(v12, 0.0)
-    v14 = v6 + b
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v4 - v6
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v4 + v6
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v16 / v21
-    v23 = b / v4
-    v24 = v22 / v23
-    v25 = xp.arcsinh(v24)
-    v26 = nodes * v25
-    v27 = xp.tan(theta)
-    v28 = -v26
-    v29 = xp.exp(v28)
-    v30 = v25 - v26
-    v31 = (-2.0) * v30
-    v32 = xp.expm1(v31)
-    v33 = 0.0 - v32
-    v34 = v29 * v33
-    v35 = (-2.0) * v25
-    v36 = xp.expm1(v35)
-    v37 = 0.0 - v36
-    v38 = v37 > 0.0
-    v39 = xp.where(v38, v37, xp.inf)
-    v40 = v34 / v39
-    v41 = v22 * v40
-    v42 = v11 * v41
-    v43 = v41 * v41
-    v44 = 1.0 + v43
-    v45 = xp.sqrt(v44)
-    v46 = v42 / v45
-    v47 = v46 / b
-    v48 = xp.arctan(v47)
-    v49 = v27 * v48
-    v50 = b * v27
-    v51 = v50 / v46
-    v52 = v49 + v51
-    v53 = v52 * v46
-    v54 = b * b
-    v55 = v46 * v46
-    v56 = v54 + v55
-    v57 = xp.sqrt(v56)
-    v58 = v53 / v57
-    v59 = v11 / v45
-    v60 = xp.arctan2(v57, v59)
-    v61 = v58 * v60
-    v62 = v23 * v23
-    v63 = v62 + v43
-    v64 = xp.sqrt(v63)
-    v65 = v45 * v45
-    v66 = v65 * v45
-    v67 = v64 / v66
-    v68 = v61 * v67
-    v69 = v25 * xp.sum(weights * v68, axis=0)
-    v70 = v11 * v69
-    v71 = xp.where(v5, 0.5 * b, v2)
-    v72 = xp.where(v5, v70, 0.0)
-    v73 = 0.6366197723675814 * v72
-    v74 = xp.where(v3, 0.5 * v2, r)
-    v75 = xp.tan(theta)
-    v76 = v75 * v2
-    v77 = v2 - b
-    v78 = v2 + b
-    v79 = v77 * v78
-    v80 = xp.sqrt(v79)
-    v81 = v80 / b
-    v82 = xp.arctan(v81)
-    v83 = v76 * v82
-    v84 = v74 < b
-    v85 = xp.where(v84, v74, 0.5 * b)
-    v86 = xp.where(v84, 2.0 * b, v74)
-    v87 = v86 - b
-    v88 = v75 * v87
-    v89 = xp.where(v84, 0.0, v88)
-    v90 = v83 - v89
-    v91 = xp.where(v3, v73, v90)
-    v92 = xp.where(v1, 0.5 * b, a)
-    v93 = xp.where(v1, v91, xp.nan)
-    v94 = xp.sqrt(a)
-    v95 = 6.283185307179586 * dgamma
-    v96 = v95 / E_star
-    v97 = xp.sqrt(v96)
-    v98 = v94 * v97
-    v99 = r > a
-    v100 = xp.where(v99, r, 2.0 * a)
-    v101 = v100 - a
-    v102 = xp.maximum(v101, 0.0)
-    v103 = v100 + a
-    v104 = v102 * v103
-    v105 = xp.sqrt(v104)
-    v106 = xp.arctan2(a, v105)
-    v107 = 0.6366197723675814 * v106
-    v108 = xp.where(v99, 0.5 * a, r)
-    v109 = xp.where(v99, v107, 1.0)
-    v110 = v98 * v109
-    v111 = v93 - v110
-    return v111
+    return normal_depth(xp, a, theta, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, theta, b, E_star, dgamma):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = a ** 2.0
-    v3 = a - b
-    v4 = a + b
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = v6 / b
-    v8 = xp.arctan(v7)
-    v9 = v2 * v8
-    v10 = b * v6
-    v11 = v9 + v10
-    v12 = v1 * v11
-    v13 = 2.0 * E_star
-    v14 = v13 * a
-    v15 = xp.sqrt(a)
-    v16 = 6.283185307179586 * dgamma
-    v17 = v16 / E_star
-    v18 = xp.sqrt(v17)
-    v19 = v15 * v18
-    v20 = v14 * v19
-    v21 = v12 - v20
-    return v21
+    return normal_force(xp, a, theta, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, theta, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = v4 == b
-    v6 = v2 > b
-    v7 = v5 & v6
-    v8 = E_star / 3.141592653589793
-    v9 = xp.nextafter(b, xp.inf)
-    v10 = xp.where(v5, v9, v4)
-    v11 = xp.maximum(v10, b)
-    v12 = v2 > v11
-    v13 = xp.where(v12, v2, 2.0 * v11)
-    v14 = v10 < b
-    v15 = xp.where(v14, v10, 0.5 * b)
-    v16 = v13 - b
-    v17 = xp.maximum(v16, 0.0)
-    v18 = v13 + b
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = xp.where(v14, 2.0 * b, v10)
-    v22 = v13 - v21
-    v23 = xp.maximum(v22, 0.0)
-    v24 = v13 + v21
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = xp.where(v14, v20, v26)
-    v28 = v10 - b
-    v29 = xp.absolute(v28)
-    v30 = v10 + b
-    v31 = v29 * v30
-    v32 = xp.sqrt(v31)
-    v33 = v27 / v32
-    v34 = xp.arcsinh(v33)
-    v35 = nodes * v34
-    v36 = xp.tan(theta)
-    v37 = v13 - b
-    v38 = xp.maximum(v37, 0.0)
-    v39 = v13 + b
-    v40 = v38 * v39
-    v41 = xp.sqrt(v40)
-    v42 = -v35
-    v43 = xp.exp(v42)
-    v44 = xp.where(v14, v10, 0.5 * b)
-    v45 = xp.where(v14, 2.0 * b, v10)
-    v46 = xp.where(v14, 0.0, 1.0)
-    v47 = 2.0 * v46
-    v48 = 1.0 - v47
-    v49 = v34 - v35
-    v50 = (-2.0) * v49
-    v51 = xp.expm1(v50)
-    v52 = v48 * v51
-    v53 = v47 - v52
-    v54 = v43 * v53
-    v55 = (-2.0) * v34
-    v56 = xp.expm1(v55)
-    v57 = v48 * v56
-    v58 = v47 - v57
-    v59 = v58 > 0.0
-    v60 = xp.where(v59, v58, xp.inf)
-    v61 = v54 / v60
-    v62 = v41 * v61
-    v63 = v62 / b
-    v64 = xp.arctan(v63)
-    v65 = v36 * v64
-    v66 = b * v36
-    v67 = v66 / v62
-    v68 = v65 + v67
-    v69 = v68 * v62
-    v70 = b * b
-    v71 = v62 * v62
-    v72 = v70 + v71
-    v73 = xp.sqrt(v72)
-    v74 = v69 / v73
-    v75 = v34 * xp.sum(weights * v74, axis=0)
-    v76 = xp.where(v12, 0.5 * v11, v2)
-    v77 = xp.where(v12, v75, 0.0)
-    v78 = v8 * v77
-    v79 = xp.where(v7, xp.inf, v78)
-    v80 = xp.where(v3, 2.0 * v2, r)
-    v81 = xp.where(v3, v79, 0.0)
-    v82 = xp.where(v1, 0.5 * b, a)
-    v83 = xp.where(v1, v81, xp.nan)
-    v84 = r <= a
-    v85 = xp.where(v84, r, 0.5 * a)
-    v86 = xp.sqrt(a)
-    v87 = 6.283185307179586 * dgamma
-    v88 = v87 / E_star
-    v89 = xp.sqrt(v88)
-    v90 = v86 * v89
-    v91 = v90 > 0.0
-    v92 = E_star * v90
-    v93 = a - v85
-    v94 = xp.maximum(v93, 0.0)
-    v95 = a + v85
-    v96 = v94 * v95
-    v97 = xp.sqrt(v96)
-    v98 = 3.141592653589793 * v97
-    v99 = v92 / v98
-    v100 = xp.where(v91, v99, 0.0)
-    v101 = xp.where(v84, 2.0 * a, r)
-    v102 = xp.where(v84, v100, 0.0)
-    v103 = v83 - v102
-    return v103
+    return normal_pressure(xp, r, a, theta, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, theta, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, theta, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, theta, b):
+    v4 = xp.maximum(a - b, 0.0) * (a + b)
+    v5 = v4 > 0.0
+    v9 = normal_slope_beyond(xp, a, xp.where(v5, xp.sqrt(xp.where(v5, v4, 1.0)), 0.0), theta, b)
+    return v9
+
+
+def radius_from_depth(xp, d, theta, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, theta, b) - v5, rate(xp, v3, theta, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_beyond', d, theta, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, theta, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, theta, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, theta, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_beyond', F, theta, b, E_star, dgamma) * b)

@@ -1,266 +1,52 @@
 """Formulas of axicontact.adhesive.truncated_paraboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.physics.adhesion import hess_retraction as retraction
+from ...._programs.expressions._runtime.physics.adhesion import lift
+from ...._programs.expressions._runtime.physics.adhesion import pull
+from ...._programs.expressions._runtime.physics.adhesion import tension
+from ...._programs.expressions.normal.truncated_paraboloid import depth as normal_depth
+from ...._programs.expressions.normal.truncated_paraboloid import displacement as normal_displacement
+from ...._programs.expressions.normal.truncated_paraboloid import force as normal_force
+from ...._programs.expressions.normal.truncated_paraboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.truncated_paraboloid import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import radii_along
+from ...._runtime.steps import stable
 
 
 def depth(xp, a, R, b, E_star, dgamma):
-    v0 = a - b
-    v1 = a + b
-    v2 = v0 * v1
-    v3 = xp.sqrt(v2)
-    v4 = a * v3
-    v5 = v4 / R
-    v6 = xp.sqrt(a)
-    v7 = 6.283185307179586 * dgamma
-    v8 = v7 / E_star
-    v9 = xp.sqrt(v8)
-    v10 = v6 * v9
-    v11 = v5 - v10
-    return v11
-
-
-def displacement(xp, r, a, R, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r > v2
-    v4 = xp.where(v3, r, 2.0 * v2)
-    v5 = v2 > b
-    v6 = xp.where(v5, v2, 2.0 * b)
-    v7 = v4 - b
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v4 + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v6 - b
-    v13 = xp.maximum(v12, 0.0)
-    v14 = v6 + b
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v4 - v6
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v4 + v6
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v16 / v21
-    v23 = b / v4
-    v24 = v22 / v23
-    v25 = xp.arcsinh(v24)
-    v26 = nodes * v25
-    v27 = -v26
-    v28 = xp.exp(v27)
-    v29 = v25 - v26
-    v30 = (-2.0) * v29
-    v31 = xp.expm1(v30)
-    v32 = 0.0 - v31
-    v33 = v28 * v32
-    v34 = (-2.0) * v25
-    v35 = xp.expm1(v34)
-    v36 = 0.0 - v35
-    v37 = v36 > 0.0
-    v38 = xp.where(v37, v36, xp.inf)
-    v39 = v33 / v38
-    v40 = v22 * v39
-    v41 = v11 * v40
-    v42 = v40 * v40
-    v43 = 1.0 + v42
-    v44 = xp.sqrt(v43)
-    v45 = v41 / v44
-    v46 = 2.0 * v45
-    v47 = v46 / R
-    v48 = b ** 2.0
-    v49 = R * v45
-    v50 = v48 / v49
-    v51 = v47 + v50
-    v52 = v51 * v45
-    v53 = b * b
-    v54 = v45 * v45
-    v55 = v53 + v54
-    v56 = xp.sqrt(v55)
-    v57 = v52 / v56
-    v58 = v11 / v44
-    v59 = xp.arctan2(v56, v58)
-    v60 = v57 * v59
-    v61 = v23 * v23
-    v62 = v61 + v42
-    v63 = xp.sqrt(v62)
-    v64 = v44 * v44
-    v65 = v64 * v44
-    v66 = v63 / v65
-    v67 = v60 * v66
-    v68 = v25 * xp.sum(weights * v67, axis=0)
-    v69 = v11 * v68
-    v70 = xp.where(v5, 0.5 * b, v2)
-    v71 = xp.where(v5, v69, 0.0)
-    v72 = 0.6366197723675814 * v71
-    v73 = xp.where(v3, 0.5 * v2, r)
-    v74 = v2 - b
-    v75 = v2 + b
-    v76 = v74 * v75
-    v77 = xp.sqrt(v76)
-    v78 = v2 * v77
-    v79 = v78 / R
-    v80 = v73 < b
-    v81 = xp.where(v80, v73, 0.5 * b)
-    v82 = xp.where(v80, 2.0 * b, v73)
-    v83 = v82 - b
-    v84 = v82 + b
-    v85 = v83 * v84
-    v86 = 2.0 * R
-    v87 = v85 / v86
-    v88 = xp.where(v80, 0.0, v87)
-    v89 = v79 - v88
-    v90 = xp.where(v3, v72, v89)
-    v91 = xp.where(v1, 0.5 * b, a)
-    v92 = xp.where(v1, v90, xp.nan)
-    v93 = xp.sqrt(a)
-    v94 = 6.283185307179586 * dgamma
-    v95 = v94 / E_star
-    v96 = xp.sqrt(v95)
-    v97 = v93 * v96
-    v98 = r > a
-    v99 = xp.where(v98, r, 2.0 * a)
-    v100 = v99 - a
-    v101 = xp.maximum(v100, 0.0)
-    v102 = v99 + a
-    v103 = v101 * v102
-    v104 = xp.sqrt(v103)
-    v105 = xp.arctan2(a, v104)
-    v106 = 0.6366197723675814 * v105
-    v107 = xp.where(v98, 0.5 * a, r)
-    v108 = xp.where(v98, v106, 1.0)
-    v109 = v97 * v108
-    v110 = v92 - v109
-    return v110
+    return normal_depth(xp, a, R, b) - retraction(xp, a, E_star, dgamma)
 
 
 def force(xp, a, R, b, E_star, dgamma):
-    v0 = 2.0 * E_star
-    v1 = 3.0 * R
-    v2 = v0 / v1
-    v3 = a ** 2.0
-    v4 = 2.0 * v3
-    v5 = b ** 2.0
-    v6 = v4 + v5
-    v7 = v2 * v6
-    v8 = a - b
-    v9 = a + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v7 * v11
-    v13 = v0 * a
-    v14 = xp.sqrt(a)
-    v15 = 6.283185307179586 * dgamma
-    v16 = v15 / E_star
-    v17 = xp.sqrt(v16)
-    v18 = v14 * v17
-    v19 = v13 * v18
-    v20 = v12 - v19
-    return v20
+    return normal_force(xp, a, R, b, E_star) - pull(xp, a, E_star, dgamma)
 
 
 def pressure(xp, r, a, R, b, E_star, dgamma):
-    nodes, weights = nodes_along(xp, 64, r, a, R, b, E_star, dgamma)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = v4 == b
-    v6 = v2 > b
-    v7 = v5 & v6
-    v8 = E_star / 3.141592653589793
-    v9 = xp.nextafter(b, xp.inf)
-    v10 = xp.where(v5, v9, v4)
-    v11 = xp.maximum(v10, b)
-    v12 = v2 > v11
-    v13 = xp.where(v12, v2, 2.0 * v11)
-    v14 = v10 < b
-    v15 = xp.where(v14, v10, 0.5 * b)
-    v16 = v13 - b
-    v17 = xp.maximum(v16, 0.0)
-    v18 = v13 + b
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = xp.where(v14, 2.0 * b, v10)
-    v22 = v13 - v21
-    v23 = xp.maximum(v22, 0.0)
-    v24 = v13 + v21
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = xp.where(v14, v20, v26)
-    v28 = v10 - b
-    v29 = xp.absolute(v28)
-    v30 = v10 + b
-    v31 = v29 * v30
-    v32 = xp.sqrt(v31)
-    v33 = v27 / v32
-    v34 = xp.arcsinh(v33)
-    v35 = nodes * v34
-    v36 = v13 - b
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v13 + b
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = -v35
-    v42 = xp.exp(v41)
-    v43 = xp.where(v14, v10, 0.5 * b)
-    v44 = xp.where(v14, 2.0 * b, v10)
-    v45 = xp.where(v14, 0.0, 1.0)
-    v46 = 2.0 * v45
-    v47 = 1.0 - v46
-    v48 = v34 - v35
-    v49 = (-2.0) * v48
-    v50 = xp.expm1(v49)
-    v51 = v47 * v50
-    v52 = v46 - v51
-    v53 = v42 * v52
-    v54 = (-2.0) * v34
-    v55 = xp.expm1(v54)
-    v56 = v47 * v55
-    v57 = v46 - v56
-    v58 = v57 > 0.0
-    v59 = xp.where(v58, v57, xp.inf)
-    v60 = v53 / v59
-    v61 = v40 * v60
-    v62 = 2.0 * v61
-    v63 = v62 / R
-    v64 = b ** 2.0
-    v65 = R * v61
-    v66 = v64 / v65
-    v67 = v63 + v66
-    v68 = v67 * v61
-    v69 = b * b
-    v70 = v61 * v61
-    v71 = v69 + v70
-    v72 = xp.sqrt(v71)
-    v73 = v68 / v72
-    v74 = v34 * xp.sum(weights * v73, axis=0)
-    v75 = xp.where(v12, 0.5 * v11, v2)
-    v76 = xp.where(v12, v74, 0.0)
-    v77 = v8 * v76
-    v78 = xp.where(v7, xp.inf, v77)
-    v79 = xp.where(v3, 2.0 * v2, r)
-    v80 = xp.where(v3, v78, 0.0)
-    v81 = xp.where(v1, 0.5 * b, a)
-    v82 = xp.where(v1, v80, xp.nan)
-    v83 = r <= a
-    v84 = xp.where(v83, r, 0.5 * a)
-    v85 = xp.sqrt(a)
-    v86 = 6.283185307179586 * dgamma
-    v87 = v86 / E_star
-    v88 = xp.sqrt(v87)
-    v89 = v85 * v88
-    v90 = v89 > 0.0
-    v91 = E_star * v89
-    v92 = a - v84
-    v93 = xp.maximum(v92, 0.0)
-    v94 = a + v84
-    v95 = v93 * v94
-    v96 = xp.sqrt(v95)
-    v97 = 3.141592653589793 * v96
-    v98 = v91 / v97
-    v99 = xp.where(v90, v98, 0.0)
-    v100 = xp.where(v83, 2.0 * a, r)
-    v101 = xp.where(v83, v99, 0.0)
-    v102 = v82 - v101
-    return v102
+    return normal_pressure(xp, r, a, R, b, E_star) - tension(xp, r, a, E_star, dgamma)
+
+
+def displacement(xp, r, a, R, b, E_star, dgamma):
+    return normal_displacement(xp, r, a, R, b) - lift(xp, r, a, E_star, dgamma)
+
+
+def rate(xp, a, R, b):
+    v4 = xp.maximum(a - b, 0.0) * (a + b)
+    v5 = v4 > 0.0
+    return normal_slope_beyond(xp, a, xp.where(v5, xp.sqrt(xp.where(v5, v4, 1.0)), 0.0), R, b)
+
+
+def radius_from_depth(xp, d, R, b, E_star, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, E_star, dgamma)
+        return (normal_depth(xp, v3, R, b) - v5, rate(xp, v3, R, b) - v5 / (2.0 * v3))
+    return stable(xp, f2, d, radii_along(xp, 'radii_beyond', d, R, b, E_star, dgamma) * b)
+
+
+def radius_from_force(xp, F, R, b, E_star, dgamma):
+
+    def f2(v3):
+        v14 = rate(xp, v3, R, b) - 3.0 * retraction(xp, v3, E_star, dgamma) / (2.0 * v3)
+        v6 = normal_force(xp, v3, R, b, E_star) - pull(xp, v3, E_star, dgamma)
+        return (v6, 2.0 * E_star * v3 * v14)
+    return stable(xp, f2, F, radii_along(xp, 'radii_beyond', F, R, b, E_star, dgamma) * b)

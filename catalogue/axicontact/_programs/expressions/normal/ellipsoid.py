@@ -1,228 +1,44 @@
 """Formulas of axicontact.normal.ellipsoid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.shapes.arcs import arc_strips
+from ...._programs.expressions._runtime.special import tanh_gap
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
 
 
 def depth(xp, a, h, b):
-    v0 = h / b
-    v1 = v0 * a
-    v2 = 2.0 * a
-    v3 = b - a
-    v4 = v2 / v3
-    v5 = xp.log1p(v4)
-    v6 = v5 / 2.0
-    v7 = v1 * v6
-    return v7
+    return h / b * a * (xp.log1p(2.0 * a / (b - a)) / 2.0)
 
 
-def depth_from_force(xp, F, h, b, E_star):
-    v0 = h / b
-    v1 = E_star * h
-    v2 = b * 0.7615941559557649
-    v3 = b / 1.5430806348152437
-    v4 = v2 / v3
-    v5 = xp.arcsinh(v4)
-    v6 = v5 < 1.0
-    v7 = xp.where(v6, v5, 0.5 * 1.0)
-    v8 = xp.tanh(v7)
-    v9 = v8 * v8
-    v10 = v8 * v9
-    v11 = xp.minimum(v7, 1.0)
-    v12 = v11 * v11
-    v13 = 1.0716932453474512e-06 * v12
-    v14 = v13 + 0.00019982814521087247
-    v15 = v14 * v12
-    v16 = v15 + 0.007076196047699156
-    v17 = v16 * v12
-    v18 = v17 + 0.08608622548411103
-    v19 = v18 * v12
-    v20 = v19 + 0.3073858328214721
-    v21 = v20 * v12
-    v22 = v21 + 0.3333333333333333
-    v23 = 2.565078604208634e-08 * v12
-    v24 = v23 + 2.0203143566039827e-05
-    v25 = v24 * v12
-    v26 = v25 + 0.001617010334189783
-    v27 = v26 * v12
-    v28 = v27 + 0.03639274880225476
-    v29 = v28 * v12
-    v30 = v29 + 0.32215749846441627
-    v31 = v30 * v12
-    v32 = v31 + 1.0
-    v33 = v22 / v32
-    v34 = v10 * v33
-    v35 = xp.where(v6, 2.0 * 1.0, v5)
-    v36 = xp.tanh(v35)
-    v37 = v35 - v36
-    v38 = xp.where(v6, v34, v37)
-    v39 = b * v38
-    v40 = v2 ** 2.0
-    v41 = v40 * v5
-    v42 = v41 / b
-    v43 = v39 + v42
-    v44 = v1 * v43
-    v45 = F / v44
-    v46 = xp.log(v45)
-    v47 = v46 - 0.4879663296199081
-    v48 = 0.5833333333333334 * v47
-    v49 = v46 - 0.8775499035577244
-    v50 = 1.75 * v49
-    v51 = xp.maximum(v48, v50)
-    v52 = v48 - v50
-    v53 = xp.absolute(v52)
-    v54 = -v53
-    v55 = xp.exp(v54)
-    v56 = xp.log1p(v55)
-    v57 = v51 + v56
-    v58 = v57 / 1.75
-    v59 = xp.exp(v58)
-    v60 = 1.0 + v59
-    v61 = 1.0 / v60
-    v62 = 1.0 - v61
-    v63 = 13.75711 * v62
-    v64 = v63 + (-58.34092)
-    v65 = v64 * v62
-    v66 = v65 + 91.96521
-    v67 = v66 * v62
-    v68 = v67 + (-66.84601)
-    v69 = v68 * v62
-    v70 = v69 + 22.20415
-    v71 = v70 * v62
-    v72 = v71 + (-2.915358)
-    v73 = v72 * v62
-    v74 = v73 + 0.1558039
-    v75 = v74 * v62
-    v76 = v75 + 0.998775
-    v77 = v59 * v76
-    v78 = xp.where(F > 0.0, F, 1.0)
-    v79 = xp.minimum(v77, xp.inf)
-    for _ in range(6):
-        v81 = xp.tanh(v79)
-        v82 = b * v81
-        v83 = xp.cosh(v79)
-        v84 = b / v83
-        v85 = v82 / v84
-        v86 = xp.arcsinh(v85)
-        v87 = v86 < 1.0
-        v88 = xp.where(v87, v86, 0.5 * 1.0)
-        v89 = xp.tanh(v88)
-        v90 = v89 * v89
-        v91 = v89 * v90
-        v92 = xp.minimum(v88, 1.0)
-        v93 = v92 * v92
-        v94 = 1.0716932453474512e-06 * v93
-        v95 = v94 + 0.00019982814521087247
-        v96 = v95 * v93
-        v97 = v96 + 0.007076196047699156
-        v98 = v97 * v93
-        v99 = v98 + 0.08608622548411103
-        v100 = v99 * v93
-        v101 = v100 + 0.3073858328214721
-        v102 = v101 * v93
-        v103 = v102 + 0.3333333333333333
-        v104 = 2.565078604208634e-08 * v93
-        v105 = v104 + 2.0203143566039827e-05
-        v106 = v105 * v93
-        v107 = v106 + 0.001617010334189783
-        v108 = v107 * v93
-        v109 = v108 + 0.03639274880225476
-        v110 = v109 * v93
-        v111 = v110 + 0.32215749846441627
-        v112 = v111 * v93
-        v113 = v112 + 1.0
-        v114 = v103 / v113
-        v115 = v91 * v114
-        v116 = xp.where(v87, 2.0 * 1.0, v86)
-        v117 = xp.tanh(v116)
-        v118 = v116 - v117
-        v119 = xp.where(v87, v115, v118)
-        v120 = b * v119
-        v121 = v82 ** 2.0
-        v122 = v121 * v86
-        v123 = v122 / b
-        v124 = v120 + v123
-        v125 = v1 * v124
-        v126 = 2.0 * E_star
-        v127 = v126 * v82
-        v128 = v127 * v79
-        v129 = v128 * v84
-        v130 = v129 * v84
-        v131 = v130 / b
-        v132 = v0 * v86
-        v133 = h * v82
-        v134 = v84 ** 2.0
-        v135 = v133 / v134
-        v136 = v132 + v135
-        v137 = v131 * v136
-        v138 = v137 / v125
-        v139 = xp.log(v78 / v125)
-        v140 = v139 / 1.0
-        v141 = v139 / 3.0
-        v142 = xp.minimum(xp.maximum(v139 / v138, xp.minimum(v140, v141)), xp.maximum(v140, v141))
-        v143 = xp.where(v125 < xp.inf, v142, 0.0)
-        v79 = xp.minimum(v79 * xp.exp(v143), xp.inf)
-    v145 = xp.where(F > 0.0, v79, 0.0 * F)
-    v146 = xp.tanh(v145)
-    v147 = b * v146
-    v148 = v0 * v147
-    v149 = xp.cosh(v145)
-    v150 = b / v149
-    v151 = v147 / v150
-    v152 = xp.arcsinh(v151)
-    v153 = v148 * v152
-    v154 = v147 > 0.0
-    v155 = v147 < xp.inf
-    v156 = v154 & v155
-    v157 = v152 < 1.0
-    v158 = xp.where(v157, v152, 0.5 * 1.0)
-    v159 = xp.tanh(v158)
-    v160 = v159 * v159
-    v161 = v159 * v160
-    v162 = xp.minimum(v158, 1.0)
-    v163 = v162 * v162
-    v164 = 1.0716932453474512e-06 * v163
-    v165 = v164 + 0.00019982814521087247
-    v166 = v165 * v163
-    v167 = v166 + 0.007076196047699156
-    v168 = v167 * v163
-    v169 = v168 + 0.08608622548411103
-    v170 = v169 * v163
-    v171 = v170 + 0.3073858328214721
-    v172 = v171 * v163
-    v173 = v172 + 0.3333333333333333
-    v174 = 2.565078604208634e-08 * v163
-    v175 = v174 + 2.0203143566039827e-05
-    v176 = v175 * v163
-    v177 = v176 + 0.001617010334189783
-    v178 = v177 * v163
-    v179 = v178 + 0.03639274880225476
-    v180 = v179 * v163
-    v181 = v180 + 0.32215749846441627
-    v182 = v181 * v163
-    v183 = v182 + 1.0
-    v184 = v173 / v183
-    v185 = v161 * v184
-    v186 = xp.where(v157, 2.0 * 1.0, v152)
-    v187 = xp.tanh(v186)
-    v188 = v186 - v187
-    v189 = xp.where(v157, v185, v188)
-    v190 = b * v189
-    v191 = v147 ** 2.0
-    v192 = v191 * v152
-    v193 = v192 / b
-    v194 = v190 + v193
-    v195 = v1 * v194
-    v196 = F - v195
-    v197 = 2.0 * E_star
-    v198 = v197 * v147
-    v199 = v196 / v198
-    v200 = xp.where(v156, v199, 0.0)
-    v201 = v153 + v200
-    return v201
+def force(xp, a, h, b, E_star):
+    v7 = xp.log1p(2.0 * a / (b - a)) / 2.0
+    return E_star * h * (a ** 2.0 * v7 / b + b * tanh_gap(xp, v7, a / b))
+
+
+def pressure(xp, r, a, h, b, E_star):
+    v1 = a <= b
+    v2 = xp.where(v1, a, 0.5 * b)
+    v3 = r < v2
+    v4 = xp.where(v3, r, 0.5 * v2)
+    v16 = xp.arcsinh(xp.sqrt((v2 - v4) * (v2 + v4)) / xp.sqrt((b - v2) * (v2 + b)))
+    v24 = v16 / xp.sqrt((b - v4) * (v4 + b)) + arc_strips(xp, v4, v2, b) / b
+    v26 = xp.where(v3, 2.0 * v2, r)
+    v28 = xp.where(v1, 2.0 * b, a)
+    return xp.where(v1, xp.where(v3, E_star * h / 3.141592653589793 * v24, 0.0), xp.nan)
+
+
+def slope(xp, t, root, h, b):
+    return h / b * xp.arcsinh(t / root) + h * t / root ** 2.0
+
+
+def profile(xp, r, h, b):
+    v4 = r / b
+    return h * r ** 2.0 / (b ** 2.0 * (xp.sqrt((1.0 - v4) * (v4 + 1.0)) + 1.0))
 
 
 def displacement(xp, r, a, h, b):
-    nodes, weights = nodes_along(xp, 64, r, a, h, b)
+    v11, v12 = nodes_along(xp, 1, r, a, h, b)
     v1 = a <= b
     v2 = xp.where(v1, a, 0.5 * b)
     v3 = r > v2
@@ -230,743 +46,121 @@ def displacement(xp, r, a, h, b):
     v5 = xp.minimum(v4, b)
     v6 = v2 < v5
     v7 = xp.where(v6, v2, 0.5 * v5)
-    v8 = v5 - v7
-    v9 = xp.maximum(v8, 0.0)
-    v10 = v5 + v7
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v7 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = h / b
-    v17 = -v15
-    v18 = xp.exp(v17)
-    v19 = v14 - v15
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v14
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v13 * v29
-    v31 = v30 * v30
-    v32 = 1.0 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v30 / v33
-    v35 = v5 * v34
-    v36 = b - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = b + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = v40 ** 2.0
-    v42 = v5 / v33
-    v43 = v42 * v42
-    v44 = v41 + v43
-    v45 = xp.sqrt(v44)
-    v46 = v35 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = v16 * v47
-    v49 = h * v35
-    v50 = v45 ** 2.0
-    v51 = v49 / v50
-    v52 = v48 + v51
-    v53 = v4 - b
-    v54 = xp.maximum(v53, 0.0)
-    v55 = v4 + b
-    v56 = v54 * v55
-    v57 = xp.sqrt(v56)
-    v58 = v57 ** 2.0
-    v59 = v58 + v43
-    v60 = xp.sqrt(v59)
-    v61 = xp.arctan2(v35, v60)
-    v62 = v52 * v61
-    v63 = v42 / v33
-    v64 = v62 * v63
-    v65 = v14 * xp.sum(weights * v64, axis=0)
-    v66 = xp.where(v6, 2.0 * v5, v2)
-    v67 = xp.where(v6, v65, xp.inf)
-    v68 = 0.6366197723675814 * v67
-    v69 = xp.where(v3, 0.5 * v2, r)
-    v70 = h / b
-    v71 = v70 * v2
-    v72 = 2.0 * v2
-    v73 = b - v2
-    v74 = v72 / v73
-    v75 = xp.log1p(v74)
-    v76 = v75 / 2.0
-    v77 = v71 * v76
-    v78 = v69 ** 2.0
-    v79 = h * v78
-    v80 = b ** 2.0
-    v81 = v69 / b
-    v82 = 1.0 - v81
-    v83 = v81 + 1.0
-    v84 = v82 * v83
-    v85 = xp.sqrt(v84)
-    v86 = v85 + 1.0
-    v87 = v80 * v86
-    v88 = v79 / v87
-    v89 = v77 - v88
-    v90 = xp.where(v3, v68, v89)
-    v91 = xp.where(v1, 2.0 * b, a)
-    v92 = xp.where(v1, v90, xp.nan)
-    return v92
-
-
-def force(xp, a, h, b, E_star):
-    v0 = E_star * h
-    v1 = a ** 2.0
-    v2 = 2.0 * a
-    v3 = b - a
-    v4 = v2 / v3
-    v5 = xp.log1p(v4)
-    v6 = v5 / 2.0
-    v7 = v1 * v6
-    v8 = v7 / b
-    v9 = v6 < 1.0
-    v10 = xp.where(v9, v6, 0.5 * 1.0)
-    v11 = a / b
-    v12 = v11 * v11
-    v13 = v11 * v12
-    v14 = xp.minimum(v10, 1.0)
-    v15 = v14 * v14
-    v16 = 1.0716932453474512e-06 * v15
-    v17 = v16 + 0.00019982814521087247
-    v18 = v17 * v15
-    v19 = v18 + 0.007076196047699156
-    v20 = v19 * v15
-    v21 = v20 + 0.08608622548411103
-    v22 = v21 * v15
-    v23 = v22 + 0.3073858328214721
-    v24 = v23 * v15
-    v25 = v24 + 0.3333333333333333
-    v26 = 2.565078604208634e-08 * v15
-    v27 = v26 + 2.0203143566039827e-05
-    v28 = v27 * v15
-    v29 = v28 + 0.001617010334189783
-    v30 = v29 * v15
-    v31 = v30 + 0.03639274880225476
-    v32 = v31 * v15
-    v33 = v32 + 0.32215749846441627
-    v34 = v33 * v15
-    v35 = v34 + 1.0
-    v36 = v25 / v35
-    v37 = v13 * v36
-    v38 = xp.where(v9, 2.0 * 1.0, v6)
-    v39 = a / b
-    v40 = v38 - v39
-    v41 = xp.where(v9, v37, v40)
-    v42 = b * v41
-    v43 = v8 + v42
-    v44 = v0 * v43
-    return v44
-
-
-def force_from_depth(xp, d, h, b, E_star):
-    v0 = E_star * h
-    v1 = h / b
-    v2 = b * 0.7615941559557649
-    v3 = v1 * v2
-    v4 = b / 1.5430806348152437
-    v5 = v2 / v4
-    v6 = xp.arcsinh(v5)
-    v7 = v3 * v6
-    v8 = d / v7
-    v9 = xp.log(v8)
-    v10 = v9 - 0.2723145953206591
-    v11 = 1.875 * v10
-    v12 = 3.75 * v10
-    v13 = xp.maximum(v11, v12)
-    v14 = v11 - v12
-    v15 = xp.absolute(v14)
-    v16 = -v15
-    v17 = xp.exp(v16)
-    v18 = xp.log1p(v17)
-    v19 = v13 + v18
-    v20 = v19 / 3.75
-    v21 = xp.exp(v20)
-    v22 = 1.0 + v21
-    v23 = 1.0 / v22
-    v24 = 1.0 - v23
-    v25 = 25.07439 * v24
-    v26 = v25 + (-95.06062)
-    v27 = v26 * v24
-    v28 = v27 + 137.5431
-    v29 = v28 * v24
-    v30 = v29 + (-93.92268)
-    v31 = v30 * v24
-    v32 = v31 + 30.18372
-    v33 = v32 * v24
-    v34 = v33 + (-4.0282)
-    v35 = v34 * v24
-    v36 = v35 + 0.208363
-    v37 = v36 * v24
-    v38 = v37 + 0.9983865
-    v39 = v21 * v38
-    v40 = xp.where(d > 0.0, d, 1.0)
-    v41 = xp.minimum(v39, xp.inf)
-    for _ in range(6):
-        v43 = xp.tanh(v41)
-        v44 = b * v43
-        v45 = v1 * v44
-        v46 = xp.cosh(v41)
-        v47 = b / v46
-        v48 = v44 / v47
-        v49 = xp.arcsinh(v48)
-        v50 = v45 * v49
-        v51 = v41 * v47
-        v52 = v51 * v47
-        v53 = v52 / b
-        v54 = v1 * v49
-        v55 = h * v44
-        v56 = v47 ** 2.0
-        v57 = v55 / v56
-        v58 = v54 + v57
-        v59 = v53 * v58
-        v60 = v59 / v50
-        v61 = xp.log(v40 / v50)
-        v62 = v61 / 1.0
-        v63 = v61 / 2.0
-        v64 = xp.minimum(xp.maximum(v61 / v60, xp.minimum(v62, v63)), xp.maximum(v62, v63))
-        v65 = xp.where(v50 < xp.inf, v64, 0.0)
-        v41 = xp.minimum(v41 * xp.exp(v65), xp.inf)
-    v67 = xp.where(d > 0.0, v41, 0.0 * d)
-    v68 = xp.tanh(v67)
-    v69 = b * v68
-    v70 = xp.cosh(v67)
-    v71 = b / v70
-    v72 = v69 / v71
-    v73 = xp.arcsinh(v72)
-    v74 = v73 < 1.0
-    v75 = xp.where(v74, v73, 0.5 * 1.0)
-    v76 = xp.tanh(v75)
-    v77 = v76 * v76
-    v78 = v76 * v77
-    v79 = xp.minimum(v75, 1.0)
-    v80 = v79 * v79
-    v81 = 1.0716932453474512e-06 * v80
-    v82 = v81 + 0.00019982814521087247
-    v83 = v82 * v80
-    v84 = v83 + 0.007076196047699156
-    v85 = v84 * v80
-    v86 = v85 + 0.08608622548411103
-    v87 = v86 * v80
-    v88 = v87 + 0.3073858328214721
-    v89 = v88 * v80
-    v90 = v89 + 0.3333333333333333
-    v91 = 2.565078604208634e-08 * v80
-    v92 = v91 + 2.0203143566039827e-05
-    v93 = v92 * v80
-    v94 = v93 + 0.001617010334189783
-    v95 = v94 * v80
-    v96 = v95 + 0.03639274880225476
-    v97 = v96 * v80
-    v98 = v97 + 0.32215749846441627
-    v99 = v98 * v80
-    v100 = v99 + 1.0
-    v101 = v90 / v100
-    v102 = v78 * v101
-    v103 = xp.where(v74, 2.0 * 1.0, v73)
-    v104 = xp.tanh(v103)
-    v105 = v103 - v104
-    v106 = xp.where(v74, v102, v105)
-    v107 = b * v106
-    v108 = v69 ** 2.0
-    v109 = v108 * v73
-    v110 = v109 / b
-    v111 = v107 + v110
-    v112 = v0 * v111
-    v113 = v69 > 0.0
-    v114 = v69 < xp.inf
-    v115 = v113 & v114
-    v116 = 2.0 * E_star
-    v117 = v116 * v69
-    v118 = v1 * v69
-    v119 = v118 * v73
-    v120 = d - v119
-    v121 = v117 * v120
-    v122 = xp.where(v115, v121, 0.0)
-    v123 = v112 + v122
-    return v123
-
-
-def mean_pressure(xp, a, h, b, E_star):
-    v0 = a > 0.0
-    v1 = E_star * h
-    v2 = a ** 2.0
-    v3 = 2.0 * a
-    v4 = b - a
-    v5 = v3 / v4
-    v6 = xp.log1p(v5)
-    v7 = v6 / 2.0
-    v8 = v2 * v7
-    v9 = v8 / b
-    v10 = v7 < 1.0
-    v11 = xp.where(v10, v7, 0.5 * 1.0)
-    v12 = a / b
-    v13 = v12 * v12
-    v14 = v12 * v13
-    v15 = xp.minimum(v11, 1.0)
-    v16 = v15 * v15
-    v17 = 1.0716932453474512e-06 * v16
-    v18 = v17 + 0.00019982814521087247
-    v19 = v18 * v16
-    v20 = v19 + 0.007076196047699156
-    v21 = v20 * v16
-    v22 = v21 + 0.08608622548411103
-    v23 = v22 * v16
-    v24 = v23 + 0.3073858328214721
-    v25 = v24 * v16
-    v26 = v25 + 0.3333333333333333
-    v27 = 2.565078604208634e-08 * v16
-    v28 = v27 + 2.0203143566039827e-05
-    v29 = v28 * v16
-    v30 = v29 + 0.001617010334189783
-    v31 = v30 * v16
-    v32 = v31 + 0.03639274880225476
-    v33 = v32 * v16
-    v34 = v33 + 0.32215749846441627
-    v35 = v34 * v16
-    v36 = v35 + 1.0
-    v37 = v26 / v36
-    v38 = v14 * v37
-    v39 = xp.where(v10, 2.0 * 1.0, v7)
-    v40 = a / b
-    v41 = v39 - v40
-    v42 = xp.where(v10, v38, v41)
-    v43 = b * v42
-    v44 = v9 + v43
-    v45 = v1 * v44
-    v46 = 3.141592653589793 * v2
-    v47 = v45 / v46
-    v48 = xp.where(v0, v47, 0.0)
-    return v48
-
-
-def pressure(xp, r, a, h, b, E_star):
-    nodes, weights = nodes_along(xp, 64, r, a, h, b, E_star)
-    v1 = a <= b
-    v2 = xp.where(v1, a, 0.5 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = E_star * h
-    v6 = v5 / 3.141592653589793
-    v7 = v2 - v4
-    v8 = v2 + v4
-    v9 = v7 * v8
-    v10 = xp.sqrt(v9)
-    v11 = b - v2
-    v12 = v2 + b
-    v13 = v11 * v12
-    v14 = xp.sqrt(v13)
-    v15 = v10 / v14
-    v16 = xp.arcsinh(v15)
-    v17 = b - v4
-    v18 = v4 + b
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = v16 / v20
-    v22 = xp.maximum(v7, 0.0)
-    v23 = v22 * v8
-    v24 = xp.sqrt(v23)
-    v25 = v2 + v24
-    v26 = xp.maximum(v17, 0.0)
-    v27 = b + v4
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = b + v29
-    v31 = v25 / v30
-    v32 = v31 > 0.7
-    v33 = xp.where(v32, v31, 2.0 * 0.7)
-    v34 = v2 < b
-    v35 = xp.where(v34, v2, 0.5 * b)
-    v36 = v35 - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v35 + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = b - v35
-    v42 = xp.maximum(v41, 0.0)
-    v43 = b + v35
-    v44 = v42 * v43
-    v45 = xp.sqrt(v44)
-    v46 = v40 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = nodes * v47
-    v49 = v4 * v4
-    v50 = -v48
-    v51 = xp.exp(v50)
-    v52 = v47 - v48
-    v53 = (-2.0) * v52
-    v54 = xp.expm1(v53)
-    v55 = 0.0 - v54
-    v56 = v51 * v55
-    v57 = (-2.0) * v47
-    v58 = xp.expm1(v57)
-    v59 = 0.0 - v58
-    v60 = v59 > 0.0
-    v61 = xp.where(v60, v59, xp.inf)
-    v62 = v56 / v61
-    v63 = v46 * v62
-    v64 = v63 * v63
-    v65 = 1.0 + v64
-    v66 = xp.sqrt(v65)
-    v67 = v63 / v66
-    v68 = v29 * v67
-    v69 = v68 * v68
-    v70 = v49 + v69
-    v71 = xp.sqrt(v70)
-    v72 = v29 / v66
-    v73 = v71 / v72
-    v74 = xp.arcsinh(v73)
-    v75 = v74 / v71
-    v76 = v72 / v66
-    v77 = v75 * v76
-    v78 = v47 * xp.sum(weights * v77, axis=0)
-    v79 = xp.where(v34, 2.0 * b, v2)
-    v80 = xp.where(v34, v78, xp.inf)
-    v81 = xp.where(v32, 0.5 * 0.7, v31)
-    v82 = 2.0 * v24
-    v83 = v82 / v30
-    v84 = v81 * v81
-    v85 = 0.13579013365982337 * v84
-    v86 = v85 + (-0.4846453962188766)
-    v87 = v86 * v84
-    v88 = v87 + 0.8293825948837366
-    v89 = v88 * v84
-    v90 = v89 + (-0.8745573865774817)
-    v91 = v90 * v84
-    v92 = v91 + 0.6371928816963097
-    v93 = v92 * v84
-    v94 = v93 + (-0.3332798652335896)
-    v95 = v94 * v84
-    v96 = v95 + 0.13289328569967984
-    v97 = v96 * v84
-    v98 = v97 + (-0.03710676078458442)
-    v99 = v98 * v84
-    v100 = v99 + 0.011089560042611895
-    v101 = v100 * v84
-    v102 = v101 + 0.0012521687336059639
-    v103 = v102 * v84
-    v104 = v103 + 0.0036572276005780893
-    v105 = v104 * v84
-    v106 = v105 + 0.004425450516633092
-    v107 = v106 * v84
-    v108 = v107 + 0.005918487051520244
-    v109 = v108 * v84
-    v110 = v109 + 0.008264397984935742
-    v111 = v110 * v84
-    v112 = v111 + 0.012345681107818056
-    v113 = v112 * v84
-    v114 = v113 + 0.020408163224119494
-    v115 = v114 * v84
-    v116 = v115 + 0.04000000000042643
-    v117 = v116 * v84
-    v118 = v117 + 0.11111111111110937
-    v119 = v118 * v84
-    v120 = v119 + 1.0
-    v121 = v4 / v25
-    v122 = v4 * v121
-    v123 = v122 / v30
-    v124 = v123 + v81
-    v125 = v123 * v124
-    v126 = v123 * v123
-    v127 = 0.0 * v126
-    v128 = v127 + 0.13579013365982337
-    v129 = v128 * v126
-    v130 = v129 + v86
-    v131 = v130 * v126
-    v132 = v131 + v88
-    v133 = v132 * v126
-    v134 = v133 + v90
-    v135 = v134 * v126
-    v136 = v135 + v92
-    v137 = v136 * v126
-    v138 = v137 + v94
-    v139 = v138 * v126
-    v140 = v139 + v96
-    v141 = v140 * v126
-    v142 = v141 + v98
-    v143 = v142 * v126
-    v144 = v143 + v100
-    v145 = v144 * v126
-    v146 = v145 + v102
-    v147 = v146 * v126
-    v148 = v147 + v104
-    v149 = v148 * v126
-    v150 = v149 + v106
-    v151 = v150 * v126
-    v152 = v151 + v108
-    v153 = v152 * v126
-    v154 = v153 + v110
-    v155 = v154 * v126
-    v156 = v155 + v112
-    v157 = v156 * v126
-    v158 = v157 + v114
-    v159 = v158 * v126
-    v160 = v159 + v116
-    v161 = v160 * v126
-    v162 = v161 + v118
-    v163 = v125 * v162
-    v164 = v120 + v163
-    v165 = v83 * v164
-    v166 = xp.where(v32, v80, v165)
-    v167 = v166 / b
-    v168 = v21 + v167
-    v169 = v6 * v168
-    v170 = xp.where(v3, 2.0 * v2, r)
-    v171 = xp.where(v3, v169, 0.0)
-    v172 = xp.where(v1, 2.0 * b, a)
-    v173 = xp.where(v1, v171, xp.nan)
-    return v173
-
-
-def profile(xp, r, h, b):
-    v0 = r ** 2.0
-    v1 = h * v0
-    v2 = b ** 2.0
-    v3 = r / b
-    v4 = 1.0 - v3
-    v5 = v3 + 1.0
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = v7 + 1.0
-    v9 = v2 * v8
-    v10 = v1 / v9
-    return v10
-
-
-def radius_from_depth(xp, d, h, b):
-    v0 = h / b
-    v1 = b * 0.7615941559557649
-    v2 = v0 * v1
-    v3 = b / 1.5430806348152437
-    v4 = v1 / v3
-    v5 = xp.arcsinh(v4)
-    v6 = v2 * v5
-    v7 = d / v6
-    v8 = xp.log(v7)
-    v9 = v8 - 0.2723145953206591
-    v10 = 1.875 * v9
-    v11 = 3.75 * v9
-    v12 = xp.maximum(v10, v11)
-    v13 = v10 - v11
-    v14 = xp.absolute(v13)
-    v15 = -v14
-    v16 = xp.exp(v15)
-    v17 = xp.log1p(v16)
-    v18 = v12 + v17
-    v19 = v18 / 3.75
-    v20 = xp.exp(v19)
-    v21 = 1.0 + v20
-    v22 = 1.0 / v21
-    v23 = 1.0 - v22
-    v24 = 25.07439 * v23
-    v25 = v24 + (-95.06062)
-    v26 = v25 * v23
-    v27 = v26 + 137.5431
-    v28 = v27 * v23
-    v29 = v28 + (-93.92268)
-    v30 = v29 * v23
-    v31 = v30 + 30.18372
-    v32 = v31 * v23
-    v33 = v32 + (-4.0282)
-    v34 = v33 * v23
-    v35 = v34 + 0.208363
-    v36 = v35 * v23
-    v37 = v36 + 0.9983865
-    v38 = v20 * v37
-    v39 = xp.where(d > 0.0, d, 1.0)
-    v40 = xp.minimum(v38, xp.inf)
-    for _ in range(6):
-        v42 = xp.tanh(v40)
-        v43 = b * v42
-        v44 = v0 * v43
-        v45 = xp.cosh(v40)
-        v46 = b / v45
-        v47 = v43 / v46
-        v48 = xp.arcsinh(v47)
-        v49 = v44 * v48
-        v50 = v40 * v46
-        v51 = v50 * v46
-        v52 = v51 / b
-        v53 = v0 * v48
-        v54 = h * v43
-        v55 = v46 ** 2.0
-        v56 = v54 / v55
-        v57 = v53 + v56
-        v58 = v52 * v57
-        v59 = v58 / v49
-        v60 = xp.log(v39 / v49)
-        v61 = v60 / 1.0
-        v62 = v60 / 2.0
-        v63 = xp.minimum(xp.maximum(v60 / v59, xp.minimum(v61, v62)), xp.maximum(v61, v62))
-        v64 = xp.where(v49 < xp.inf, v63, 0.0)
-        v40 = xp.minimum(v40 * xp.exp(v64), xp.inf)
-    v66 = xp.where(d > 0.0, v40, 0.0 * d)
-    v67 = xp.tanh(v66)
-    v68 = b * v67
-    return v68
-
-
-def radius_from_force(xp, F, h, b, E_star):
-    v0 = E_star * h
-    v1 = b * 0.7615941559557649
-    v2 = b / 1.5430806348152437
-    v3 = v1 / v2
-    v4 = xp.arcsinh(v3)
-    v5 = v4 < 1.0
-    v6 = xp.where(v5, v4, 0.5 * 1.0)
-    v7 = xp.tanh(v6)
-    v8 = v7 * v7
-    v9 = v7 * v8
-    v10 = xp.minimum(v6, 1.0)
-    v11 = v10 * v10
-    v12 = 1.0716932453474512e-06 * v11
-    v13 = v12 + 0.00019982814521087247
-    v14 = v13 * v11
-    v15 = v14 + 0.007076196047699156
-    v16 = v15 * v11
-    v17 = v16 + 0.08608622548411103
-    v18 = v17 * v11
-    v19 = v18 + 0.3073858328214721
-    v20 = v19 * v11
-    v21 = v20 + 0.3333333333333333
-    v22 = 2.565078604208634e-08 * v11
-    v23 = v22 + 2.0203143566039827e-05
-    v24 = v23 * v11
-    v25 = v24 + 0.001617010334189783
-    v26 = v25 * v11
-    v27 = v26 + 0.03639274880225476
-    v28 = v27 * v11
-    v29 = v28 + 0.32215749846441627
-    v30 = v29 * v11
-    v31 = v30 + 1.0
-    v32 = v21 / v31
-    v33 = v9 * v32
-    v34 = xp.where(v5, 2.0 * 1.0, v4)
-    v35 = xp.tanh(v34)
-    v36 = v34 - v35
-    v37 = xp.where(v5, v33, v36)
-    v38 = b * v37
-    v39 = v1 ** 2.0
-    v40 = v39 * v4
-    v41 = v40 / b
-    v42 = v38 + v41
-    v43 = v0 * v42
-    v44 = F / v43
-    v45 = xp.log(v44)
-    v46 = v45 - 0.4879663296199081
-    v47 = 0.5833333333333334 * v46
-    v48 = v45 - 0.8775499035577244
-    v49 = 1.75 * v48
-    v50 = xp.maximum(v47, v49)
-    v51 = v47 - v49
-    v52 = xp.absolute(v51)
-    v53 = -v52
-    v54 = xp.exp(v53)
-    v55 = xp.log1p(v54)
-    v56 = v50 + v55
-    v57 = v56 / 1.75
-    v58 = xp.exp(v57)
-    v59 = 1.0 + v58
-    v60 = 1.0 / v59
-    v61 = 1.0 - v60
-    v62 = 13.75711 * v61
-    v63 = v62 + (-58.34092)
-    v64 = v63 * v61
-    v65 = v64 + 91.96521
-    v66 = v65 * v61
-    v67 = v66 + (-66.84601)
-    v68 = v67 * v61
-    v69 = v68 + 22.20415
-    v70 = v69 * v61
-    v71 = v70 + (-2.915358)
-    v72 = v71 * v61
-    v73 = v72 + 0.1558039
-    v74 = v73 * v61
-    v75 = v74 + 0.998775
-    v76 = v58 * v75
-    v77 = xp.where(F > 0.0, F, 1.0)
-    v78 = xp.minimum(v76, xp.inf)
-    for _ in range(6):
-        v80 = xp.tanh(v78)
-        v81 = b * v80
-        v82 = xp.cosh(v78)
-        v83 = b / v82
-        v84 = v81 / v83
-        v85 = xp.arcsinh(v84)
-        v86 = v85 < 1.0
-        v87 = xp.where(v86, v85, 0.5 * 1.0)
-        v88 = xp.tanh(v87)
-        v89 = v88 * v88
-        v90 = v88 * v89
-        v91 = xp.minimum(v87, 1.0)
-        v92 = v91 * v91
-        v93 = 1.0716932453474512e-06 * v92
-        v94 = v93 + 0.00019982814521087247
-        v95 = v94 * v92
-        v96 = v95 + 0.007076196047699156
-        v97 = v96 * v92
-        v98 = v97 + 0.08608622548411103
-        v99 = v98 * v92
-        v100 = v99 + 0.3073858328214721
-        v101 = v100 * v92
-        v102 = v101 + 0.3333333333333333
-        v103 = 2.565078604208634e-08 * v92
-        v104 = v103 + 2.0203143566039827e-05
-        v105 = v104 * v92
-        v106 = v105 + 0.001617010334189783
-        v107 = v106 * v92
-        v108 = v107 + 0.03639274880225476
-        v109 = v108 * v92
-        v110 = v109 + 0.32215749846441627
-        v111 = v110 * v92
-        v112 = v111 + 1.0
-        v113 = v102 / v112
-        v114 = v90 * v113
-        v115 = xp.where(v86, 2.0 * 1.0, v85)
-        v116 = xp.tanh(v115)
-        v117 = v115 - v116
-        v118 = xp.where(v86, v114, v117)
-        v119 = b * v118
-        v120 = v81 ** 2.0
-        v121 = v120 * v85
-        v122 = v121 / b
-        v123 = v119 + v122
-        v124 = v0 * v123
-        v125 = 2.0 * E_star
-        v126 = v125 * v81
-        v127 = v126 * v78
-        v128 = v127 * v83
-        v129 = v128 * v83
-        v130 = v129 / b
-        v131 = h / b
-        v132 = v131 * v85
-        v133 = h * v81
-        v134 = v83 ** 2.0
-        v135 = v133 / v134
-        v136 = v132 + v135
-        v137 = v130 * v136
-        v138 = v137 / v124
-        v139 = xp.log(v77 / v124)
-        v140 = v139 / 1.0
-        v141 = v139 / 3.0
-        v142 = xp.minimum(xp.maximum(v139 / v138, xp.minimum(v140, v141)), xp.maximum(v140, v141))
-        v143 = xp.where(v124 < xp.inf, v142, 0.0)
-        v78 = xp.minimum(v78 * xp.exp(v143), xp.inf)
-    v145 = xp.where(F > 0.0, v78, 0.0 * F)
-    v146 = xp.tanh(v145)
-    v147 = b * v146
-    return v147
+    v9 = v7 / difference_root(xp, v5, v7)
+    v10 = xp.arcsinh(v9)
+    v13 = v11 * v10
+    v23 = 0.0 - xp.expm1(-2.0 * v10)
+    v24 = v23 > 0.0
+    v20 = xp.exp(-v13) * (0.0 - xp.expm1(-2.0 * (v10 - v13)))
+    v28 = v9 * (v20 / xp.where(v24, xp.where(v24, v23, 1.0), xp.inf))
+    v31 = xp.sqrt(1.0 + v28 * v28)
+    v33 = v5 * (v28 / v31)
+    v36 = v5 / v31
+    v37 = v36 * v36
+    v40 = slope(xp, v33, xp.sqrt(difference_root(xp, b, v4) ** 2.0 + v37), h, b)
+    v48 = v40 * xp.arctan2(v33, xp.sqrt(difference_root(xp, v4, b) ** 2.0 + v37)) * (v36 / v31)
+    v50 = xp.where(v6, 2.0 * v5, v2)
+    v52 = 0.6366197723675814 * xp.where(v6, v10 * xp.sum(v12 * v48, axis=0), xp.inf)
+    v58 = xp.where(v1, 2.0 * b, a)
+    v57 = xp.where(v3, v52, depth(xp, v2, h, b) - profile(xp, xp.where(v3, 0.5 * v2, r), h, b))
+    return xp.where(v1, v57, xp.nan)
 
 
 def stiffness(xp, a, E_star):
-    v0 = 2.0 * E_star
-    v1 = v0 * a
-    return v1
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, h, b, E_star):
+    v1 = a > 0.0
+    v2 = xp.where(v1, a, 1.0)
+    return xp.where(v1, force(xp, v2, h, b, E_star) / (3.141592653589793 * v2 ** 2.0), 0.0)
+
+
+def depth_at(xp, a, root, h, b):
+    return h / b * a * xp.arcsinh(a / root)
+
+
+def radius_from_depth(xp, d, h, b):
+    v5 = xp.log(d / depth_at(xp, b * 0.7615941559557649, b / 1.5430806348152437, h, b))
+    v6 = v5 - 0.2723145953206591
+    v7 = 1.875 * v6
+    v8 = 3.75 * v6
+    v17 = xp.exp((xp.maximum(v7, v8) + xp.log1p(xp.exp(-xp.absolute(v7 - v8)))) / 3.75)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((25.07439 * v20 + -95.06062) * v20 + 137.5431) * v20 + -93.92268) * v20 + 30.18372
+
+    def f35(v36):
+        v38 = b * xp.tanh(v36)
+        v40 = b / xp.cosh(v36)
+        v41 = depth_at(xp, v38, v40, h, b)
+        return (v41, v36 * v40 * v40 / b * slope(xp, v38, v40, h, b) / v41)
+    v35 = v17 * (((v28 * v20 + -4.0282) * v20 + 0.208363) * v20 + 0.9983865)
+    return b * xp.tanh(newton(xp, f35, d, v35, xp.inf, 1.0, 2.0))
+
+
+def force_at(xp, a, root, h, b, E_star):
+    v3 = xp.arcsinh(a / root)
+    return E_star * h * (b * tanh_gap(xp, v3, xp.tanh(v3)) + a ** 2.0 * v3 / b)
+
+
+def radius_from_force(xp, F, h, b, E_star):
+    v5 = xp.log(F / force_at(xp, b * 0.7615941559557649, b / 1.5430806348152437, h, b, E_star))
+    v7 = 0.5833333333333334 * (v5 - 0.4879663296199081)
+    v9 = 1.75 * (v5 - 0.8775499035577244)
+    v18 = xp.exp((xp.maximum(v7, v9) + xp.log1p(xp.exp(-xp.absolute(v7 - v9)))) / 1.75)
+    v21 = 1.0 - 1.0 / (1.0 + v18)
+    v29 = (((13.75711 * v21 + -58.34092) * v21 + 91.96521) * v21 + -66.84601) * v21 + 22.20415
+
+    def f36(v37):
+        v39 = b * xp.tanh(v37)
+        v41 = b / xp.cosh(v37)
+        v42 = force_at(xp, v39, v41, h, b, E_star)
+        v51 = 2.0 * E_star * v39 * v37 * v41 * v41 / b * slope(xp, v39, v41, h, b) / v42
+        return (v42, v51)
+    v36 = v18 * (((v29 * v21 + -2.915358) * v21 + 0.1558039) * v21 + 0.998775)
+    return b * xp.tanh(newton(xp, f36, F, v36, xp.inf, 1.0, 3.0))
+
+
+def force_from_depth(xp, d, h, b, E_star):
+    v5 = xp.log(d / depth_at(xp, b * 0.7615941559557649, b / 1.5430806348152437, h, b))
+    v6 = v5 - 0.2723145953206591
+    v7 = 1.875 * v6
+    v8 = 3.75 * v6
+    v17 = xp.exp((xp.maximum(v7, v8) + xp.log1p(xp.exp(-xp.absolute(v7 - v8)))) / 3.75)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((25.07439 * v20 + -95.06062) * v20 + 137.5431) * v20 + -93.92268) * v20 + 30.18372
+
+    def f35(v36):
+        v38 = b * xp.tanh(v36)
+        v40 = b / xp.cosh(v36)
+        v41 = depth_at(xp, v38, v40, h, b)
+        return (v41, v36 * v40 * v40 / b * slope(xp, v38, v40, h, b) / v41)
+    v35 = v17 * (((v28 * v20 + -4.0282) * v20 + 0.208363) * v20 + 0.9983865)
+    v48 = newton(xp, f35, d, v35, xp.inf, 1.0, 2.0)
+    v50 = b * xp.tanh(v48)
+    v52 = b / xp.cosh(v48)
+    v61 = 2.0 * E_star * v50 * (d - depth_at(xp, v50, v52, h, b))
+    v63 = force_at(xp, v50, v52, h, b, E_star) + xp.where((v50 > 0.0) & (v50 < xp.inf), v61, 0.0)
+    return v63
+
+
+def depth_from_force(xp, F, h, b, E_star):
+    v5 = xp.log(F / force_at(xp, b * 0.7615941559557649, b / 1.5430806348152437, h, b, E_star))
+    v7 = 0.5833333333333334 * (v5 - 0.4879663296199081)
+    v9 = 1.75 * (v5 - 0.8775499035577244)
+    v18 = xp.exp((xp.maximum(v7, v9) + xp.log1p(xp.exp(-xp.absolute(v7 - v9)))) / 1.75)
+    v21 = 1.0 - 1.0 / (1.0 + v18)
+    v29 = (((13.75711 * v21 + -58.34092) * v21 + 91.96521) * v21 + -66.84601) * v21 + 22.20415
+
+    def f36(v37):
+        v39 = b * xp.tanh(v37)
+        v41 = b / xp.cosh(v37)
+        v42 = force_at(xp, v39, v41, h, b, E_star)
+        v51 = 2.0 * E_star * v39 * v37 * v41 * v41 / b * slope(xp, v39, v41, h, b) / v42
+        return (v42, v51)
+    v36 = v18 * (((v29 * v21 + -2.915358) * v21 + 0.1558039) * v21 + 0.998775)
+    v52 = newton(xp, f36, F, v36, xp.inf, 1.0, 3.0)
+    v54 = b * xp.tanh(v52)
+    v56 = b / xp.cosh(v52)
+    v65 = (F - force_at(xp, v54, v56, h, b, E_star)) / (2.0 * E_star * v54)
+    return depth_at(xp, v54, v56, h, b) + xp.where((v54 > 0.0) & (v54 < xp.inf), v65, 0.0)

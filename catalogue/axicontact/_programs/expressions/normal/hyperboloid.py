@@ -1,581 +1,103 @@
 """Formulas of axicontact.normal.hyperboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.special import arctan_gap
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
 
 
 def depth(xp, a, theta, b):
-    v0 = xp.tan(theta)
-    v1 = v0 * a
-    v2 = a / b
-    v3 = xp.arctan(v2)
-    v4 = v1 * v3
-    return v4
-
-
-def depth_from_force(xp, F, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = b / 1000.0
-    v2 = xp.where(F > 0.0, F, 1.0)
-    v3 = xp.minimum(v1, xp.inf)
-    for _ in range(6):
-        v5 = E_star * v0
-        v6 = v3 ** 2.0
-        v7 = xp.arctan2(v3, b)
-        v8 = v6 * v7
-        v9 = b ** 2.0
-        v10 = v3 / b
-        v11 = v10 < 1.0
-        v12 = xp.where(v11, v10, 0.5 * 1.0)
-        v13 = xp.minimum(v12, 1.0)
-        v14 = v13 * v13
-        v15 = v13 * v14
-        v16 = 2.229767813968649e-06 * v14
-        v17 = v16 + 0.0021043873129700233
-        v18 = v17 * v14
-        v19 = v18 + 0.04325113828415611
-        v20 = v19 * v14
-        v21 = v20 + 0.2725778671008127
-        v22 = v21 * v14
-        v23 = v22 + 0.7123414383945195
-        v24 = v23 * v14
-        v25 = v24 + 0.8116412201960678
-        v26 = v25 * v14
-        v27 = v26 + 0.3333333333333333
-        v28 = 0.002445452808893491 * v14
-        v29 = v28 + 0.06453295925870227
-        v30 = v29 * v14
-        v31 = v30 + 0.5368820963772863
-        v32 = v31 * v14
-        v33 = v32 + 1.9680296155712274
-        v34 = v33 * v14
-        v35 = v34 + 3.5294070829658954
-        v36 = v35 * v14
-        v37 = v36 + 3.034923660588189
-        v38 = v37 * v14
-        v39 = v38 + 1.0
-        v40 = v27 / v39
-        v41 = v15 * v40
-        v42 = xp.where(v11, 2.0 * 1.0, v10)
-        v43 = xp.arctan(v42)
-        v44 = v42 - v43
-        v45 = xp.where(v11, v41, v44)
-        v46 = v9 * v45
-        v47 = v8 + v46
-        v48 = v5 * v47
-        v49 = 2.0 * E_star
-        v50 = v49 * v6
-        v51 = xp.arctan(v10)
-        v52 = v0 * v51
-        v53 = b * v0
-        v54 = v53 * v3
-        v55 = v6 + v9
-        v56 = v54 / v55
-        v57 = v52 + v56
-        v58 = v50 * v57
-        v59 = v58 / v48
-        v60 = xp.log(v2 / v48)
-        v61 = v60 / 2.0
-        v62 = v60 / 3.0
-        v63 = xp.minimum(xp.maximum(v60 / v59, xp.minimum(v61, v62)), xp.maximum(v61, v62))
-        v64 = xp.where(v48 < xp.inf, v63, 0.0)
-        v3 = xp.minimum(v3 * xp.exp(v64), xp.inf)
-    v66 = xp.where(F > 0.0, v3, 0.0 * F)
-    v67 = v0 * v66
-    v68 = v66 / b
-    v69 = xp.arctan(v68)
-    v70 = v67 * v69
-    v71 = v66 > 0.0
-    v72 = v66 < xp.inf
-    v73 = v71 & v72
-    v74 = E_star * v0
-    v75 = v66 ** 2.0
-    v76 = xp.arctan2(v66, b)
-    v77 = v75 * v76
-    v78 = b ** 2.0
-    v79 = v68 < 1.0
-    v80 = xp.where(v79, v68, 0.5 * 1.0)
-    v81 = xp.minimum(v80, 1.0)
-    v82 = v81 * v81
-    v83 = v81 * v82
-    v84 = 2.229767813968649e-06 * v82
-    v85 = v84 + 0.0021043873129700233
-    v86 = v85 * v82
-    v87 = v86 + 0.04325113828415611
-    v88 = v87 * v82
-    v89 = v88 + 0.2725778671008127
-    v90 = v89 * v82
-    v91 = v90 + 0.7123414383945195
-    v92 = v91 * v82
-    v93 = v92 + 0.8116412201960678
-    v94 = v93 * v82
-    v95 = v94 + 0.3333333333333333
-    v96 = 0.002445452808893491 * v82
-    v97 = v96 + 0.06453295925870227
-    v98 = v97 * v82
-    v99 = v98 + 0.5368820963772863
-    v100 = v99 * v82
-    v101 = v100 + 1.9680296155712274
-    v102 = v101 * v82
-    v103 = v102 + 3.5294070829658954
-    v104 = v103 * v82
-    v105 = v104 + 3.034923660588189
-    v106 = v105 * v82
-    v107 = v106 + 1.0
-    v108 = v95 / v107
-    v109 = v83 * v108
-    v110 = xp.where(v79, 2.0 * 1.0, v68)
-    v111 = xp.arctan(v110)
-    v112 = v110 - v111
-    v113 = xp.where(v79, v109, v112)
-    v114 = v78 * v113
-    v115 = v77 + v114
-    v116 = v74 * v115
-    v117 = F - v116
-    v118 = 2.0 * E_star
-    v119 = v118 * v66
-    v120 = v117 / v119
-    v121 = xp.where(v73, v120, 0.0)
-    v122 = v70 + v121
-    return v122
-
-
-def displacement(xp, r, a, theta, b):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b)
-    v1 = r > a
-    v2 = xp.where(v1, r, 2.0 * a)
-    v3 = v2 - a
-    v4 = xp.maximum(v3, 0.0)
-    v5 = v2 + a
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = a / v7
-    v9 = v2 * v2
-    v10 = b * b
-    v11 = v9 + v10
-    v12 = xp.sqrt(v11)
-    v13 = b / v12
-    v14 = v8 / v13
-    v15 = xp.arcsinh(v14)
-    v16 = nodes * v15
-    v17 = xp.tan(theta)
-    v18 = -v16
-    v19 = xp.exp(v18)
-    v20 = v15 - v16
-    v21 = (-2.0) * v20
-    v22 = xp.expm1(v21)
-    v23 = 0.0 - v22
-    v24 = v19 * v23
-    v25 = (-2.0) * v15
-    v26 = xp.expm1(v25)
-    v27 = 0.0 - v26
-    v28 = v27 > 0.0
-    v29 = xp.where(v28, v27, xp.inf)
-    v30 = v24 / v29
-    v31 = v8 * v30
-    v32 = v2 * v31
-    v33 = v31 * v31
-    v34 = 1.0 + v33
-    v35 = xp.sqrt(v34)
-    v36 = v32 / v35
-    v37 = v36 / b
-    v38 = xp.arctan(v37)
-    v39 = v17 * v38
-    v40 = b * v17
-    v41 = v40 * v36
-    v42 = v36 ** 2.0
-    v43 = b ** 2.0
-    v44 = v42 + v43
-    v45 = v41 / v44
-    v46 = v39 + v45
-    v47 = xp.arctan(v31)
-    v48 = v46 * v47
-    v49 = v13 * v13
-    v50 = v49 + v33
-    v51 = xp.sqrt(v50)
-    v52 = v35 * v35
-    v53 = v52 * v35
-    v54 = v51 / v53
-    v55 = v48 * v54
-    v56 = v15 * xp.sum(weights * v55, axis=0)
-    v57 = v2 * v56
-    v58 = 0.6366197723675814 * v57
-    v59 = xp.where(v1, 0.5 * a, r)
-    v60 = xp.tan(theta)
-    v61 = v60 * a
-    v62 = a / b
-    v63 = xp.arctan(v62)
-    v64 = v61 * v63
-    v65 = v59 ** 2.0
-    v66 = v60 * v65
-    v67 = b ** 2.0
-    v68 = v65 + v67
-    v69 = xp.sqrt(v68)
-    v70 = v69 + b
-    v71 = v66 / v70
-    v72 = v64 - v71
-    v73 = xp.where(v1, v58, v72)
-    return v73
+    return xp.tan(theta) * a * xp.arctan(a / b)
 
 
 def force(xp, a, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = a ** 2.0
-    v3 = xp.arctan2(a, b)
-    v4 = v2 * v3
-    v5 = b ** 2.0
-    v6 = a / b
-    v7 = v6 < 1.0
-    v8 = xp.where(v7, v6, 0.5 * 1.0)
-    v9 = xp.minimum(v8, 1.0)
-    v10 = v9 * v9
-    v11 = v9 * v10
-    v12 = 2.229767813968649e-06 * v10
-    v13 = v12 + 0.0021043873129700233
-    v14 = v13 * v10
-    v15 = v14 + 0.04325113828415611
-    v16 = v15 * v10
-    v17 = v16 + 0.2725778671008127
-    v18 = v17 * v10
-    v19 = v18 + 0.7123414383945195
-    v20 = v19 * v10
-    v21 = v20 + 0.8116412201960678
-    v22 = v21 * v10
-    v23 = v22 + 0.3333333333333333
-    v24 = 0.002445452808893491 * v10
-    v25 = v24 + 0.06453295925870227
-    v26 = v25 * v10
-    v27 = v26 + 0.5368820963772863
-    v28 = v27 * v10
-    v29 = v28 + 1.9680296155712274
-    v30 = v29 * v10
-    v31 = v30 + 3.5294070829658954
-    v32 = v31 * v10
-    v33 = v32 + 3.034923660588189
-    v34 = v33 * v10
-    v35 = v34 + 1.0
-    v36 = v23 / v35
-    v37 = v11 * v36
-    v38 = xp.where(v7, 2.0 * 1.0, v6)
-    v39 = xp.arctan(v38)
-    v40 = v38 - v39
-    v41 = xp.where(v7, v37, v40)
-    v42 = v5 * v41
-    v43 = v4 + v42
-    v44 = v1 * v43
-    return v44
+    v10 = a ** 2.0 * xp.arctan2(a, b) + b ** 2.0 * arctan_gap(xp, a / b)
+    return E_star * xp.tan(theta) * v10
 
 
-def force_from_depth(xp, d, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = b / 1000.0
-    v3 = xp.where(d > 0.0, d, 1.0)
-    v4 = xp.minimum(v2, xp.inf)
-    for _ in range(6):
-        v6 = v0 * v4
-        v7 = v4 / b
-        v8 = xp.arctan(v7)
-        v9 = v6 * v8
-        v10 = v0 * v8
-        v11 = b * v0
-        v12 = v11 * v4
-        v13 = v4 ** 2.0
-        v14 = b ** 2.0
-        v15 = v13 + v14
-        v16 = v12 / v15
-        v17 = v10 + v16
-        v18 = v4 * v17
-        v19 = v18 / v9
-        v20 = xp.log(v3 / v9)
-        v21 = v20 / 1.0
-        v22 = v20 / 2.0
-        v23 = xp.minimum(xp.maximum(v20 / v19, xp.minimum(v21, v22)), xp.maximum(v21, v22))
-        v24 = xp.where(v9 < xp.inf, v23, 0.0)
-        v4 = xp.minimum(v4 * xp.exp(v24), xp.inf)
-    v26 = xp.where(d > 0.0, v4, 0.0 * d)
-    v27 = v26 ** 2.0
-    v28 = xp.arctan2(v26, b)
-    v29 = v27 * v28
-    v30 = b ** 2.0
-    v31 = v26 / b
-    v32 = v31 < 1.0
-    v33 = xp.where(v32, v31, 0.5 * 1.0)
-    v34 = xp.minimum(v33, 1.0)
-    v35 = v34 * v34
-    v36 = v34 * v35
-    v37 = 2.229767813968649e-06 * v35
-    v38 = v37 + 0.0021043873129700233
-    v39 = v38 * v35
-    v40 = v39 + 0.04325113828415611
-    v41 = v40 * v35
-    v42 = v41 + 0.2725778671008127
-    v43 = v42 * v35
-    v44 = v43 + 0.7123414383945195
-    v45 = v44 * v35
-    v46 = v45 + 0.8116412201960678
-    v47 = v46 * v35
-    v48 = v47 + 0.3333333333333333
-    v49 = 0.002445452808893491 * v35
-    v50 = v49 + 0.06453295925870227
-    v51 = v50 * v35
-    v52 = v51 + 0.5368820963772863
-    v53 = v52 * v35
-    v54 = v53 + 1.9680296155712274
-    v55 = v54 * v35
-    v56 = v55 + 3.5294070829658954
-    v57 = v56 * v35
-    v58 = v57 + 3.034923660588189
-    v59 = v58 * v35
-    v60 = v59 + 1.0
-    v61 = v48 / v60
-    v62 = v36 * v61
-    v63 = xp.where(v32, 2.0 * 1.0, v31)
-    v64 = xp.arctan(v63)
-    v65 = v63 - v64
-    v66 = xp.where(v32, v62, v65)
-    v67 = v30 * v66
-    v68 = v29 + v67
-    v69 = v1 * v68
-    v70 = v26 > 0.0
-    v71 = v26 < xp.inf
-    v72 = v70 & v71
-    v73 = 2.0 * E_star
-    v74 = v73 * v26
-    v75 = v0 * v26
-    v76 = xp.arctan(v31)
-    v77 = v75 * v76
-    v78 = d - v77
-    v79 = v74 * v78
-    v80 = xp.where(v72, v79, 0.0)
-    v81 = v69 + v80
-    return v81
-
-
-def mean_pressure(xp, a, theta, b, E_star):
-    v0 = a > 0.0
+def slope(xp, t, theta, b):
     v1 = xp.tan(theta)
-    v2 = E_star * v1
-    v3 = a ** 2.0
-    v4 = xp.arctan2(a, b)
-    v5 = v3 * v4
-    v6 = b ** 2.0
-    v7 = a / b
-    v8 = v7 < 1.0
-    v9 = xp.where(v8, v7, 0.5 * 1.0)
-    v10 = xp.minimum(v9, 1.0)
-    v11 = v10 * v10
-    v12 = v10 * v11
-    v13 = 2.229767813968649e-06 * v11
-    v14 = v13 + 0.0021043873129700233
-    v15 = v14 * v11
-    v16 = v15 + 0.04325113828415611
-    v17 = v16 * v11
-    v18 = v17 + 0.2725778671008127
-    v19 = v18 * v11
-    v20 = v19 + 0.7123414383945195
-    v21 = v20 * v11
-    v22 = v21 + 0.8116412201960678
-    v23 = v22 * v11
-    v24 = v23 + 0.3333333333333333
-    v25 = 0.002445452808893491 * v11
-    v26 = v25 + 0.06453295925870227
-    v27 = v26 * v11
-    v28 = v27 + 0.5368820963772863
-    v29 = v28 * v11
-    v30 = v29 + 1.9680296155712274
-    v31 = v30 * v11
-    v32 = v31 + 3.5294070829658954
-    v33 = v32 * v11
-    v34 = v33 + 3.034923660588189
-    v35 = v34 * v11
-    v36 = v35 + 1.0
-    v37 = v24 / v36
-    v38 = v12 * v37
-    v39 = xp.where(v8, 2.0 * 1.0, v7)
-    v40 = xp.arctan(v39)
-    v41 = v39 - v40
-    v42 = xp.where(v8, v38, v41)
-    v43 = v6 * v42
-    v44 = v5 + v43
-    v45 = v2 * v44
-    v46 = 3.141592653589793 * v3
-    v47 = v45 / v46
-    v48 = xp.where(v0, v47, 0.0)
-    return v48
+    return v1 * xp.arctan(t / b) + b * v1 * t / (t ** 2.0 + b ** 2.0)
 
 
 def pressure(xp, r, a, theta, b, E_star):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star)
+    v11, v12 = nodes_along(xp, 1, r, a, theta, b, E_star)
     v1 = r < a
     v2 = xp.where(v1, r, 0.5 * a)
-    v3 = E_star / 3.141592653589793
-    v4 = a - v2
-    v5 = xp.maximum(v4, 0.0)
-    v6 = a + v2
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v2 * v2
-    v10 = b * b
-    v11 = v9 + v10
-    v12 = xp.sqrt(v11)
-    v13 = v8 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = xp.tan(theta)
-    v17 = -v15
-    v18 = xp.exp(v17)
-    v19 = v14 - v15
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v14
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v8 * v29
-    v31 = v30 * v30
-    v32 = v9 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v33 / b
-    v35 = xp.arctan(v34)
-    v36 = v16 * v35
-    v37 = b * v16
-    v38 = v37 * v33
-    v39 = v33 ** 2.0
-    v40 = b ** 2.0
-    v41 = v39 + v40
-    v42 = v38 / v41
-    v43 = v36 + v42
-    v44 = v43 / v33
-    v45 = v12 * v12
-    v46 = v45 + v31
-    v47 = xp.sqrt(v46)
-    v48 = v44 * v47
-    v49 = v14 * xp.sum(weights * v48, axis=0)
-    v50 = v3 * v49
-    v51 = xp.where(v1, 2.0 * a, r)
-    v52 = xp.where(v1, v50, 0.0)
-    return v52
+    v4 = difference_root(xp, a, v2)
+    v5 = v2 * v2
+    v8 = xp.sqrt(v5 + b * b)
+    v10 = xp.arcsinh(v4 / v8)
+    v13 = v11 * v10
+    v23 = 0.0 - xp.expm1(-2.0 * v10)
+    v24 = v23 > 0.0
+    v20 = xp.exp(-v13) * (0.0 - xp.expm1(-2.0 * (v10 - v13)))
+    v28 = v4 * (v20 / xp.where(v24, xp.where(v24, v23, 1.0), xp.inf))
+    v29 = v28 * v28
+    v31 = xp.sqrt(v5 + v29)
+    v38 = v10 * xp.sum(v12 * (slope(xp, v31, theta, b) / v31 * xp.sqrt(v8 * v8 + v29)), axis=0)
+    v40 = xp.where(v1, 2.0 * a, r)
+    return xp.where(v1, E_star / 3.141592653589793 * v38, 0.0)
 
 
 def profile(xp, r, theta, b):
-    v0 = xp.tan(theta)
-    v1 = r ** 2.0
-    v2 = v0 * v1
-    v3 = b ** 2.0
-    v4 = v1 + v3
-    v5 = xp.sqrt(v4)
-    v6 = v5 + b
-    v7 = v2 / v6
-    return v7
+    v2 = r ** 2.0
+    return xp.tan(theta) * v2 / (xp.sqrt(v2 + b ** 2.0) + b)
 
 
-def radius_from_depth(xp, d, theta, b):
-    v0 = b / 1000.0
-    v1 = xp.where(d > 0.0, d, 1.0)
-    v2 = xp.minimum(v0, xp.inf)
-    for _ in range(6):
-        v4 = xp.tan(theta)
-        v5 = v4 * v2
-        v6 = v2 / b
-        v7 = xp.arctan(v6)
-        v8 = v5 * v7
-        v9 = v4 * v7
-        v10 = b * v4
-        v11 = v10 * v2
-        v12 = v2 ** 2.0
-        v13 = b ** 2.0
-        v14 = v12 + v13
-        v15 = v11 / v14
-        v16 = v9 + v15
-        v17 = v2 * v16
-        v18 = v17 / v8
-        v19 = xp.log(v1 / v8)
-        v20 = v19 / 1.0
-        v21 = v19 / 2.0
-        v22 = xp.minimum(xp.maximum(v19 / v18, xp.minimum(v20, v21)), xp.maximum(v20, v21))
-        v23 = xp.where(v8 < xp.inf, v22, 0.0)
-        v2 = xp.minimum(v2 * xp.exp(v23), xp.inf)
-    v25 = xp.where(d > 0.0, v2, 0.0 * d)
-    return v25
-
-
-def radius_from_force(xp, F, theta, b, E_star):
-    v0 = b / 1000.0
-    v1 = xp.where(F > 0.0, F, 1.0)
-    v2 = xp.minimum(v0, xp.inf)
-    for _ in range(6):
-        v4 = xp.tan(theta)
-        v5 = E_star * v4
-        v6 = v2 ** 2.0
-        v7 = xp.arctan2(v2, b)
-        v8 = v6 * v7
-        v9 = b ** 2.0
-        v10 = v2 / b
-        v11 = v10 < 1.0
-        v12 = xp.where(v11, v10, 0.5 * 1.0)
-        v13 = xp.minimum(v12, 1.0)
-        v14 = v13 * v13
-        v15 = v13 * v14
-        v16 = 2.229767813968649e-06 * v14
-        v17 = v16 + 0.0021043873129700233
-        v18 = v17 * v14
-        v19 = v18 + 0.04325113828415611
-        v20 = v19 * v14
-        v21 = v20 + 0.2725778671008127
-        v22 = v21 * v14
-        v23 = v22 + 0.7123414383945195
-        v24 = v23 * v14
-        v25 = v24 + 0.8116412201960678
-        v26 = v25 * v14
-        v27 = v26 + 0.3333333333333333
-        v28 = 0.002445452808893491 * v14
-        v29 = v28 + 0.06453295925870227
-        v30 = v29 * v14
-        v31 = v30 + 0.5368820963772863
-        v32 = v31 * v14
-        v33 = v32 + 1.9680296155712274
-        v34 = v33 * v14
-        v35 = v34 + 3.5294070829658954
-        v36 = v35 * v14
-        v37 = v36 + 3.034923660588189
-        v38 = v37 * v14
-        v39 = v38 + 1.0
-        v40 = v27 / v39
-        v41 = v15 * v40
-        v42 = xp.where(v11, 2.0 * 1.0, v10)
-        v43 = xp.arctan(v42)
-        v44 = v42 - v43
-        v45 = xp.where(v11, v41, v44)
-        v46 = v9 * v45
-        v47 = v8 + v46
-        v48 = v5 * v47
-        v49 = 2.0 * E_star
-        v50 = v49 * v6
-        v51 = xp.arctan(v10)
-        v52 = v4 * v51
-        v53 = b * v4
-        v54 = v53 * v2
-        v55 = v6 + v9
-        v56 = v54 / v55
-        v57 = v52 + v56
-        v58 = v50 * v57
-        v59 = v58 / v48
-        v60 = xp.log(v1 / v48)
-        v61 = v60 / 2.0
-        v62 = v60 / 3.0
-        v63 = xp.minimum(xp.maximum(v60 / v59, xp.minimum(v61, v62)), xp.maximum(v61, v62))
-        v64 = xp.where(v48 < xp.inf, v63, 0.0)
-        v2 = xp.minimum(v2 * xp.exp(v64), xp.inf)
-    v66 = xp.where(F > 0.0, v2, 0.0 * F)
-    return v66
+def displacement(xp, r, a, theta, b):
+    v12, v13 = nodes_along(xp, 1, r, a, theta, b)
+    v1 = r > a
+    v2 = xp.where(v1, r, 2.0 * a)
+    v4 = a / difference_root(xp, v2, a)
+    v9 = b / xp.sqrt(v2 * v2 + b * b)
+    v11 = xp.arcsinh(v4 / v9)
+    v14 = v12 * v11
+    v24 = 0.0 - xp.expm1(-2.0 * v11)
+    v25 = v24 > 0.0
+    v21 = xp.exp(-v14) * (0.0 - xp.expm1(-2.0 * (v11 - v14)))
+    v29 = v4 * (v21 / xp.where(v25, xp.where(v25, v24, 1.0), xp.inf))
+    v31 = v29 * v29
+    v33 = xp.sqrt(1.0 + v31)
+    v37 = slope(xp, v2 * v29 / v33, theta, b) * xp.arctan(v29)
+    v46 = v2 * (v11 * xp.sum(v13 * (v37 * (xp.sqrt(v9 * v9 + v31) / (v33 * v33 * v33))), axis=0))
+    v51 = depth(xp, a, theta, b) - profile(xp, xp.where(v1, 0.5 * a, r), theta, b)
+    return xp.where(v1, 0.6366197723675814 * v46, v51)
 
 
 def stiffness(xp, a, E_star):
-    v0 = 2.0 * E_star
-    v1 = v0 * a
-    return v1
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, theta, b, E_star):
+    v1 = a > 0.0
+    v2 = xp.where(v1, a, 1.0)
+    return xp.where(v1, force(xp, v2, theta, b, E_star) / (3.141592653589793 * v2 ** 2.0), 0.0)
+
+
+def radius_from_depth(xp, d, theta, b):
+
+    def f1(v2):
+        v3 = depth(xp, v2, theta, b)
+        return (v3, v2 * slope(xp, v2, theta, b) / v3)
+    return newton(xp, f1, d, b / 1000.0, xp.inf, 1.0, 2.0)
+
+
+def radius_from_force(xp, F, theta, b, E_star):
+
+    def f1(v2):
+        v3 = force(xp, v2, theta, b, E_star)
+        return (v3, 2.0 * E_star * v2 ** 2.0 * slope(xp, v2, theta, b) / v3)
+    return newton(xp, f1, F, b / 1000.0, xp.inf, 2.0, 3.0)
+
+
+def force_from_depth(xp, d, theta, b, E_star):
+    v1 = radius_from_depth(xp, d, theta, b)
+    v10 = 2.0 * E_star * v1 * (d - depth(xp, v1, theta, b))
+    return force(xp, v1, theta, b, E_star) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)
+
+
+def depth_from_force(xp, F, theta, b, E_star):
+    v1 = radius_from_force(xp, F, theta, b, E_star)
+    v10 = (F - force(xp, v1, theta, b, E_star)) / (2.0 * E_star * v1)
+    return depth(xp, v1, theta, b) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)

@@ -1,220 +1,43 @@
 """Formulas of axicontact.normal.sphere over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.shapes.arcs import arc_strips
+from ...._programs.expressions._runtime.special import tanh_gap
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
 
 
 def depth(xp, a, R):
-    v0 = 2.0 * a
-    v1 = R - a
-    v2 = v0 / v1
-    v3 = xp.log1p(v2)
-    v4 = v3 / 2.0
-    v5 = a * v4
-    return v5
+    return a * (xp.log1p(2.0 * a / (R - a)) / 2.0)
 
 
-def depth_from_force(xp, F, R, E_star):
-    v0 = R * 0.7615941559557649
-    v1 = v0 ** 2.0
-    v2 = R / 1.5430806348152437
-    v3 = v0 / v2
-    v4 = xp.arcsinh(v3)
-    v5 = v1 * v4
-    v6 = R ** 2.0
-    v7 = v4 < 1.0
-    v8 = xp.where(v7, v4, 0.5 * 1.0)
-    v9 = xp.tanh(v8)
-    v10 = v9 * v9
-    v11 = v9 * v10
-    v12 = xp.minimum(v8, 1.0)
-    v13 = v12 * v12
-    v14 = 1.0716932453474512e-06 * v13
-    v15 = v14 + 0.00019982814521087247
-    v16 = v15 * v13
-    v17 = v16 + 0.007076196047699156
-    v18 = v17 * v13
-    v19 = v18 + 0.08608622548411103
-    v20 = v19 * v13
-    v21 = v20 + 0.3073858328214721
-    v22 = v21 * v13
-    v23 = v22 + 0.3333333333333333
-    v24 = 2.565078604208634e-08 * v13
-    v25 = v24 + 2.0203143566039827e-05
-    v26 = v25 * v13
-    v27 = v26 + 0.001617010334189783
-    v28 = v27 * v13
-    v29 = v28 + 0.03639274880225476
-    v30 = v29 * v13
-    v31 = v30 + 0.32215749846441627
-    v32 = v31 * v13
-    v33 = v32 + 1.0
-    v34 = v23 / v33
-    v35 = v11 * v34
-    v36 = xp.where(v7, 2.0 * 1.0, v4)
-    v37 = xp.tanh(v36)
-    v38 = v36 - v37
-    v39 = xp.where(v7, v35, v38)
-    v40 = v6 * v39
-    v41 = v5 + v40
-    v42 = E_star * v41
-    v43 = F / v42
-    v44 = xp.log(v43)
-    v45 = v44 - 0.4879663296199081
-    v46 = 0.5833333333333334 * v45
-    v47 = v44 - 0.8775499035577244
-    v48 = 1.75 * v47
-    v49 = xp.maximum(v46, v48)
-    v50 = v46 - v48
-    v51 = xp.absolute(v50)
-    v52 = -v51
-    v53 = xp.exp(v52)
-    v54 = xp.log1p(v53)
-    v55 = v49 + v54
-    v56 = v55 / 1.75
-    v57 = xp.exp(v56)
-    v58 = 1.0 + v57
-    v59 = 1.0 / v58
-    v60 = 1.0 - v59
-    v61 = 13.75711 * v60
-    v62 = v61 + (-58.34092)
-    v63 = v62 * v60
-    v64 = v63 + 91.96521
-    v65 = v64 * v60
-    v66 = v65 + (-66.84601)
-    v67 = v66 * v60
-    v68 = v67 + 22.20415
-    v69 = v68 * v60
-    v70 = v69 + (-2.915358)
-    v71 = v70 * v60
-    v72 = v71 + 0.1558039
-    v73 = v72 * v60
-    v74 = v73 + 0.998775
-    v75 = v57 * v74
-    v76 = xp.where(F > 0.0, F, 1.0)
-    v77 = xp.minimum(v75, xp.inf)
-    for _ in range(6):
-        v79 = xp.tanh(v77)
-        v80 = R * v79
-        v81 = v80 ** 2.0
-        v82 = xp.cosh(v77)
-        v83 = R / v82
-        v84 = v80 / v83
-        v85 = xp.arcsinh(v84)
-        v86 = v81 * v85
-        v87 = v85 < 1.0
-        v88 = xp.where(v87, v85, 0.5 * 1.0)
-        v89 = xp.tanh(v88)
-        v90 = v89 * v89
-        v91 = v89 * v90
-        v92 = xp.minimum(v88, 1.0)
-        v93 = v92 * v92
-        v94 = 1.0716932453474512e-06 * v93
-        v95 = v94 + 0.00019982814521087247
-        v96 = v95 * v93
-        v97 = v96 + 0.007076196047699156
-        v98 = v97 * v93
-        v99 = v98 + 0.08608622548411103
-        v100 = v99 * v93
-        v101 = v100 + 0.3073858328214721
-        v102 = v101 * v93
-        v103 = v102 + 0.3333333333333333
-        v104 = 2.565078604208634e-08 * v93
-        v105 = v104 + 2.0203143566039827e-05
-        v106 = v105 * v93
-        v107 = v106 + 0.001617010334189783
-        v108 = v107 * v93
-        v109 = v108 + 0.03639274880225476
-        v110 = v109 * v93
-        v111 = v110 + 0.32215749846441627
-        v112 = v111 * v93
-        v113 = v112 + 1.0
-        v114 = v103 / v113
-        v115 = v91 * v114
-        v116 = xp.where(v87, 2.0 * 1.0, v85)
-        v117 = xp.tanh(v116)
-        v118 = v116 - v117
-        v119 = xp.where(v87, v115, v118)
-        v120 = v6 * v119
-        v121 = v86 + v120
-        v122 = E_star * v121
-        v123 = 2.0 * E_star
-        v124 = v123 * v80
-        v125 = v124 * v77
-        v126 = v125 * v83
-        v127 = v126 * v83
-        v128 = v127 / R
-        v129 = R * v80
-        v130 = v83 ** 2.0
-        v131 = v129 / v130
-        v132 = v85 + v131
-        v133 = v128 * v132
-        v134 = v133 / v122
-        v135 = xp.log(v76 / v122)
-        v136 = v135 / 1.0
-        v137 = v135 / 3.0
-        v138 = xp.minimum(xp.maximum(v135 / v134, xp.minimum(v136, v137)), xp.maximum(v136, v137))
-        v139 = xp.where(v122 < xp.inf, v138, 0.0)
-        v77 = xp.minimum(v77 * xp.exp(v139), xp.inf)
-    v141 = xp.where(F > 0.0, v77, 0.0 * F)
-    v142 = xp.tanh(v141)
-    v143 = R * v142
-    v144 = xp.cosh(v141)
-    v145 = R / v144
-    v146 = v143 / v145
-    v147 = xp.arcsinh(v146)
-    v148 = v143 * v147
-    v149 = v143 > 0.0
-    v150 = v143 < xp.inf
-    v151 = v149 & v150
-    v152 = v143 ** 2.0
-    v153 = v152 * v147
-    v154 = v147 < 1.0
-    v155 = xp.where(v154, v147, 0.5 * 1.0)
-    v156 = xp.tanh(v155)
-    v157 = v156 * v156
-    v158 = v156 * v157
-    v159 = xp.minimum(v155, 1.0)
-    v160 = v159 * v159
-    v161 = 1.0716932453474512e-06 * v160
-    v162 = v161 + 0.00019982814521087247
-    v163 = v162 * v160
-    v164 = v163 + 0.007076196047699156
-    v165 = v164 * v160
-    v166 = v165 + 0.08608622548411103
-    v167 = v166 * v160
-    v168 = v167 + 0.3073858328214721
-    v169 = v168 * v160
-    v170 = v169 + 0.3333333333333333
-    v171 = 2.565078604208634e-08 * v160
-    v172 = v171 + 2.0203143566039827e-05
-    v173 = v172 * v160
-    v174 = v173 + 0.001617010334189783
-    v175 = v174 * v160
-    v176 = v175 + 0.03639274880225476
-    v177 = v176 * v160
-    v178 = v177 + 0.32215749846441627
-    v179 = v178 * v160
-    v180 = v179 + 1.0
-    v181 = v170 / v180
-    v182 = v158 * v181
-    v183 = xp.where(v154, 2.0 * 1.0, v147)
-    v184 = xp.tanh(v183)
-    v185 = v183 - v184
-    v186 = xp.where(v154, v182, v185)
-    v187 = v6 * v186
-    v188 = v153 + v187
-    v189 = E_star * v188
-    v190 = F - v189
-    v191 = 2.0 * E_star
-    v192 = v191 * v143
-    v193 = v190 / v192
-    v194 = xp.where(v151, v193, 0.0)
-    v195 = v148 + v194
-    return v195
+def force(xp, a, R, E_star):
+    v6 = xp.log1p(2.0 * a / (R - a)) / 2.0
+    return E_star * (a ** 2.0 * v6 + R ** 2.0 * tanh_gap(xp, v6, a / R))
+
+
+def pressure(xp, r, a, R, E_star):
+    v1 = a <= R
+    v2 = xp.where(v1, a, 0.5 * R)
+    v3 = r < v2
+    v4 = xp.where(v3, r, 0.5 * v2)
+    v16 = R * xp.arcsinh(xp.sqrt((v2 - v4) * (v2 + v4)) / xp.sqrt((R - v2) * (v2 + R)))
+    v23 = v16 / xp.sqrt((R - v4) * (v4 + R)) + arc_strips(xp, v4, v2, R)
+    v25 = xp.where(v3, 2.0 * v2, r)
+    v27 = xp.where(v1, 2.0 * R, a)
+    return xp.where(v1, xp.where(v3, E_star / 3.141592653589793 * v23, 0.0), xp.nan)
+
+
+def slope(xp, t, root, R):
+    return xp.arcsinh(t / root) + R * t / root ** 2.0
+
+
+def profile(xp, r, R):
+    return r ** 2.0 / (xp.sqrt((R - r) * (r + R)) + R)
 
 
 def displacement(xp, r, a, R):
-    nodes, weights = nodes_along(xp, 64, r, a, R)
+    v11, v12 = nodes_along(xp, 1, r, a, R)
     v1 = a <= R
     v2 = xp.where(v1, a, 0.5 * R)
     v3 = r > v2
@@ -222,714 +45,116 @@ def displacement(xp, r, a, R):
     v5 = xp.minimum(v4, R)
     v6 = v2 < v5
     v7 = xp.where(v6, v2, 0.5 * v5)
-    v8 = v5 - v7
-    v9 = xp.maximum(v8, 0.0)
-    v10 = v5 + v7
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v7 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = -v15
-    v17 = xp.exp(v16)
-    v18 = v14 - v15
-    v19 = (-2.0) * v18
-    v20 = xp.expm1(v19)
-    v21 = 0.0 - v20
-    v22 = v17 * v21
-    v23 = (-2.0) * v14
-    v24 = xp.expm1(v23)
-    v25 = 0.0 - v24
-    v26 = v25 > 0.0
-    v27 = xp.where(v26, v25, xp.inf)
-    v28 = v22 / v27
-    v29 = v13 * v28
-    v30 = v29 * v29
-    v31 = 1.0 + v30
-    v32 = xp.sqrt(v31)
-    v33 = v29 / v32
-    v34 = v5 * v33
-    v35 = R - v4
-    v36 = xp.maximum(v35, 0.0)
-    v37 = R + v4
-    v38 = v36 * v37
-    v39 = xp.sqrt(v38)
-    v40 = v39 ** 2.0
-    v41 = v5 / v32
-    v42 = v41 * v41
-    v43 = v40 + v42
-    v44 = xp.sqrt(v43)
-    v45 = v34 / v44
-    v46 = xp.arcsinh(v45)
-    v47 = R * v34
-    v48 = v44 ** 2.0
-    v49 = v47 / v48
-    v50 = v46 + v49
-    v51 = v4 - R
-    v52 = xp.maximum(v51, 0.0)
-    v53 = v4 + R
-    v54 = v52 * v53
-    v55 = xp.sqrt(v54)
-    v56 = v55 ** 2.0
-    v57 = v56 + v42
-    v58 = xp.sqrt(v57)
-    v59 = xp.arctan2(v34, v58)
-    v60 = v50 * v59
-    v61 = v41 / v32
-    v62 = v60 * v61
-    v63 = v14 * xp.sum(weights * v62, axis=0)
-    v64 = xp.where(v6, 2.0 * v5, v2)
-    v65 = xp.where(v6, v63, xp.inf)
-    v66 = 0.6366197723675814 * v65
-    v67 = xp.where(v3, 0.5 * v2, r)
-    v68 = 2.0 * v2
-    v69 = R - v2
-    v70 = v68 / v69
-    v71 = xp.log1p(v70)
-    v72 = v71 / 2.0
-    v73 = v2 * v72
-    v74 = v67 ** 2.0
-    v75 = R - v67
-    v76 = v67 + R
-    v77 = v75 * v76
-    v78 = xp.sqrt(v77)
-    v79 = v78 + R
-    v80 = v74 / v79
-    v81 = v73 - v80
-    v82 = xp.where(v3, v66, v81)
-    v83 = xp.where(v1, 2.0 * R, a)
-    v84 = xp.where(v1, v82, xp.nan)
-    return v84
-
-
-def force(xp, a, R, E_star):
-    v0 = a ** 2.0
-    v1 = 2.0 * a
-    v2 = R - a
-    v3 = v1 / v2
-    v4 = xp.log1p(v3)
-    v5 = v4 / 2.0
-    v6 = v0 * v5
-    v7 = R ** 2.0
-    v8 = v5 < 1.0
-    v9 = xp.where(v8, v5, 0.5 * 1.0)
-    v10 = a / R
-    v11 = v10 * v10
-    v12 = v10 * v11
-    v13 = xp.minimum(v9, 1.0)
-    v14 = v13 * v13
-    v15 = 1.0716932453474512e-06 * v14
-    v16 = v15 + 0.00019982814521087247
-    v17 = v16 * v14
-    v18 = v17 + 0.007076196047699156
-    v19 = v18 * v14
-    v20 = v19 + 0.08608622548411103
-    v21 = v20 * v14
-    v22 = v21 + 0.3073858328214721
-    v23 = v22 * v14
-    v24 = v23 + 0.3333333333333333
-    v25 = 2.565078604208634e-08 * v14
-    v26 = v25 + 2.0203143566039827e-05
-    v27 = v26 * v14
-    v28 = v27 + 0.001617010334189783
-    v29 = v28 * v14
-    v30 = v29 + 0.03639274880225476
-    v31 = v30 * v14
-    v32 = v31 + 0.32215749846441627
-    v33 = v32 * v14
-    v34 = v33 + 1.0
-    v35 = v24 / v34
-    v36 = v12 * v35
-    v37 = xp.where(v8, 2.0 * 1.0, v5)
-    v38 = a / R
-    v39 = v37 - v38
-    v40 = xp.where(v8, v36, v39)
-    v41 = v7 * v40
-    v42 = v6 + v41
-    v43 = E_star * v42
-    return v43
-
-
-def force_from_depth(xp, d, R, E_star):
-    v0 = R * 0.7615941559557649
-    v1 = R / 1.5430806348152437
-    v2 = v0 / v1
-    v3 = xp.arcsinh(v2)
-    v4 = v0 * v3
-    v5 = d / v4
-    v6 = xp.log(v5)
-    v7 = v6 - 0.2723145953206591
-    v8 = 1.875 * v7
-    v9 = 3.75 * v7
-    v10 = xp.maximum(v8, v9)
-    v11 = v8 - v9
-    v12 = xp.absolute(v11)
-    v13 = -v12
-    v14 = xp.exp(v13)
-    v15 = xp.log1p(v14)
-    v16 = v10 + v15
-    v17 = v16 / 3.75
-    v18 = xp.exp(v17)
-    v19 = 1.0 + v18
-    v20 = 1.0 / v19
-    v21 = 1.0 - v20
-    v22 = 25.07439 * v21
-    v23 = v22 + (-95.06062)
-    v24 = v23 * v21
-    v25 = v24 + 137.5431
-    v26 = v25 * v21
-    v27 = v26 + (-93.92268)
-    v28 = v27 * v21
-    v29 = v28 + 30.18372
-    v30 = v29 * v21
-    v31 = v30 + (-4.0282)
-    v32 = v31 * v21
-    v33 = v32 + 0.208363
-    v34 = v33 * v21
-    v35 = v34 + 0.9983865
-    v36 = v18 * v35
-    v37 = xp.where(d > 0.0, d, 1.0)
-    v38 = xp.minimum(v36, xp.inf)
-    for _ in range(6):
-        v40 = xp.tanh(v38)
-        v41 = R * v40
-        v42 = xp.cosh(v38)
-        v43 = R / v42
-        v44 = v41 / v43
-        v45 = xp.arcsinh(v44)
-        v46 = v41 * v45
-        v47 = v38 * v43
-        v48 = v47 * v43
-        v49 = v48 / R
-        v50 = R * v41
-        v51 = v43 ** 2.0
-        v52 = v50 / v51
-        v53 = v45 + v52
-        v54 = v49 * v53
-        v55 = v54 / v46
-        v56 = xp.log(v37 / v46)
-        v57 = v56 / 1.0
-        v58 = v56 / 2.0
-        v59 = xp.minimum(xp.maximum(v56 / v55, xp.minimum(v57, v58)), xp.maximum(v57, v58))
-        v60 = xp.where(v46 < xp.inf, v59, 0.0)
-        v38 = xp.minimum(v38 * xp.exp(v60), xp.inf)
-    v62 = xp.where(d > 0.0, v38, 0.0 * d)
-    v63 = xp.tanh(v62)
-    v64 = R * v63
-    v65 = v64 ** 2.0
-    v66 = xp.cosh(v62)
-    v67 = R / v66
-    v68 = v64 / v67
-    v69 = xp.arcsinh(v68)
-    v70 = v65 * v69
-    v71 = R ** 2.0
-    v72 = v69 < 1.0
-    v73 = xp.where(v72, v69, 0.5 * 1.0)
-    v74 = xp.tanh(v73)
-    v75 = v74 * v74
-    v76 = v74 * v75
-    v77 = xp.minimum(v73, 1.0)
-    v78 = v77 * v77
-    v79 = 1.0716932453474512e-06 * v78
-    v80 = v79 + 0.00019982814521087247
-    v81 = v80 * v78
-    v82 = v81 + 0.007076196047699156
-    v83 = v82 * v78
-    v84 = v83 + 0.08608622548411103
-    v85 = v84 * v78
-    v86 = v85 + 0.3073858328214721
-    v87 = v86 * v78
-    v88 = v87 + 0.3333333333333333
-    v89 = 2.565078604208634e-08 * v78
-    v90 = v89 + 2.0203143566039827e-05
-    v91 = v90 * v78
-    v92 = v91 + 0.001617010334189783
-    v93 = v92 * v78
-    v94 = v93 + 0.03639274880225476
-    v95 = v94 * v78
-    v96 = v95 + 0.32215749846441627
-    v97 = v96 * v78
-    v98 = v97 + 1.0
-    v99 = v88 / v98
-    v100 = v76 * v99
-    v101 = xp.where(v72, 2.0 * 1.0, v69)
-    v102 = xp.tanh(v101)
-    v103 = v101 - v102
-    v104 = xp.where(v72, v100, v103)
-    v105 = v71 * v104
-    v106 = v70 + v105
-    v107 = E_star * v106
-    v108 = v64 > 0.0
-    v109 = v64 < xp.inf
-    v110 = v108 & v109
-    v111 = 2.0 * E_star
-    v112 = v111 * v64
-    v113 = v64 * v69
-    v114 = d - v113
-    v115 = v112 * v114
-    v116 = xp.where(v110, v115, 0.0)
-    v117 = v107 + v116
-    return v117
-
-
-def mean_pressure(xp, a, R, E_star):
-    v0 = a > 0.0
-    v1 = a ** 2.0
-    v2 = 2.0 * a
-    v3 = R - a
-    v4 = v2 / v3
-    v5 = xp.log1p(v4)
-    v6 = v5 / 2.0
-    v7 = v1 * v6
-    v8 = R ** 2.0
-    v9 = v6 < 1.0
-    v10 = xp.where(v9, v6, 0.5 * 1.0)
-    v11 = a / R
-    v12 = v11 * v11
-    v13 = v11 * v12
-    v14 = xp.minimum(v10, 1.0)
-    v15 = v14 * v14
-    v16 = 1.0716932453474512e-06 * v15
-    v17 = v16 + 0.00019982814521087247
-    v18 = v17 * v15
-    v19 = v18 + 0.007076196047699156
-    v20 = v19 * v15
-    v21 = v20 + 0.08608622548411103
-    v22 = v21 * v15
-    v23 = v22 + 0.3073858328214721
-    v24 = v23 * v15
-    v25 = v24 + 0.3333333333333333
-    v26 = 2.565078604208634e-08 * v15
-    v27 = v26 + 2.0203143566039827e-05
-    v28 = v27 * v15
-    v29 = v28 + 0.001617010334189783
-    v30 = v29 * v15
-    v31 = v30 + 0.03639274880225476
-    v32 = v31 * v15
-    v33 = v32 + 0.32215749846441627
-    v34 = v33 * v15
-    v35 = v34 + 1.0
-    v36 = v25 / v35
-    v37 = v13 * v36
-    v38 = xp.where(v9, 2.0 * 1.0, v6)
-    v39 = a / R
-    v40 = v38 - v39
-    v41 = xp.where(v9, v37, v40)
-    v42 = v8 * v41
-    v43 = v7 + v42
-    v44 = E_star * v43
-    v45 = 3.141592653589793 * v1
-    v46 = v44 / v45
-    v47 = xp.where(v0, v46, 0.0)
-    return v47
-
-
-def pressure(xp, r, a, R, E_star):
-    nodes, weights = nodes_along(xp, 64, r, a, R, E_star)
-    v1 = a <= R
-    v2 = xp.where(v1, a, 0.5 * R)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = E_star / 3.141592653589793
-    v6 = v2 - v4
-    v7 = v2 + v4
-    v8 = v6 * v7
-    v9 = xp.sqrt(v8)
-    v10 = R - v2
-    v11 = v2 + R
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v9 / v13
-    v15 = xp.arcsinh(v14)
-    v16 = R * v15
-    v17 = R - v4
-    v18 = v4 + R
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = v16 / v20
-    v22 = xp.maximum(v6, 0.0)
-    v23 = v22 * v7
-    v24 = xp.sqrt(v23)
-    v25 = v2 + v24
-    v26 = xp.maximum(v17, 0.0)
-    v27 = R + v4
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = R + v29
-    v31 = v25 / v30
-    v32 = v31 > 0.7
-    v33 = xp.where(v32, v31, 2.0 * 0.7)
-    v34 = v2 < R
-    v35 = xp.where(v34, v2, 0.5 * R)
-    v36 = v35 - v4
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v35 + v4
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = R - v35
-    v42 = xp.maximum(v41, 0.0)
-    v43 = R + v35
-    v44 = v42 * v43
-    v45 = xp.sqrt(v44)
-    v46 = v40 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = nodes * v47
-    v49 = v4 * v4
-    v50 = -v48
-    v51 = xp.exp(v50)
-    v52 = v47 - v48
-    v53 = (-2.0) * v52
-    v54 = xp.expm1(v53)
-    v55 = 0.0 - v54
-    v56 = v51 * v55
-    v57 = (-2.0) * v47
-    v58 = xp.expm1(v57)
-    v59 = 0.0 - v58
-    v60 = v59 > 0.0
-    v61 = xp.where(v60, v59, xp.inf)
-    v62 = v56 / v61
-    v63 = v46 * v62
-    v64 = v63 * v63
-    v65 = 1.0 + v64
-    v66 = xp.sqrt(v65)
-    v67 = v63 / v66
-    v68 = v29 * v67
-    v69 = v68 * v68
-    v70 = v49 + v69
-    v71 = xp.sqrt(v70)
-    v72 = v29 / v66
-    v73 = v71 / v72
-    v74 = xp.arcsinh(v73)
-    v75 = v74 / v71
-    v76 = v72 / v66
-    v77 = v75 * v76
-    v78 = v47 * xp.sum(weights * v77, axis=0)
-    v79 = xp.where(v34, 2.0 * R, v2)
-    v80 = xp.where(v34, v78, xp.inf)
-    v81 = xp.where(v32, 0.5 * 0.7, v31)
-    v82 = 2.0 * v24
-    v83 = v82 / v30
-    v84 = v81 * v81
-    v85 = 0.13579013365982337 * v84
-    v86 = v85 + (-0.4846453962188766)
-    v87 = v86 * v84
-    v88 = v87 + 0.8293825948837366
-    v89 = v88 * v84
-    v90 = v89 + (-0.8745573865774817)
-    v91 = v90 * v84
-    v92 = v91 + 0.6371928816963097
-    v93 = v92 * v84
-    v94 = v93 + (-0.3332798652335896)
-    v95 = v94 * v84
-    v96 = v95 + 0.13289328569967984
-    v97 = v96 * v84
-    v98 = v97 + (-0.03710676078458442)
-    v99 = v98 * v84
-    v100 = v99 + 0.011089560042611895
-    v101 = v100 * v84
-    v102 = v101 + 0.0012521687336059639
-    v103 = v102 * v84
-    v104 = v103 + 0.0036572276005780893
-    v105 = v104 * v84
-    v106 = v105 + 0.004425450516633092
-    v107 = v106 * v84
-    v108 = v107 + 0.005918487051520244
-    v109 = v108 * v84
-    v110 = v109 + 0.008264397984935742
-    v111 = v110 * v84
-    v112 = v111 + 0.012345681107818056
-    v113 = v112 * v84
-    v114 = v113 + 0.020408163224119494
-    v115 = v114 * v84
-    v116 = v115 + 0.04000000000042643
-    v117 = v116 * v84
-    v118 = v117 + 0.11111111111110937
-    v119 = v118 * v84
-    v120 = v119 + 1.0
-    v121 = v4 / v25
-    v122 = v4 * v121
-    v123 = v122 / v30
-    v124 = v123 + v81
-    v125 = v123 * v124
-    v126 = v123 * v123
-    v127 = 0.0 * v126
-    v128 = v127 + 0.13579013365982337
-    v129 = v128 * v126
-    v130 = v129 + v86
-    v131 = v130 * v126
-    v132 = v131 + v88
-    v133 = v132 * v126
-    v134 = v133 + v90
-    v135 = v134 * v126
-    v136 = v135 + v92
-    v137 = v136 * v126
-    v138 = v137 + v94
-    v139 = v138 * v126
-    v140 = v139 + v96
-    v141 = v140 * v126
-    v142 = v141 + v98
-    v143 = v142 * v126
-    v144 = v143 + v100
-    v145 = v144 * v126
-    v146 = v145 + v102
-    v147 = v146 * v126
-    v148 = v147 + v104
-    v149 = v148 * v126
-    v150 = v149 + v106
-    v151 = v150 * v126
-    v152 = v151 + v108
-    v153 = v152 * v126
-    v154 = v153 + v110
-    v155 = v154 * v126
-    v156 = v155 + v112
-    v157 = v156 * v126
-    v158 = v157 + v114
-    v159 = v158 * v126
-    v160 = v159 + v116
-    v161 = v160 * v126
-    v162 = v161 + v118
-    v163 = v125 * v162
-    v164 = v120 + v163
-    v165 = v83 * v164
-    v166 = xp.where(v32, v80, v165)
-    v167 = v21 + v166
-    v168 = v5 * v167
-    v169 = xp.where(v3, 2.0 * v2, r)
-    v170 = xp.where(v3, v168, 0.0)
-    v171 = xp.where(v1, 2.0 * R, a)
-    v172 = xp.where(v1, v170, xp.nan)
-    return v172
-
-
-def profile(xp, r, R):
-    v0 = r ** 2.0
-    v1 = R - r
-    v2 = r + R
-    v3 = v1 * v2
-    v4 = xp.sqrt(v3)
-    v5 = v4 + R
-    v6 = v0 / v5
-    return v6
-
-
-def radius_from_depth(xp, d, R):
-    v0 = R * 0.7615941559557649
-    v1 = R / 1.5430806348152437
-    v2 = v0 / v1
-    v3 = xp.arcsinh(v2)
-    v4 = v0 * v3
-    v5 = d / v4
-    v6 = xp.log(v5)
-    v7 = v6 - 0.2723145953206591
-    v8 = 1.875 * v7
-    v9 = 3.75 * v7
-    v10 = xp.maximum(v8, v9)
-    v11 = v8 - v9
-    v12 = xp.absolute(v11)
-    v13 = -v12
-    v14 = xp.exp(v13)
-    v15 = xp.log1p(v14)
-    v16 = v10 + v15
-    v17 = v16 / 3.75
-    v18 = xp.exp(v17)
-    v19 = 1.0 + v18
-    v20 = 1.0 / v19
-    v21 = 1.0 - v20
-    v22 = 25.07439 * v21
-    v23 = v22 + (-95.06062)
-    v24 = v23 * v21
-    v25 = v24 + 137.5431
-    v26 = v25 * v21
-    v27 = v26 + (-93.92268)
-    v28 = v27 * v21
-    v29 = v28 + 30.18372
-    v30 = v29 * v21
-    v31 = v30 + (-4.0282)
-    v32 = v31 * v21
-    v33 = v32 + 0.208363
-    v34 = v33 * v21
-    v35 = v34 + 0.9983865
-    v36 = v18 * v35
-    v37 = xp.where(d > 0.0, d, 1.0)
-    v38 = xp.minimum(v36, xp.inf)
-    for _ in range(6):
-        v40 = xp.tanh(v38)
-        v41 = R * v40
-        v42 = xp.cosh(v38)
-        v43 = R / v42
-        v44 = v41 / v43
-        v45 = xp.arcsinh(v44)
-        v46 = v41 * v45
-        v47 = v38 * v43
-        v48 = v47 * v43
-        v49 = v48 / R
-        v50 = R * v41
-        v51 = v43 ** 2.0
-        v52 = v50 / v51
-        v53 = v45 + v52
-        v54 = v49 * v53
-        v55 = v54 / v46
-        v56 = xp.log(v37 / v46)
-        v57 = v56 / 1.0
-        v58 = v56 / 2.0
-        v59 = xp.minimum(xp.maximum(v56 / v55, xp.minimum(v57, v58)), xp.maximum(v57, v58))
-        v60 = xp.where(v46 < xp.inf, v59, 0.0)
-        v38 = xp.minimum(v38 * xp.exp(v60), xp.inf)
-    v62 = xp.where(d > 0.0, v38, 0.0 * d)
-    v63 = xp.tanh(v62)
-    v64 = R * v63
-    return v64
-
-
-def radius_from_force(xp, F, R, E_star):
-    v0 = R * 0.7615941559557649
-    v1 = v0 ** 2.0
-    v2 = R / 1.5430806348152437
-    v3 = v0 / v2
-    v4 = xp.arcsinh(v3)
-    v5 = v1 * v4
-    v6 = R ** 2.0
-    v7 = v4 < 1.0
-    v8 = xp.where(v7, v4, 0.5 * 1.0)
-    v9 = xp.tanh(v8)
-    v10 = v9 * v9
-    v11 = v9 * v10
-    v12 = xp.minimum(v8, 1.0)
-    v13 = v12 * v12
-    v14 = 1.0716932453474512e-06 * v13
-    v15 = v14 + 0.00019982814521087247
-    v16 = v15 * v13
-    v17 = v16 + 0.007076196047699156
-    v18 = v17 * v13
-    v19 = v18 + 0.08608622548411103
-    v20 = v19 * v13
-    v21 = v20 + 0.3073858328214721
-    v22 = v21 * v13
-    v23 = v22 + 0.3333333333333333
-    v24 = 2.565078604208634e-08 * v13
-    v25 = v24 + 2.0203143566039827e-05
-    v26 = v25 * v13
-    v27 = v26 + 0.001617010334189783
-    v28 = v27 * v13
-    v29 = v28 + 0.03639274880225476
-    v30 = v29 * v13
-    v31 = v30 + 0.32215749846441627
-    v32 = v31 * v13
-    v33 = v32 + 1.0
-    v34 = v23 / v33
-    v35 = v11 * v34
-    v36 = xp.where(v7, 2.0 * 1.0, v4)
-    v37 = xp.tanh(v36)
-    v38 = v36 - v37
-    v39 = xp.where(v7, v35, v38)
-    v40 = v6 * v39
-    v41 = v5 + v40
-    v42 = E_star * v41
-    v43 = F / v42
-    v44 = xp.log(v43)
-    v45 = v44 - 0.4879663296199081
-    v46 = 0.5833333333333334 * v45
-    v47 = v44 - 0.8775499035577244
-    v48 = 1.75 * v47
-    v49 = xp.maximum(v46, v48)
-    v50 = v46 - v48
-    v51 = xp.absolute(v50)
-    v52 = -v51
-    v53 = xp.exp(v52)
-    v54 = xp.log1p(v53)
-    v55 = v49 + v54
-    v56 = v55 / 1.75
-    v57 = xp.exp(v56)
-    v58 = 1.0 + v57
-    v59 = 1.0 / v58
-    v60 = 1.0 - v59
-    v61 = 13.75711 * v60
-    v62 = v61 + (-58.34092)
-    v63 = v62 * v60
-    v64 = v63 + 91.96521
-    v65 = v64 * v60
-    v66 = v65 + (-66.84601)
-    v67 = v66 * v60
-    v68 = v67 + 22.20415
-    v69 = v68 * v60
-    v70 = v69 + (-2.915358)
-    v71 = v70 * v60
-    v72 = v71 + 0.1558039
-    v73 = v72 * v60
-    v74 = v73 + 0.998775
-    v75 = v57 * v74
-    v76 = xp.where(F > 0.0, F, 1.0)
-    v77 = xp.minimum(v75, xp.inf)
-    for _ in range(6):
-        v79 = xp.tanh(v77)
-        v80 = R * v79
-        v81 = v80 ** 2.0
-        v82 = xp.cosh(v77)
-        v83 = R / v82
-        v84 = v80 / v83
-        v85 = xp.arcsinh(v84)
-        v86 = v81 * v85
-        v87 = v85 < 1.0
-        v88 = xp.where(v87, v85, 0.5 * 1.0)
-        v89 = xp.tanh(v88)
-        v90 = v89 * v89
-        v91 = v89 * v90
-        v92 = xp.minimum(v88, 1.0)
-        v93 = v92 * v92
-        v94 = 1.0716932453474512e-06 * v93
-        v95 = v94 + 0.00019982814521087247
-        v96 = v95 * v93
-        v97 = v96 + 0.007076196047699156
-        v98 = v97 * v93
-        v99 = v98 + 0.08608622548411103
-        v100 = v99 * v93
-        v101 = v100 + 0.3073858328214721
-        v102 = v101 * v93
-        v103 = v102 + 0.3333333333333333
-        v104 = 2.565078604208634e-08 * v93
-        v105 = v104 + 2.0203143566039827e-05
-        v106 = v105 * v93
-        v107 = v106 + 0.001617010334189783
-        v108 = v107 * v93
-        v109 = v108 + 0.03639274880225476
-        v110 = v109 * v93
-        v111 = v110 + 0.32215749846441627
-        v112 = v111 * v93
-        v113 = v112 + 1.0
-        v114 = v103 / v113
-        v115 = v91 * v114
-        v116 = xp.where(v87, 2.0 * 1.0, v85)
-        v117 = xp.tanh(v116)
-        v118 = v116 - v117
-        v119 = xp.where(v87, v115, v118)
-        v120 = v6 * v119
-        v121 = v86 + v120
-        v122 = E_star * v121
-        v123 = 2.0 * E_star
-        v124 = v123 * v80
-        v125 = v124 * v77
-        v126 = v125 * v83
-        v127 = v126 * v83
-        v128 = v127 / R
-        v129 = R * v80
-        v130 = v83 ** 2.0
-        v131 = v129 / v130
-        v132 = v85 + v131
-        v133 = v128 * v132
-        v134 = v133 / v122
-        v135 = xp.log(v76 / v122)
-        v136 = v135 / 1.0
-        v137 = v135 / 3.0
-        v138 = xp.minimum(xp.maximum(v135 / v134, xp.minimum(v136, v137)), xp.maximum(v136, v137))
-        v139 = xp.where(v122 < xp.inf, v138, 0.0)
-        v77 = xp.minimum(v77 * xp.exp(v139), xp.inf)
-    v141 = xp.where(F > 0.0, v77, 0.0 * F)
-    v142 = xp.tanh(v141)
-    v143 = R * v142
-    return v143
+    v9 = v7 / difference_root(xp, v5, v7)
+    v10 = xp.arcsinh(v9)
+    v13 = v11 * v10
+    v23 = 0.0 - xp.expm1(-2.0 * v10)
+    v24 = v23 > 0.0
+    v20 = xp.exp(-v13) * (0.0 - xp.expm1(-2.0 * (v10 - v13)))
+    v28 = v9 * (v20 / xp.where(v24, xp.where(v24, v23, 1.0), xp.inf))
+    v31 = xp.sqrt(1.0 + v28 * v28)
+    v33 = v5 * (v28 / v31)
+    v36 = v5 / v31
+    v37 = v36 * v36
+    v40 = slope(xp, v33, xp.sqrt(difference_root(xp, R, v4) ** 2.0 + v37), R)
+    v48 = v40 * xp.arctan2(v33, xp.sqrt(difference_root(xp, v4, R) ** 2.0 + v37)) * (v36 / v31)
+    v50 = xp.where(v6, 2.0 * v5, v2)
+    v52 = 0.6366197723675814 * xp.where(v6, v10 * xp.sum(v12 * v48, axis=0), xp.inf)
+    v58 = xp.where(v1, 2.0 * R, a)
+    v57 = xp.where(v3, v52, depth(xp, v2, R) - profile(xp, xp.where(v3, 0.5 * v2, r), R))
+    return xp.where(v1, v57, xp.nan)
 
 
 def stiffness(xp, a, E_star):
-    v0 = 2.0 * E_star
-    v1 = v0 * a
-    return v1
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, R, E_star):
+    v1 = a > 0.0
+    v2 = xp.where(v1, a, 1.0)
+    return xp.where(v1, force(xp, v2, R, E_star) / (3.141592653589793 * v2 ** 2.0), 0.0)
+
+
+def radius_from_depth(xp, d, R):
+    v1 = R * 0.7615941559557649
+    v8 = xp.log(d / (v1 * xp.arcsinh(v1 / (R / 1.5430806348152437)))) - 0.2723145953206591
+    v9 = 1.875 * v8
+    v10 = 3.75 * v8
+    v19 = xp.exp((xp.maximum(v9, v10) + xp.log1p(xp.exp(-xp.absolute(v9 - v10)))) / 3.75)
+    v22 = 1.0 - 1.0 / (1.0 + v19)
+    v30 = (((25.07439 * v22 + -95.06062) * v22 + 137.5431) * v22 + -93.92268) * v22 + 30.18372
+
+    def f37(v38):
+        v40 = R * xp.tanh(v38)
+        v42 = R / xp.cosh(v38)
+        v45 = v40 * xp.arcsinh(v40 / v42)
+        return (v45, v38 * v42 * v42 / R * slope(xp, v40, v42, R) / v45)
+    v37 = v19 * (((v30 * v22 + -4.0282) * v22 + 0.208363) * v22 + 0.9983865)
+    return R * xp.tanh(newton(xp, f37, d, v37, xp.inf, 1.0, 2.0))
+
+
+def force_at(xp, a, root, R, E_star):
+    v3 = xp.arcsinh(a / root)
+    return E_star * (a ** 2.0 * v3 + R ** 2.0 * tanh_gap(xp, v3, xp.tanh(v3)))
+
+
+def radius_from_force(xp, F, R, E_star):
+    v5 = xp.log(F / force_at(xp, R * 0.7615941559557649, R / 1.5430806348152437, R, E_star))
+    v7 = 0.5833333333333334 * (v5 - 0.4879663296199081)
+    v9 = 1.75 * (v5 - 0.8775499035577244)
+    v18 = xp.exp((xp.maximum(v7, v9) + xp.log1p(xp.exp(-xp.absolute(v7 - v9)))) / 1.75)
+    v21 = 1.0 - 1.0 / (1.0 + v18)
+    v29 = (((13.75711 * v21 + -58.34092) * v21 + 91.96521) * v21 + -66.84601) * v21 + 22.20415
+
+    def f36(v37):
+        v39 = R * xp.tanh(v37)
+        v41 = R / xp.cosh(v37)
+        v42 = force_at(xp, v39, v41, R, E_star)
+        v51 = 2.0 * E_star * v39 * v37 * v41 * v41 / R * slope(xp, v39, v41, R) / v42
+        return (v42, v51)
+    v36 = v18 * (((v29 * v21 + -2.915358) * v21 + 0.1558039) * v21 + 0.998775)
+    return R * xp.tanh(newton(xp, f36, F, v36, xp.inf, 1.0, 3.0))
+
+
+def force_from_depth(xp, d, R, E_star):
+    v1 = R * 0.7615941559557649
+    v8 = xp.log(d / (v1 * xp.arcsinh(v1 / (R / 1.5430806348152437)))) - 0.2723145953206591
+    v9 = 1.875 * v8
+    v10 = 3.75 * v8
+    v19 = xp.exp((xp.maximum(v9, v10) + xp.log1p(xp.exp(-xp.absolute(v9 - v10)))) / 3.75)
+    v22 = 1.0 - 1.0 / (1.0 + v19)
+    v30 = (((25.07439 * v22 + -95.06062) * v22 + 137.5431) * v22 + -93.92268) * v22 + 30.18372
+
+    def f37(v38):
+        v40 = R * xp.tanh(v38)
+        v42 = R / xp.cosh(v38)
+        v45 = v40 * xp.arcsinh(v40 / v42)
+        return (v45, v38 * v42 * v42 / R * slope(xp, v40, v42, R) / v45)
+    v37 = v19 * (((v30 * v22 + -4.0282) * v22 + 0.208363) * v22 + 0.9983865)
+    v52 = newton(xp, f37, d, v37, xp.inf, 1.0, 2.0)
+    v54 = R * xp.tanh(v52)
+    v56 = R / xp.cosh(v52)
+    v67 = 2.0 * E_star * v54 * (d - v54 * xp.arcsinh(v54 / v56))
+    return force_at(xp, v54, v56, R, E_star) + xp.where((v54 > 0.0) & (v54 < xp.inf), v67, 0.0)
+
+
+def depth_from_force(xp, F, R, E_star):
+    v5 = xp.log(F / force_at(xp, R * 0.7615941559557649, R / 1.5430806348152437, R, E_star))
+    v7 = 0.5833333333333334 * (v5 - 0.4879663296199081)
+    v9 = 1.75 * (v5 - 0.8775499035577244)
+    v18 = xp.exp((xp.maximum(v7, v9) + xp.log1p(xp.exp(-xp.absolute(v7 - v9)))) / 1.75)
+    v21 = 1.0 - 1.0 / (1.0 + v18)
+    v29 = (((13.75711 * v21 + -58.34092) * v21 + 91.96521) * v21 + -66.84601) * v21 + 22.20415
+
+    def f36(v37):
+        v39 = R * xp.tanh(v37)
+        v41 = R / xp.cosh(v37)
+        v42 = force_at(xp, v39, v41, R, E_star)
+        v51 = 2.0 * E_star * v39 * v37 * v41 * v41 / R * slope(xp, v39, v41, R) / v42
+        return (v42, v51)
+    v36 = v18 * (((v29 * v21 + -2.915358) * v21 + 0.1558039) * v21 + 0.998775)
+    v52 = newton(xp, f36, F, v36, xp.inf, 1.0, 3.0)
+    v54 = R * xp.tanh(v52)
+    v56 = R / xp.cosh(v52)
+    v67 = (F - force_at(xp, v54, v56, R, E_star)) / (2.0 * E_star * v54)
+    return v54 * xp.arcsinh(v54 / v56) + xp.where((v54 > 0.0) & (v54 < xp.inf), v67, 0.0)

@@ -1,830 +1,251 @@
 """Formulas of axicontact.normal.sphere_tipped_cone over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.functions import sine_root
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.shapes.arcs import arc_strips
+from ...._programs.expressions._runtime.special import tanh_gap
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
 
 
-def depth(xp, a, R, theta):
-    v0 = xp.sin(theta)
-    v1 = R * v0
-    v2 = a < v1
-    v3 = xp.where(v2, a, 0.5 * v1)
-    v4 = 2.0 * v3
-    v5 = R - v3
-    v6 = v4 / v5
-    v7 = xp.log1p(v6)
-    v8 = v7 / 2.0
-    v9 = v3 * v8
-    v10 = xp.where(v2, 2.0 * v1, a)
-    v11 = v1 ** 2.0
-    v12 = xp.cos(theta)
-    v13 = R * v12
-    v14 = v13 < v1
-    v15 = xp.where(v14, v13, 0.5 * v1)
-    v16 = v15 * v15
-    v17 = R - v10
-    v18 = R + v10
-    v19 = v17 * v18
-    v20 = v16 - v19
-    v21 = xp.where(v14, 2.0 * v1, v13)
-    v22 = v10 - v1
-    v23 = v10 + v1
-    v24 = v22 * v23
-    v25 = xp.where(v14, v20, v24)
-    v26 = xp.maximum(v25, 0.0)
-    v27 = xp.sqrt(v26)
-    v28 = v27 + v10
-    v29 = v11 / v28
-    v30 = v13 + R
-    v31 = v11 / v30
-    v32 = v29 + v31
-    v33 = v27 + v13
-    v34 = v32 / v33
-    v35 = xp.log1p(v34)
-    v36 = xp.arctan2(v27, v1)
-    v37 = v1 * v36
-    v38 = v37 / v13
-    v39 = v35 + v38
-    v40 = v10 * v39
-    v41 = xp.where(v2, v9, v40)
-    return v41
+def depth_at(xp, a, root, R, theta):
+    v2 = R * xp.sin(theta)
+    v3 = a < v2
+    v4 = xp.where(v3, a, 0.5 * v2)
+    v11 = xp.where(v3, 2.0 * v2, a)
+    v12 = xp.where(v3, v2, root)
+    v13 = v2 ** 2.0
+    v17 = R * xp.cos(theta)
+    v23 = xp.log1p((v13 / (v12 + v11) + v13 / (v17 + R)) / (v12 + v17))
+    v28 = v11 * (v23 + v2 * xp.arctan2(v12, v2) / v17)
+    return xp.where(v3, v4 * (xp.log1p(2.0 * v4 / (R - v4)) / 2.0), v28)
+
+
+def slope_beyond(xp, t, root, R, theta):
+    v2 = R * xp.sin(theta)
+    v3 = v2 ** 2.0
+    v7 = R * xp.cos(theta)
+    v13 = xp.log1p((v3 / (root + t) + v3 / (v7 + R)) / (root + v7))
+    v25 = v13 + v2 * xp.arctan2(root, v2) / v7 + v3 * R / (t * v7 ** 2.0 + R * root * v7)
+    return v25
+
+
+def force_at(xp, a, reach, R, theta, E_star):
+    v28, v29 = nodes_along(xp, 1, a, reach, R, theta, E_star)
+    v2 = R * xp.sin(theta)
+    v3 = xp.minimum(a, v2)
+    v5 = a < v2
+    v7 = xp.minimum(xp.where(v5, a, 0.5 * v2), v2)
+    v12 = xp.where(v5, 2.0 * v2, a)
+    v17 = xp.arcsinh(v3 / xp.where(v5, xp.sqrt((R - v7) * (v7 + R)), R * xp.cos(theta)))
+    v27 = xp.arcsinh(reach / v2)
+    v30 = v28 * v27
+    v41 = 0.0 - xp.expm1(-2.0 * v27)
+    v42 = v41 > 0.0
+    v38 = xp.exp(-v30) * (0.0 - xp.expm1(-2.0 * (v27 - v30)))
+    v46 = reach * (v38 / xp.where(v42, xp.where(v42, v41, 1.0), xp.inf))
+    v49 = xp.sqrt(v2 * v2 + v46 * v46)
+    v53 = v27 * xp.sum(v29 * (slope_beyond(xp, v49, v46, R, theta) * v46 * v49), axis=0)
+    v24 = E_star * (v3 ** 2.0 * v17 + R ** 2.0 * tanh_gap(xp, v17, xp.tanh(v17)))
+    return v24 + 2.0 * E_star * v53
+
+
+def pressure(xp, r, a, R, theta, E_star):
+    v57, v58 = nodes_along(xp, 1, r, a, R, theta, E_star)
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v4 = R * xp.sin(theta)
+    v5 = xp.minimum(a, v4)
+    v6 = v2 < v5
+    v7 = xp.where(v6, v2, 0.5 * v5)
+    v13 = a < v4
+    v15 = xp.minimum(xp.where(v13, a, 0.5 * v4), v4)
+    v20 = xp.where(v13, 2.0 * v4, a)
+    v23 = xp.where(v13, xp.sqrt((R - v15) * (v15 + R)), R * xp.cos(theta))
+    v31 = R * xp.arcsinh(xp.sqrt((v5 - v7) * (v5 + v7)) / v23) / xp.sqrt((R - v7) * (v7 + R))
+    v35 = xp.where(v6, 2.0 * v5, v2)
+    v40 = xp.where(v2 == v4, v4 * 1.0000000000000002, v2)
+    v41 = xp.maximum(v40, v4)
+    v42 = a > v41
+    v43 = xp.where(v42, a, 2.0 * v41)
+    v44 = v40 < v4
+    v45 = xp.where(v44, v40, 0.5 * v4)
+    v48 = difference_root(xp, v43, xp.where(v44, 2.0 * v4, v40))
+    v49 = xp.where(v44, difference_root(xp, v43, v4), v48)
+    v56 = xp.arcsinh(v49 / xp.sqrt(xp.absolute(v40 - v4) * (v40 + v4)))
+    v59 = v57 * v56
+    v64 = xp.where(v44, v40, 0.5 * v4)
+    v65 = xp.where(v44, 2.0 * v4, v40)
+    v67 = 2.0 * xp.where(v44, 0.0, 1.0)
+    v68 = 1.0 - v67
+    v78 = v67 - v68 * xp.expm1(-2.0 * v56)
+    v79 = v78 > 0.0
+    v74 = xp.exp(-v59) * (v67 - v68 * xp.expm1(-2.0 * (v56 - v59)))
+    v83 = difference_root(xp, v43, v4) * (v74 / xp.where(v79, xp.where(v79, v78, 1.0), xp.inf))
+    v86 = xp.sqrt(v4 * v4 + v83 * v83)
+    v91 = xp.where(v42, 0.5 * v41, a)
+    v90 = v56 * xp.sum(v58 * (slope_beyond(xp, v86, v83, R, theta) * v83 / v86), axis=0)
+    v36 = xp.where(v6, E_star / 3.141592653589793 * (v31 + arc_strips(xp, v7, v5, R)), 0.0)
+    v95 = xp.where(v1, 2.0 * a, r)
+    return xp.where(v1, v36 + E_star / 3.141592653589793 * xp.where(v42, v90, 0.0), 0.0)
+
+
+def slope(xp, t, root, R):
+    return xp.arcsinh(t / root) + R * t / root ** 2.0
+
+
+def profile(xp, r, R, theta):
+    v2 = R * xp.sin(theta)
+    v3 = r < v2
+    v4 = xp.where(v3, r, 0.5 * v2)
+    v15 = R * xp.cos(theta)
+    v20 = v2 * ((xp.where(v3, 2.0 * v2, r) - v2) / v15 + v2 / (v15 + R))
+    return xp.where(v3, v4 ** 2.0 / (xp.sqrt((R - v4) * (v4 + R)) + R), v20)
 
 
 def displacement(xp, r, a, R, theta):
-    nodes, weights = nodes_along(xp, 64, r, a, R, theta)
+    v12, v13 = nodes_along(xp, 1, r, a, R, theta)
     v1 = r > a
     v2 = xp.where(v1, r, 2.0 * a)
-    v3 = xp.sin(theta)
-    v4 = R * v3
+    v4 = R * xp.sin(theta)
     v5 = xp.minimum(a, v4)
     v6 = xp.minimum(v2, R)
     v7 = v5 < v6
     v8 = xp.where(v7, v5, 0.5 * v6)
-    v9 = v6 - v8
-    v10 = xp.maximum(v9, 0.0)
-    v11 = v6 + v8
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v8 / v13
-    v15 = xp.arcsinh(v14)
-    v16 = nodes * v15
-    v17 = -v16
-    v18 = xp.exp(v17)
-    v19 = v15 - v16
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v15
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v14 * v29
-    v31 = v30 * v30
-    v32 = 1.0 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v30 / v33
-    v35 = v6 * v34
-    v36 = R - v2
-    v37 = xp.maximum(v36, 0.0)
-    v38 = R + v2
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = v40 ** 2.0
-    v42 = v6 / v33
-    v43 = v42 * v42
-    v44 = v41 + v43
-    v45 = xp.sqrt(v44)
-    v46 = v35 / v45
-    v47 = xp.arcsinh(v46)
-    v48 = R * v35
-    v49 = v45 ** 2.0
-    v50 = v48 / v49
-    v51 = v47 + v50
-    v52 = v2 - R
-    v53 = xp.maximum(v52, 0.0)
-    v54 = v2 + R
-    v55 = v53 * v54
-    v56 = xp.sqrt(v55)
-    v57 = v56 ** 2.0
-    v58 = v57 + v43
-    v59 = xp.sqrt(v58)
-    v60 = xp.arctan2(v35, v59)
-    v61 = v51 * v60
-    v62 = v42 / v33
-    v63 = v61 * v62
-    v64 = v15 * xp.sum(weights * v63, axis=0)
-    v65 = xp.where(v7, 2.0 * v6, v5)
-    v66 = xp.where(v7, v64, xp.inf)
-    v67 = a > v4
-    v68 = xp.where(v67, a, 2.0 * v4)
-    v69 = v2 - v4
-    v70 = xp.maximum(v69, 0.0)
-    v71 = v2 + v4
-    v72 = v70 * v71
-    v73 = xp.sqrt(v72)
-    v74 = v68 - v4
-    v75 = xp.maximum(v74, 0.0)
-    v76 = v68 + v4
-    v77 = v75 * v76
-    v78 = xp.sqrt(v77)
-    v79 = v2 - v68
-    v80 = xp.maximum(v79, 0.0)
-    v81 = v2 + v68
-    v82 = v80 * v81
-    v83 = xp.sqrt(v82)
-    v84 = v78 / v83
-    v85 = v4 / v2
-    v86 = v84 / v85
-    v87 = xp.arcsinh(v86)
-    v88 = nodes * v87
-    v89 = v4 ** 2.0
-    v90 = -v88
-    v91 = xp.exp(v90)
-    v92 = v87 - v88
-    v93 = (-2.0) * v92
-    v94 = xp.expm1(v93)
-    v95 = 0.0 - v94
-    v96 = v91 * v95
-    v97 = (-2.0) * v87
-    v98 = xp.expm1(v97)
-    v99 = 0.0 - v98
-    v100 = v99 > 0.0
-    v101 = xp.where(v100, v99, xp.inf)
-    v102 = v96 / v101
-    v103 = v84 * v102
-    v104 = v73 * v103
-    v105 = v103 * v103
-    v106 = 1.0 + v105
-    v107 = xp.sqrt(v106)
-    v108 = v104 / v107
-    v109 = v4 * v4
-    v110 = v108 * v108
-    v111 = v109 + v110
-    v112 = xp.sqrt(v111)
-    v113 = v108 + v112
-    v114 = v89 / v113
-    v115 = xp.cos(theta)
-    v116 = R * v115
-    v117 = v116 + R
-    v118 = v89 / v117
-    v119 = v114 + v118
-    v120 = v108 + v116
-    v121 = v119 / v120
-    v122 = xp.log1p(v121)
-    v123 = xp.arctan2(v108, v4)
-    v124 = v4 * v123
-    v125 = v124 / v116
-    v126 = v122 + v125
-    v127 = v89 * R
-    v128 = v116 ** 2.0
-    v129 = v112 * v128
-    v130 = R * v108
-    v131 = v130 * v116
-    v132 = v129 + v131
-    v133 = v127 / v132
-    v134 = v126 + v133
-    v135 = v134 * v108
-    v136 = v135 / v112
-    v137 = v73 / v107
-    v138 = xp.arctan2(v112, v137)
-    v139 = v136 * v138
-    v140 = v85 * v85
-    v141 = v140 + v105
-    v142 = xp.sqrt(v141)
-    v143 = v107 * v107
-    v144 = v143 * v107
-    v145 = v142 / v144
-    v146 = v139 * v145
-    v147 = v87 * xp.sum(weights * v146, axis=0)
-    v148 = v73 * v147
-    v149 = xp.where(v67, 0.5 * v4, a)
-    v150 = xp.where(v67, v148, 0.0)
-    v151 = v66 + v150
-    v152 = 0.6366197723675814 * v151
-    v153 = xp.where(v1, 0.5 * a, r)
-    v154 = xp.sin(theta)
-    v155 = R * v154
-    v156 = a < v155
-    v157 = xp.where(v156, a, 0.5 * v155)
-    v158 = 2.0 * v157
-    v159 = R - v157
-    v160 = v158 / v159
-    v161 = xp.log1p(v160)
-    v162 = v161 / 2.0
-    v163 = v157 * v162
-    v164 = xp.where(v156, 2.0 * v155, a)
-    v165 = v155 ** 2.0
-    v166 = xp.cos(theta)
-    v167 = R * v166
-    v168 = v167 < v155
-    v169 = xp.where(v168, v167, 0.5 * v155)
-    v170 = v169 * v169
-    v171 = R - v164
-    v172 = R + v164
-    v173 = v171 * v172
-    v174 = v170 - v173
-    v175 = xp.where(v168, 2.0 * v155, v167)
-    v176 = v164 - v155
-    v177 = v164 + v155
-    v178 = v176 * v177
-    v179 = xp.where(v168, v174, v178)
-    v180 = xp.maximum(v179, 0.0)
-    v181 = xp.sqrt(v180)
-    v182 = v181 + v164
-    v183 = v165 / v182
-    v184 = v167 + R
-    v185 = v165 / v184
-    v186 = v183 + v185
-    v187 = v181 + v167
-    v188 = v186 / v187
-    v189 = xp.log1p(v188)
-    v190 = xp.arctan2(v181, v155)
-    v191 = v155 * v190
-    v192 = v191 / v167
-    v193 = v189 + v192
-    v194 = v164 * v193
-    v195 = xp.where(v156, v163, v194)
-    v196 = v153 < v155
-    v197 = xp.where(v196, v153, 0.5 * v155)
-    v198 = v197 ** 2.0
-    v199 = R - v197
-    v200 = v197 + R
-    v201 = v199 * v200
-    v202 = xp.sqrt(v201)
-    v203 = v202 + R
-    v204 = v198 / v203
-    v205 = xp.where(v196, 2.0 * v155, v153)
-    v206 = v205 - v155
-    v207 = xp.cos(theta)
-    v208 = R * v207
-    v209 = v206 / v208
-    v210 = v208 + R
-    v211 = v155 / v210
-    v212 = v209 + v211
-    v213 = v155 * v212
-    v214 = xp.where(v196, v204, v213)
-    v215 = v195 - v214
-    v216 = xp.where(v1, v152, v215)
-    return v216
+    v10 = v8 / difference_root(xp, v6, v8)
+    v11 = xp.arcsinh(v10)
+    v14 = v12 * v11
+    v24 = 0.0 - xp.expm1(-2.0 * v11)
+    v25 = v24 > 0.0
+    v21 = xp.exp(-v14) * (0.0 - xp.expm1(-2.0 * (v11 - v14)))
+    v29 = v10 * (v21 / xp.where(v25, xp.where(v25, v24, 1.0), xp.inf))
+    v32 = xp.sqrt(1.0 + v29 * v29)
+    v34 = v6 * (v29 / v32)
+    v37 = v6 / v32
+    v38 = v37 * v37
+    v41 = slope(xp, v34, xp.sqrt(difference_root(xp, R, v2) ** 2.0 + v38), R)
+    v49 = v41 * xp.arctan2(v34, xp.sqrt(difference_root(xp, v2, R) ** 2.0 + v38)) * (v37 / v32)
+    v51 = xp.where(v7, 2.0 * v6, v5)
+    v53 = a > v4
+    v54 = xp.where(v53, a, 2.0 * v4)
+    v55 = difference_root(xp, v2, v4)
+    v58 = difference_root(xp, v54, v4) / difference_root(xp, v2, v54)
+    v59 = v4 / v2
+    v61 = xp.arcsinh(v58 / v59)
+    v62 = v12 * v61
+    v73 = 0.0 - xp.expm1(-2.0 * v61)
+    v74 = v73 > 0.0
+    v70 = xp.exp(-v62) * (0.0 - xp.expm1(-2.0 * (v61 - v62)))
+    v78 = v58 * (v70 / xp.where(v74, xp.where(v74, v73, 1.0), xp.inf))
+    v80 = v78 * v78
+    v82 = xp.sqrt(1.0 + v80)
+    v83 = v55 * v78 / v82
+    v86 = xp.sqrt(v4 * v4 + v83 * v83)
+    v92 = slope_beyond(xp, v86, v83, R, theta) * v83 / v86 * xp.arctan2(v86, v55 / v82)
+    v102 = xp.where(v53, 0.5 * v4, a)
+    v101 = v55 * (v61 * xp.sum(v13 * (v92 * (xp.sqrt(v59 * v59 + v80) / (v82 * v82 * v82))), axis=0))
+    v104 = xp.where(v7, v11 * xp.sum(v13 * v49, axis=0), xp.inf) + xp.where(v53, v101, 0.0)
+    v108 = depth_at(xp, a, sine_root(xp, a, R, theta), R, theta)
+    v110 = v108 - profile(xp, xp.where(v1, 0.5 * a, r), R, theta)
+    return xp.where(v1, 0.6366197723675814 * v104, v110)
+
+
+def slope_at(xp, a, root, R, theta):
+    v2 = R * xp.sin(theta)
+    v3 = a < v2
+    v4 = xp.where(v3, a, 0.5 * v2)
+    v12 = slope_beyond(xp, xp.where(v3, 2.0 * v2, a), xp.where(v3, v2, root), R, theta)
+    return xp.where(v3, slope(xp, v4, xp.sqrt((R - v4) * (R + v4)), R), v12)
+
+
+def depth(xp, a, R, theta):
+    return depth_at(xp, a, sine_root(xp, a, R, theta), R, theta)
 
 
 def force(xp, a, R, theta, E_star):
-    nodes, weights = nodes_along(xp, 64, a, R, theta, E_star)
-    v1 = xp.sin(theta)
-    v2 = R * v1
-    v3 = xp.minimum(a, v2)
-    v4 = v3 ** 2.0
-    v5 = a < v2
-    v6 = xp.where(v5, a, 0.5 * v2)
-    v7 = xp.minimum(v6, v2)
-    v8 = R - v7
-    v9 = v7 + R
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = xp.where(v5, 2.0 * v2, a)
-    v13 = xp.cos(theta)
-    v14 = R * v13
-    v15 = xp.where(v5, v11, v14)
-    v16 = v3 / v15
-    v17 = xp.arcsinh(v16)
-    v18 = v4 * v17
-    v19 = R ** 2.0
-    v20 = v17 < 1.0
-    v21 = xp.where(v20, v17, 0.5 * 1.0)
-    v22 = xp.tanh(v21)
-    v23 = v22 * v22
-    v24 = v22 * v23
-    v25 = xp.minimum(v21, 1.0)
-    v26 = v25 * v25
-    v27 = 1.0716932453474512e-06 * v26
-    v28 = v27 + 0.00019982814521087247
-    v29 = v28 * v26
-    v30 = v29 + 0.007076196047699156
-    v31 = v30 * v26
-    v32 = v31 + 0.08608622548411103
-    v33 = v32 * v26
-    v34 = v33 + 0.3073858328214721
-    v35 = v34 * v26
-    v36 = v35 + 0.3333333333333333
-    v37 = 2.565078604208634e-08 * v26
-    v38 = v37 + 2.0203143566039827e-05
-    v39 = v38 * v26
-    v40 = v39 + 0.001617010334189783
-    v41 = v40 * v26
-    v42 = v41 + 0.03639274880225476
-    v43 = v42 * v26
-    v44 = v43 + 0.32215749846441627
-    v45 = v44 * v26
-    v46 = v45 + 1.0
-    v47 = v36 / v46
-    v48 = v24 * v47
-    v49 = xp.where(v20, 2.0 * 1.0, v17)
-    v50 = xp.tanh(v49)
-    v51 = v49 - v50
-    v52 = xp.where(v20, v48, v51)
-    v53 = v19 * v52
-    v54 = v18 + v53
-    v55 = E_star * v54
-    v56 = 2.0 * E_star
-    v57 = xp.cos(theta)
-    v58 = R * v57
-    v59 = v58 < v2
-    v60 = xp.where(v59, v58, 0.5 * v2)
-    v61 = v60 * v60
-    v62 = R - a
-    v63 = R + a
-    v64 = v62 * v63
-    v65 = v61 - v64
-    v66 = xp.where(v59, 2.0 * v2, v58)
-    v67 = a - v2
-    v68 = a + v2
-    v69 = v67 * v68
-    v70 = xp.where(v59, v65, v69)
-    v71 = xp.maximum(v70, 0.0)
-    v72 = xp.sqrt(v71)
-    v73 = v72 / v2
-    v74 = xp.arcsinh(v73)
-    v75 = nodes * v74
-    v76 = v2 ** 2.0
-    v77 = -v75
-    v78 = xp.exp(v77)
-    v79 = v74 - v75
-    v80 = (-2.0) * v79
-    v81 = xp.expm1(v80)
-    v82 = 0.0 - v81
-    v83 = v78 * v82
-    v84 = (-2.0) * v74
-    v85 = xp.expm1(v84)
-    v86 = 0.0 - v85
-    v87 = v86 > 0.0
-    v88 = xp.where(v87, v86, xp.inf)
-    v89 = v83 / v88
-    v90 = v72 * v89
-    v91 = v2 * v2
-    v92 = v90 * v90
-    v93 = v91 + v92
-    v94 = xp.sqrt(v93)
-    v95 = v90 + v94
-    v96 = v76 / v95
-    v97 = v58 + R
-    v98 = v76 / v97
-    v99 = v96 + v98
-    v100 = v90 + v58
-    v101 = v99 / v100
-    v102 = xp.log1p(v101)
-    v103 = xp.arctan2(v90, v2)
-    v104 = v2 * v103
-    v105 = v104 / v58
-    v106 = v102 + v105
-    v107 = v76 * R
-    v108 = v58 ** 2.0
-    v109 = v94 * v108
-    v110 = R * v90
-    v111 = v110 * v58
-    v112 = v109 + v111
-    v113 = v107 / v112
-    v114 = v106 + v113
-    v115 = v114 * v90
-    v116 = v115 * v94
-    v117 = v74 * xp.sum(weights * v116, axis=0)
-    v118 = v56 * v117
-    v119 = v55 + v118
-    return v119
-
-
-def mean_pressure(xp, a, R, theta, E_star):
-    nodes, weights = nodes_along(xp, 64, a, R, theta, E_star)
-    v1 = a > 0.0
-    v2 = xp.sin(theta)
-    v3 = R * v2
-    v4 = xp.minimum(a, v3)
-    v5 = v4 ** 2.0
-    v6 = a < v3
-    v7 = xp.where(v6, a, 0.5 * v3)
-    v8 = xp.minimum(v7, v3)
-    v9 = R - v8
-    v10 = v8 + R
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = xp.where(v6, 2.0 * v3, a)
-    v14 = xp.cos(theta)
-    v15 = R * v14
-    v16 = xp.where(v6, v12, v15)
-    v17 = v4 / v16
-    v18 = xp.arcsinh(v17)
-    v19 = v5 * v18
-    v20 = R ** 2.0
-    v21 = v18 < 1.0
-    v22 = xp.where(v21, v18, 0.5 * 1.0)
-    v23 = xp.tanh(v22)
-    v24 = v23 * v23
-    v25 = v23 * v24
-    v26 = xp.minimum(v22, 1.0)
-    v27 = v26 * v26
-    v28 = 1.0716932453474512e-06 * v27
-    v29 = v28 + 0.00019982814521087247
-    v30 = v29 * v27
-    v31 = v30 + 0.007076196047699156
-    v32 = v31 * v27
-    v33 = v32 + 0.08608622548411103
-    v34 = v33 * v27
-    v35 = v34 + 0.3073858328214721
-    v36 = v35 * v27
-    v37 = v36 + 0.3333333333333333
-    v38 = 2.565078604208634e-08 * v27
-    v39 = v38 + 2.0203143566039827e-05
-    v40 = v39 * v27
-    v41 = v40 + 0.001617010334189783
-    v42 = v41 * v27
-    v43 = v42 + 0.03639274880225476
-    v44 = v43 * v27
-    v45 = v44 + 0.32215749846441627
-    v46 = v45 * v27
-    v47 = v46 + 1.0
-    v48 = v37 / v47
-    v49 = v25 * v48
-    v50 = xp.where(v21, 2.0 * 1.0, v18)
-    v51 = xp.tanh(v50)
-    v52 = v50 - v51
-    v53 = xp.where(v21, v49, v52)
-    v54 = v20 * v53
-    v55 = v19 + v54
-    v56 = E_star * v55
-    v57 = 2.0 * E_star
-    v58 = xp.cos(theta)
-    v59 = R * v58
-    v60 = v59 < v3
-    v61 = xp.where(v60, v59, 0.5 * v3)
-    v62 = v61 * v61
-    v63 = R - a
-    v64 = R + a
-    v65 = v63 * v64
-    v66 = v62 - v65
-    v67 = xp.where(v60, 2.0 * v3, v59)
-    v68 = a - v3
-    v69 = a + v3
-    v70 = v68 * v69
-    v71 = xp.where(v60, v66, v70)
-    v72 = xp.maximum(v71, 0.0)
-    v73 = xp.sqrt(v72)
-    v74 = v73 / v3
-    v75 = xp.arcsinh(v74)
-    v76 = nodes * v75
-    v77 = v3 ** 2.0
-    v78 = -v76
-    v79 = xp.exp(v78)
-    v80 = v75 - v76
-    v81 = (-2.0) * v80
-    v82 = xp.expm1(v81)
-    v83 = 0.0 - v82
-    v84 = v79 * v83
-    v85 = (-2.0) * v75
-    v86 = xp.expm1(v85)
-    v87 = 0.0 - v86
-    v88 = v87 > 0.0
-    v89 = xp.where(v88, v87, xp.inf)
-    v90 = v84 / v89
-    v91 = v73 * v90
-    v92 = v3 * v3
-    v93 = v91 * v91
-    v94 = v92 + v93
-    v95 = xp.sqrt(v94)
-    v96 = v91 + v95
-    v97 = v77 / v96
-    v98 = v59 + R
-    v99 = v77 / v98
-    v100 = v97 + v99
-    v101 = v91 + v59
-    v102 = v100 / v101
-    v103 = xp.log1p(v102)
-    v104 = xp.arctan2(v91, v3)
-    v105 = v3 * v104
-    v106 = v105 / v59
-    v107 = v103 + v106
-    v108 = v77 * R
-    v109 = v59 ** 2.0
-    v110 = v95 * v109
-    v111 = R * v91
-    v112 = v111 * v59
-    v113 = v110 + v112
-    v114 = v108 / v113
-    v115 = v107 + v114
-    v116 = v115 * v91
-    v117 = v116 * v95
-    v118 = v75 * xp.sum(weights * v117, axis=0)
-    v119 = v57 * v118
-    v120 = v56 + v119
-    v121 = a ** 2.0
-    v122 = 3.141592653589793 * v121
-    v123 = v120 / v122
-    v124 = xp.where(v1, v123, 0.0)
-    return v124
-
-
-def pressure(xp, r, a, R, theta, E_star):
-    nodes, weights = nodes_along(xp, 64, r, a, R, theta, E_star)
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = xp.sin(theta)
-    v4 = R * v3
-    v5 = xp.minimum(a, v4)
-    v6 = v2 < v5
-    v7 = xp.where(v6, v2, 0.5 * v5)
-    v8 = E_star / 3.141592653589793
-    v9 = v5 - v7
-    v10 = v5 + v7
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = a < v4
-    v14 = xp.where(v13, a, 0.5 * v4)
-    v15 = xp.minimum(v14, v4)
-    v16 = R - v15
-    v17 = v15 + R
-    v18 = v16 * v17
-    v19 = xp.sqrt(v18)
-    v20 = xp.where(v13, 2.0 * v4, a)
-    v21 = xp.cos(theta)
-    v22 = R * v21
-    v23 = xp.where(v13, v19, v22)
-    v24 = v12 / v23
-    v25 = xp.arcsinh(v24)
-    v26 = R * v25
-    v27 = R - v7
-    v28 = v7 + R
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = v26 / v30
-    v32 = xp.maximum(v9, 0.0)
-    v33 = v32 * v10
-    v34 = xp.sqrt(v33)
-    v35 = v5 + v34
-    v36 = xp.maximum(v27, 0.0)
-    v37 = R + v7
-    v38 = v36 * v37
-    v39 = xp.sqrt(v38)
-    v40 = R + v39
-    v41 = v35 / v40
-    v42 = v41 > 0.7
-    v43 = xp.where(v42, v41, 2.0 * 0.7)
-    v44 = v5 < R
-    v45 = xp.where(v44, v5, 0.5 * R)
-    v46 = v45 - v7
-    v47 = xp.maximum(v46, 0.0)
-    v48 = v45 + v7
-    v49 = v47 * v48
-    v50 = xp.sqrt(v49)
-    v51 = R - v45
-    v52 = xp.maximum(v51, 0.0)
-    v53 = R + v45
-    v54 = v52 * v53
-    v55 = xp.sqrt(v54)
-    v56 = v50 / v55
-    v57 = xp.arcsinh(v56)
-    v58 = nodes * v57
-    v59 = v7 * v7
-    v60 = -v58
-    v61 = xp.exp(v60)
-    v62 = v57 - v58
-    v63 = (-2.0) * v62
-    v64 = xp.expm1(v63)
-    v65 = 0.0 - v64
-    v66 = v61 * v65
-    v67 = (-2.0) * v57
-    v68 = xp.expm1(v67)
-    v69 = 0.0 - v68
-    v70 = v69 > 0.0
-    v71 = xp.where(v70, v69, xp.inf)
-    v72 = v66 / v71
-    v73 = v56 * v72
-    v74 = v73 * v73
-    v75 = 1.0 + v74
-    v76 = xp.sqrt(v75)
-    v77 = v73 / v76
-    v78 = v39 * v77
-    v79 = v78 * v78
-    v80 = v59 + v79
-    v81 = xp.sqrt(v80)
-    v82 = v39 / v76
-    v83 = v81 / v82
-    v84 = xp.arcsinh(v83)
-    v85 = v84 / v81
-    v86 = v82 / v76
-    v87 = v85 * v86
-    v88 = v57 * xp.sum(weights * v87, axis=0)
-    v89 = xp.where(v44, 2.0 * R, v5)
-    v90 = xp.where(v44, v88, xp.inf)
-    v91 = xp.where(v42, 0.5 * 0.7, v41)
-    v92 = 2.0 * v34
-    v93 = v92 / v40
-    v94 = v91 * v91
-    v95 = 0.13579013365982337 * v94
-    v96 = v95 + (-0.4846453962188766)
-    v97 = v96 * v94
-    v98 = v97 + 0.8293825948837366
-    v99 = v98 * v94
-    v100 = v99 + (-0.8745573865774817)
-    v101 = v100 * v94
-    v102 = v101 + 0.6371928816963097
-    v103 = v102 * v94
-    v104 = v103 + (-0.3332798652335896)
-    v105 = v104 * v94
-    v106 = v105 + 0.13289328569967984
-    v107 = v106 * v94
-    v108 = v107 + (-0.03710676078458442)
-    v109 = v108 * v94
-    v110 = v109 + 0.011089560042611895
-    v111 = v110 * v94
-    v112 = v111 + 0.0012521687336059639
-    v113 = v112 * v94
-    v114 = v113 + 0.0036572276005780893
-    v115 = v114 * v94
-    v116 = v115 + 0.004425450516633092
-    v117 = v116 * v94
-    v118 = v117 + 0.005918487051520244
-    v119 = v118 * v94
-    v120 = v119 + 0.008264397984935742
-    v121 = v120 * v94
-    v122 = v121 + 0.012345681107818056
-    v123 = v122 * v94
-    v124 = v123 + 0.020408163224119494
-    v125 = v124 * v94
-    v126 = v125 + 0.04000000000042643
-    v127 = v126 * v94
-    v128 = v127 + 0.11111111111110937
-    v129 = v128 * v94
-    v130 = v129 + 1.0
-    v131 = v7 / v35
-    v132 = v7 * v131
-    v133 = v132 / v40
-    v134 = v133 + v91
-    v135 = v133 * v134
-    v136 = v133 * v133
-    v137 = 0.0 * v136
-    v138 = v137 + 0.13579013365982337
-    v139 = v138 * v136
-    v140 = v139 + v96
-    v141 = v140 * v136
-    v142 = v141 + v98
-    v143 = v142 * v136
-    v144 = v143 + v100
-    v145 = v144 * v136
-    v146 = v145 + v102
-    v147 = v146 * v136
-    v148 = v147 + v104
-    v149 = v148 * v136
-    v150 = v149 + v106
-    v151 = v150 * v136
-    v152 = v151 + v108
-    v153 = v152 * v136
-    v154 = v153 + v110
-    v155 = v154 * v136
-    v156 = v155 + v112
-    v157 = v156 * v136
-    v158 = v157 + v114
-    v159 = v158 * v136
-    v160 = v159 + v116
-    v161 = v160 * v136
-    v162 = v161 + v118
-    v163 = v162 * v136
-    v164 = v163 + v120
-    v165 = v164 * v136
-    v166 = v165 + v122
-    v167 = v166 * v136
-    v168 = v167 + v124
-    v169 = v168 * v136
-    v170 = v169 + v126
-    v171 = v170 * v136
-    v172 = v171 + v128
-    v173 = v135 * v172
-    v174 = v130 + v173
-    v175 = v93 * v174
-    v176 = xp.where(v42, v90, v175)
-    v177 = v31 + v176
-    v178 = v8 * v177
-    v179 = xp.where(v6, 2.0 * v5, v2)
-    v180 = xp.where(v6, v178, 0.0)
-    v181 = E_star / 3.141592653589793
-    v182 = v2 == v4
-    v183 = xp.nextafter(v4, xp.inf)
-    v184 = xp.where(v182, v183, v2)
-    v185 = xp.maximum(v184, v4)
-    v186 = a > v185
-    v187 = xp.where(v186, a, 2.0 * v185)
-    v188 = v184 < v4
-    v189 = xp.where(v188, v184, 0.5 * v4)
-    v190 = v187 - v4
-    v191 = xp.maximum(v190, 0.0)
-    v192 = v187 + v4
-    v193 = v191 * v192
-    v194 = xp.sqrt(v193)
-    v195 = xp.where(v188, 2.0 * v4, v184)
-    v196 = v187 - v195
-    v197 = xp.maximum(v196, 0.0)
-    v198 = v187 + v195
-    v199 = v197 * v198
-    v200 = xp.sqrt(v199)
-    v201 = xp.where(v188, v194, v200)
-    v202 = v184 - v4
-    v203 = xp.absolute(v202)
-    v204 = v184 + v4
-    v205 = v203 * v204
-    v206 = xp.sqrt(v205)
-    v207 = v201 / v206
-    v208 = xp.arcsinh(v207)
-    v209 = nodes * v208
-    v210 = v4 ** 2.0
-    v211 = v187 - v4
-    v212 = xp.maximum(v211, 0.0)
-    v213 = v187 + v4
-    v214 = v212 * v213
-    v215 = xp.sqrt(v214)
-    v216 = -v209
-    v217 = xp.exp(v216)
-    v218 = xp.where(v188, v184, 0.5 * v4)
-    v219 = xp.where(v188, 2.0 * v4, v184)
-    v220 = xp.where(v188, 0.0, 1.0)
-    v221 = 2.0 * v220
-    v222 = 1.0 - v221
-    v223 = v208 - v209
-    v224 = (-2.0) * v223
-    v225 = xp.expm1(v224)
-    v226 = v222 * v225
-    v227 = v221 - v226
-    v228 = v217 * v227
-    v229 = (-2.0) * v208
-    v230 = xp.expm1(v229)
-    v231 = v222 * v230
-    v232 = v221 - v231
-    v233 = v232 > 0.0
-    v234 = xp.where(v233, v232, xp.inf)
-    v235 = v228 / v234
-    v236 = v215 * v235
-    v237 = v4 * v4
-    v238 = v236 * v236
-    v239 = v237 + v238
-    v240 = xp.sqrt(v239)
-    v241 = v236 + v240
-    v242 = v210 / v241
-    v243 = xp.cos(theta)
-    v244 = R * v243
-    v245 = v244 + R
-    v246 = v210 / v245
-    v247 = v242 + v246
-    v248 = v236 + v244
-    v249 = v247 / v248
-    v250 = xp.log1p(v249)
-    v251 = xp.arctan2(v236, v4)
-    v252 = v4 * v251
-    v253 = v252 / v244
-    v254 = v250 + v253
-    v255 = v210 * R
-    v256 = v244 ** 2.0
-    v257 = v240 * v256
-    v258 = R * v236
-    v259 = v258 * v244
-    v260 = v257 + v259
-    v261 = v255 / v260
-    v262 = v254 + v261
-    v263 = v262 * v236
-    v264 = v263 / v240
-    v265 = v208 * xp.sum(weights * v264, axis=0)
-    v266 = xp.where(v186, 0.5 * v185, a)
-    v267 = xp.where(v186, v265, 0.0)
-    v268 = v181 * v267
-    v269 = v180 + v268
-    v270 = xp.where(v1, 2.0 * a, r)
-    v271 = xp.where(v1, v269, 0.0)
-    return v271
-
-
-def profile(xp, r, R, theta):
-    v0 = xp.sin(theta)
-    v1 = R * v0
-    v2 = r < v1
-    v3 = xp.where(v2, r, 0.5 * v1)
-    v4 = v3 ** 2.0
-    v5 = R - v3
-    v6 = v3 + R
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v8 + R
-    v10 = v4 / v9
-    v11 = xp.where(v2, 2.0 * v1, r)
-    v12 = v11 - v1
-    v13 = xp.cos(theta)
-    v14 = R * v13
-    v15 = v12 / v14
-    v16 = v14 + R
-    v17 = v1 / v16
-    v18 = v15 + v17
-    v19 = v1 * v18
-    v20 = xp.where(v2, v10, v19)
-    return v20
+    return force_at(xp, a, sine_root(xp, a, R, theta), R, theta, E_star)
 
 
 def stiffness(xp, a, E_star):
-    v0 = 2.0 * E_star
-    v1 = v0 * a
-    return v1
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, R, theta, E_star):
+    v1 = a > 0.0
+    v2 = xp.where(v1, a, 1.0)
+    v4 = force_at(xp, v2, sine_root(xp, v2, R, theta), R, theta, E_star)
+    return xp.where(v1, v4 / (3.141592653589793 * v2 ** 2.0), 0.0)
+
+
+def radius_from_depth(xp, d, R, theta):
+    v2 = R * xp.sin(theta)
+
+    def f6(v7):
+        v8 = v7 < 1.0
+        v10 = xp.where(v8, 2.0 * 1.0, v7)
+        v11 = v10 < 1.0
+        v12 = xp.where(v11, v10, 0.5 * 1.0)
+        v15 = xp.where(v11, 0.0, xp.where(v11, 2.0 * 1.0, v10) - 1.0)
+        v20 = v2 * xp.where(v8, xp.where(v8, v7, 0.5 * 1.0), xp.sqrt(1.0 + v15 * v15))
+        v21 = xp.where(v8, v7, 0.5 * 1.0)
+        v25 = v2 * xp.where(v8, 0.0, xp.where(v8, 2.0 * 1.0, v7) - 1.0)
+        v26 = depth_at(xp, v20, v25, R, theta)
+        v30 = xp.where(v8, v7, 0.5 * 1.0)
+        v31 = xp.where(v8, 2.0 * 1.0, v7)
+        v32 = v31 < 1.0
+        v33 = xp.where(v32, v31, 0.5 * 1.0)
+        v36 = xp.where(v32, 0.0, xp.where(v32, 2.0 * 1.0, v31) - 1.0)
+        v41 = xp.where(v8, 1.0, v31 * v36 / (1.0 + v36 * v36))
+        return (v26, v20 * slope_at(xp, v20, v25, R, theta) / v26 * v41)
+    v43 = newton(xp, f6, d, (d / depth_at(xp, v2, v2 * 0.0, R, theta)) ** 0.5, xp.inf, 1e-06, xp.inf)
+    v44 = v43 < 1.0
+    v46 = xp.where(v44, 2.0 * 1.0, v43)
+    v47 = v46 < 1.0
+    v48 = xp.where(v47, v46, 0.5 * 1.0)
+    v51 = xp.where(v47, 0.0, xp.where(v47, 2.0 * 1.0, v46) - 1.0)
+    return v2 * xp.where(v44, xp.where(v44, v43, 0.5 * 1.0), xp.sqrt(1.0 + v51 * v51))
+
+
+def radius_from_force(xp, F, R, theta, E_star):
+    v2 = R * xp.sin(theta)
+
+    def f6(v7):
+        v8 = v7 < 1.0
+        v10 = xp.where(v8, 2.0 * 1.0, v7)
+        v11 = v10 < 1.0
+        v12 = xp.where(v11, v10, 0.5 * 1.0)
+        v15 = xp.where(v11, 0.0, xp.where(v11, 2.0 * 1.0, v10) - 1.0)
+        v20 = v2 * xp.where(v8, xp.where(v8, v7, 0.5 * 1.0), xp.sqrt(1.0 + v15 * v15))
+        v21 = xp.where(v8, v7, 0.5 * 1.0)
+        v25 = v2 * xp.where(v8, 0.0, xp.where(v8, 2.0 * 1.0, v7) - 1.0)
+        v26 = force_at(xp, v20, v25, R, theta, E_star)
+        v33 = xp.where(v8, v7, 0.5 * 1.0)
+        v34 = xp.where(v8, 2.0 * 1.0, v7)
+        v35 = v34 < 1.0
+        v36 = xp.where(v35, v34, 0.5 * 1.0)
+        v39 = xp.where(v35, 0.0, xp.where(v35, 2.0 * 1.0, v34) - 1.0)
+        v32 = 2.0 * E_star * v20 ** 2.0 * slope_at(xp, v20, v25, R, theta) / v26
+        return (v26, v32 * xp.where(v8, 1.0, v34 * v39 / (1.0 + v39 * v39)))
+    v6 = (F / force_at(xp, v2, v2 * 0.0, R, theta, E_star)) ** 0.3333333333333333
+    v46 = newton(xp, f6, F, v6, xp.inf, 1e-06, xp.inf)
+    v47 = v46 < 1.0
+    v49 = xp.where(v47, 2.0 * 1.0, v46)
+    v50 = v49 < 1.0
+    v51 = xp.where(v50, v49, 0.5 * 1.0)
+    v54 = xp.where(v50, 0.0, xp.where(v50, 2.0 * 1.0, v49) - 1.0)
+    return v2 * xp.where(v47, xp.where(v47, v46, 0.5 * 1.0), xp.sqrt(1.0 + v54 * v54))
+
+
+def force_from_depth(xp, d, R, theta, E_star):
+    v1 = radius_from_depth(xp, d, R, theta)
+    v2 = sine_root(xp, v1, R, theta)
+    v11 = 2.0 * E_star * v1 * (d - depth_at(xp, v1, v2, R, theta))
+    v13 = force_at(xp, v1, v2, R, theta, E_star) + xp.where((v1 > 0.0) & (v1 < xp.inf), v11, 0.0)
+    return v13
+
+
+def depth_from_force(xp, F, R, theta, E_star):
+    v1 = radius_from_force(xp, F, R, theta, E_star)
+    v2 = sine_root(xp, v1, R, theta)
+    v11 = (F - force_at(xp, v1, v2, R, theta, E_star)) / (2.0 * E_star * v1)
+    return depth_at(xp, v1, v2, R, theta) + xp.where((v1 > 0.0) & (v1 < xp.inf), v11, 0.0)

@@ -1,605 +1,184 @@
 """Formulas of axicontact.normal.truncated_cone over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
+
+
+def depth_at(xp, a, root, theta, b):
+    return xp.tan(theta) * a * xp.arctan(root / b)
 
 
 def depth(xp, a, theta, b):
-    v0 = xp.tan(theta)
-    v1 = v0 * a
-    v2 = a - b
-    v3 = a + b
-    v4 = v2 * v3
-    v5 = xp.sqrt(v4)
-    v6 = v5 / b
-    v7 = xp.arctan(v6)
-    v8 = v1 * v7
-    return v8
+    return depth_at(xp, a, xp.sqrt((a - b) * (a + b)), theta, b)
 
 
-def depth_from_force(xp, F, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = b * 1.4142135623730951
-    v3 = v2 ** 2.0
-    v4 = b / b
-    v5 = xp.arctan(v4)
-    v6 = v3 * v5
-    v7 = b * b
-    v8 = v6 + v7
-    v9 = v1 * v8
-    v10 = F / v9
-    v11 = xp.log(v10)
-    v12 = v11 - (-0.2510287548037454)
-    v13 = (-2.75) * v12
-    v14 = v11 - (-0.49265831981054176)
-    v15 = (-1.375) * v14
-    v16 = xp.maximum(v13, v15)
-    v17 = v13 - v15
-    v18 = xp.absolute(v17)
-    v19 = -v18
-    v20 = xp.exp(v19)
-    v21 = xp.log1p(v20)
-    v22 = v16 + v21
-    v23 = v22 / (-2.75)
-    v24 = xp.exp(v23)
-    v25 = 1.0 + v24
-    v26 = 1.0 / v25
-    v27 = 1.0 - v26
-    v28 = 7.204481 * v27
-    v29 = v28 + (-25.89697)
-    v30 = v29 * v27
-    v31 = v30 + 34.2219
-    v32 = v31 * v27
-    v33 = v32 + (-19.76727)
-    v34 = v33 * v27
-    v35 = v34 + 4.536442
-    v36 = v35 * v27
-    v37 = v36 + (-0.3986471)
-    v38 = v37 * v27
-    v39 = v38 + 0.100541
-    v40 = v39 * v27
-    v41 = v40 + 0.9995205
-    v42 = v24 * v41
-    v43 = xp.where(F > 0.0, F, 1.0)
-    v44 = xp.minimum(v42, xp.inf)
-    for _ in range(6):
-        v46 = v44 * v44
-        v47 = 1.0 + v46
-        v48 = xp.sqrt(v47)
-        v49 = b * v48
-        v50 = v49 ** 2.0
-        v51 = b * v44
-        v52 = v51 / b
-        v53 = xp.arctan(v52)
-        v54 = v50 * v53
-        v55 = b * v51
-        v56 = v54 + v55
-        v57 = v1 * v56
-        v58 = 2.0 * E_star
-        v59 = v58 * v51
-        v60 = v59 * v51
-        v61 = v0 * v53
-        v62 = b * v0
-        v63 = v62 / v51
-        v64 = v61 + v63
-        v65 = v60 * v64
-        v66 = v65 / v57
-        v67 = xp.log(v43 / v57)
-        v68 = v67 / 1.0
-        v69 = v67 / 2.0
-        v70 = xp.minimum(xp.maximum(v67 / v66, xp.minimum(v68, v69)), xp.maximum(v68, v69))
-        v71 = xp.where(v57 < xp.inf, v70, 0.0)
-        v44 = xp.minimum(v44 * xp.exp(v71), xp.inf)
-    v73 = xp.where(F > 0.0, v44, 0.0 * F)
-    v74 = v73 * v73
-    v75 = 1.0 + v74
-    v76 = xp.sqrt(v75)
-    v77 = b * v76
-    v78 = v0 * v77
-    v79 = b * v73
-    v80 = v79 / b
-    v81 = xp.arctan(v80)
-    v82 = v78 * v81
-    v83 = v77 > 0.0
-    v84 = v77 < xp.inf
-    v85 = v83 & v84
-    v86 = v77 ** 2.0
-    v87 = v86 * v81
-    v88 = b * v79
-    v89 = v87 + v88
-    v90 = v1 * v89
-    v91 = F - v90
-    v92 = 2.0 * E_star
-    v93 = v92 * v77
-    v94 = v91 / v93
-    v95 = xp.where(v85, v94, 0.0)
-    v96 = v82 + v95
-    return v96
+def force_at(xp, a, root, theta, b, E_star):
+    return E_star * xp.tan(theta) * (a ** 2.0 * xp.arctan(root / b) + b * root)
+
+
+def force(xp, a, theta, b, E_star):
+    return force_at(xp, a, xp.sqrt((a - b) * (a + b)), theta, b, E_star)
+
+
+def slope_beyond(xp, t, root, theta, b):
+    v1 = xp.tan(theta)
+    return v1 * xp.arctan(root / b) + b * v1 / root
+
+
+def pressure(xp, r, a, theta, b, E_star):
+    v27, v28 = nodes_along(xp, 1, r, a, theta, b, E_star)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = r < v2
+    v4 = xp.where(v3, r, 0.5 * v2)
+    v5 = v4 == b
+    v10 = xp.where(v5, b * 1.0000000000000002, v4)
+    v11 = xp.maximum(v10, b)
+    v12 = v2 > v11
+    v13 = xp.where(v12, v2, 2.0 * v11)
+    v14 = v10 < b
+    v15 = xp.where(v14, v10, 0.5 * b)
+    v18 = difference_root(xp, v13, xp.where(v14, 2.0 * b, v10))
+    v19 = xp.where(v14, difference_root(xp, v13, b), v18)
+    v26 = xp.arcsinh(v19 / xp.sqrt(xp.absolute(v10 - b) * (v10 + b)))
+    v29 = v27 * v26
+    v34 = xp.where(v14, v10, 0.5 * b)
+    v35 = xp.where(v14, 2.0 * b, v10)
+    v37 = 2.0 * xp.where(v14, 0.0, 1.0)
+    v38 = 1.0 - v37
+    v48 = v37 - v38 * xp.expm1(-2.0 * v26)
+    v49 = v48 > 0.0
+    v44 = xp.exp(-v29) * (v37 - v38 * xp.expm1(-2.0 * (v26 - v29)))
+    v53 = difference_root(xp, v13, b) * (v44 / xp.where(v49, xp.where(v49, v48, 1.0), xp.inf))
+    v56 = xp.sqrt(b * b + v53 * v53)
+    v61 = xp.where(v12, 0.5 * v11, v2)
+    v60 = v26 * xp.sum(v28 * (slope_beyond(xp, v56, v53, theta, b) * v53 / v56), axis=0)
+    v65 = xp.where(v3, 2.0 * v2, r)
+    v64 = xp.where(v5 & (v2 > b), xp.inf, E_star / 3.141592653589793 * xp.where(v12, v60, 0.0))
+    v67 = xp.where(v1, 0.5 * b, a)
+    return xp.where(v1, xp.where(v3, v64, 0.0), xp.nan)
+
+
+def profile(xp, r, theta, b):
+    v1 = r < b
+    v2 = xp.where(v1, r, 0.5 * b)
+    return xp.where(v1, 0.0, xp.tan(theta) * (xp.where(v1, 2.0 * b, r) - b))
 
 
 def displacement(xp, r, a, theta, b):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b)
+    v14, v15 = nodes_along(xp, 1, r, a, theta, b)
     v1 = a >= b
     v2 = xp.where(v1, a, 2.0 * b)
     v3 = r > v2
     v4 = xp.where(v3, r, 2.0 * v2)
     v5 = v2 > b
     v6 = xp.where(v5, v2, 2.0 * b)
-    v7 = v4 - b
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v4 + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v6 - b
-    v13 = xp.maximum(v12, 0.0)
-    v14 = v6 + b
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v4 - v6
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v4 + v6
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v16 / v21
-    v23 = b / v4
-    v24 = v22 / v23
-    v25 = xp.arcsinh(v24)
-    v26 = nodes * v25
-    v27 = xp.tan(theta)
-    v28 = -v26
-    v29 = xp.exp(v28)
-    v30 = v25 - v26
-    v31 = (-2.0) * v30
-    v32 = xp.expm1(v31)
-    v33 = 0.0 - v32
-    v34 = v29 * v33
-    v35 = (-2.0) * v25
-    v36 = xp.expm1(v35)
-    v37 = 0.0 - v36
-    v38 = v37 > 0.0
-    v39 = xp.where(v38, v37, xp.inf)
-    v40 = v34 / v39
-    v41 = v22 * v40
-    v42 = v11 * v41
-    v43 = v41 * v41
-    v44 = 1.0 + v43
-    v45 = xp.sqrt(v44)
-    v46 = v42 / v45
-    v47 = v46 / b
-    v48 = xp.arctan(v47)
-    v49 = v27 * v48
-    v50 = b * v27
-    v51 = v50 / v46
-    v52 = v49 + v51
-    v53 = v52 * v46
-    v54 = b * b
-    v55 = v46 * v46
-    v56 = v54 + v55
-    v57 = xp.sqrt(v56)
-    v58 = v53 / v57
-    v59 = v11 / v45
-    v60 = xp.arctan2(v57, v59)
-    v61 = v58 * v60
-    v62 = v23 * v23
-    v63 = v62 + v43
-    v64 = xp.sqrt(v63)
-    v65 = v45 * v45
-    v66 = v65 * v45
-    v67 = v64 / v66
-    v68 = v61 * v67
-    v69 = v25 * xp.sum(weights * v68, axis=0)
-    v70 = v11 * v69
-    v71 = xp.where(v5, 0.5 * b, v2)
-    v72 = xp.where(v5, v70, 0.0)
-    v73 = 0.6366197723675814 * v72
-    v74 = xp.where(v3, 0.5 * v2, r)
-    v75 = xp.tan(theta)
-    v76 = v75 * v2
-    v77 = v2 - b
-    v78 = v2 + b
-    v79 = v77 * v78
-    v80 = xp.sqrt(v79)
-    v81 = v80 / b
-    v82 = xp.arctan(v81)
-    v83 = v76 * v82
-    v84 = v74 < b
-    v85 = xp.where(v84, v74, 0.5 * b)
-    v86 = xp.where(v84, 2.0 * b, v74)
-    v87 = v86 - b
-    v88 = v75 * v87
-    v89 = xp.where(v84, 0.0, v88)
-    v90 = v83 - v89
-    v91 = xp.where(v3, v73, v90)
-    v92 = xp.where(v1, 0.5 * b, a)
-    v93 = xp.where(v1, v91, xp.nan)
-    return v93
-
-
-def force(xp, a, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = a ** 2.0
-    v3 = a - b
-    v4 = a + b
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = v6 / b
-    v8 = xp.arctan(v7)
-    v9 = v2 * v8
-    v10 = b * v6
-    v11 = v9 + v10
-    v12 = v1 * v11
-    return v12
-
-
-def force_from_depth(xp, d, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = b * 1.4142135623730951
-    v3 = v0 * v2
-    v4 = b / b
-    v5 = xp.arctan(v4)
-    v6 = v3 * v5
-    v7 = d / v6
-    v8 = xp.log(v7)
-    v9 = v8 - (-0.10502723786770594)
-    v10 = (-6.0) * v9
-    v11 = v8 - 0.34642256747438094
-    v12 = (-6.0) * v11
-    v13 = xp.maximum(v10, v12)
-    v14 = v10 - v12
-    v15 = xp.absolute(v14)
-    v16 = -v15
-    v17 = xp.exp(v16)
-    v18 = xp.log1p(v17)
-    v19 = v13 + v18
-    v20 = v19 / (-6.0)
-    v21 = xp.exp(v20)
-    v22 = 1.0 + v21
-    v23 = 1.0 / v22
-    v24 = 1.0 - v23
-    v25 = (-0.4812051) * v24
-    v26 = v25 + 3.403791
-    v27 = v26 * v24
-    v28 = v27 + (-8.150206)
-    v29 = v28 * v24
-    v30 = v29 + 8.66489
-    v31 = v30 * v24
-    v32 = v31 + (-3.570796)
-    v33 = v32 * v24
-    v34 = v33 + (-0.4352508)
-    v35 = v34 * v24
-    v36 = v35 + (-0.008072401)
-    v37 = v36 * v24
-    v38 = v37 + 1.587574
-    v39 = v21 * v38
-    v40 = xp.where(d > 0.0, d, 1.0)
-    v41 = xp.minimum(v39, xp.inf)
-    for _ in range(6):
-        v43 = v41 * v41
-        v44 = 1.0 + v43
-        v45 = xp.sqrt(v44)
-        v46 = b * v45
-        v47 = v0 * v46
-        v48 = b * v41
-        v49 = v48 / b
-        v50 = xp.arctan(v49)
-        v51 = v47 * v50
-        v52 = v48 * v48
-        v53 = v52 / v46
-        v54 = v0 * v50
-        v55 = b * v0
-        v56 = v55 / v48
-        v57 = v54 + v56
-        v58 = v53 * v57
-        v59 = v58 / v51
-        v60 = xp.log(v40 / v51)
-        v61 = v60 / 1.0
-        v62 = v60 / 2.0
-        v63 = xp.minimum(xp.maximum(v60 / v59, xp.minimum(v61, v62)), xp.maximum(v61, v62))
-        v64 = xp.where(v51 < xp.inf, v63, 0.0)
-        v41 = xp.minimum(v41 * xp.exp(v64), xp.inf)
-    v66 = xp.where(d > 0.0, v41, 0.0 * d)
-    v67 = v66 * v66
-    v68 = 1.0 + v67
-    v69 = xp.sqrt(v68)
-    v70 = b * v69
-    v71 = v70 ** 2.0
-    v72 = b * v66
-    v73 = v72 / b
-    v74 = xp.arctan(v73)
-    v75 = v71 * v74
-    v76 = b * v72
-    v77 = v75 + v76
-    v78 = v1 * v77
-    v79 = v70 > 0.0
-    v80 = v70 < xp.inf
-    v81 = v79 & v80
-    v82 = 2.0 * E_star
-    v83 = v82 * v70
-    v84 = v0 * v70
-    v85 = v84 * v74
-    v86 = d - v85
-    v87 = v83 * v86
-    v88 = xp.where(v81, v87, 0.0)
-    v89 = v78 + v88
-    return v89
-
-
-def mean_pressure(xp, a, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = v1 / 3.141592653589793
-    v3 = a - b
-    v4 = a + b
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = v6 / b
-    v8 = xp.arctan(v7)
-    v9 = b * v6
-    v10 = a ** 2.0
-    v11 = v9 / v10
-    v12 = v8 + v11
-    v13 = v2 * v12
-    return v13
-
-
-def pressure(xp, r, a, theta, b, E_star):
-    nodes, weights = nodes_along(xp, 64, r, a, theta, b, E_star)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = r < v2
-    v4 = xp.where(v3, r, 0.5 * v2)
-    v5 = v4 == b
-    v6 = v2 > b
-    v7 = v5 & v6
-    v8 = E_star / 3.141592653589793
-    v9 = xp.nextafter(b, xp.inf)
-    v10 = xp.where(v5, v9, v4)
-    v11 = xp.maximum(v10, b)
-    v12 = v2 > v11
-    v13 = xp.where(v12, v2, 2.0 * v11)
-    v14 = v10 < b
-    v15 = xp.where(v14, v10, 0.5 * b)
-    v16 = v13 - b
-    v17 = xp.maximum(v16, 0.0)
-    v18 = v13 + b
-    v19 = v17 * v18
-    v20 = xp.sqrt(v19)
-    v21 = xp.where(v14, 2.0 * b, v10)
-    v22 = v13 - v21
-    v23 = xp.maximum(v22, 0.0)
-    v24 = v13 + v21
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = xp.where(v14, v20, v26)
-    v28 = v10 - b
-    v29 = xp.absolute(v28)
-    v30 = v10 + b
-    v31 = v29 * v30
-    v32 = xp.sqrt(v31)
-    v33 = v27 / v32
-    v34 = xp.arcsinh(v33)
-    v35 = nodes * v34
-    v36 = xp.tan(theta)
-    v37 = v13 - b
-    v38 = xp.maximum(v37, 0.0)
-    v39 = v13 + b
-    v40 = v38 * v39
-    v41 = xp.sqrt(v40)
-    v42 = -v35
-    v43 = xp.exp(v42)
-    v44 = xp.where(v14, v10, 0.5 * b)
-    v45 = xp.where(v14, 2.0 * b, v10)
-    v46 = xp.where(v14, 0.0, 1.0)
-    v47 = 2.0 * v46
-    v48 = 1.0 - v47
-    v49 = v34 - v35
-    v50 = (-2.0) * v49
-    v51 = xp.expm1(v50)
-    v52 = v48 * v51
-    v53 = v47 - v52
-    v54 = v43 * v53
-    v55 = (-2.0) * v34
-    v56 = xp.expm1(v55)
-    v57 = v48 * v56
-    v58 = v47 - v57
-    v59 = v58 > 0.0
-    v60 = xp.where(v59, v58, xp.inf)
-    v61 = v54 / v60
-    v62 = v41 * v61
-    v63 = v62 / b
-    v64 = xp.arctan(v63)
-    v65 = v36 * v64
-    v66 = b * v36
-    v67 = v66 / v62
-    v68 = v65 + v67
-    v69 = v68 * v62
-    v70 = b * b
-    v71 = v62 * v62
-    v72 = v70 + v71
-    v73 = xp.sqrt(v72)
-    v74 = v69 / v73
-    v75 = v34 * xp.sum(weights * v74, axis=0)
-    v76 = xp.where(v12, 0.5 * v11, v2)
-    v77 = xp.where(v12, v75, 0.0)
-    v78 = v8 * v77
-    v79 = xp.where(v7, xp.inf, v78)
-    v80 = xp.where(v3, 2.0 * v2, r)
-    v81 = xp.where(v3, v79, 0.0)
-    v82 = xp.where(v1, 0.5 * b, a)
-    v83 = xp.where(v1, v81, xp.nan)
-    return v83
-
-
-def profile(xp, r, theta, b):
-    v0 = r < b
-    v1 = xp.where(v0, r, 0.5 * b)
-    v2 = xp.where(v0, 2.0 * b, r)
-    v3 = xp.tan(theta)
-    v4 = v2 - b
-    v5 = v3 * v4
-    v6 = xp.where(v0, 0.0, v5)
-    return v6
-
-
-def radius_from_depth(xp, d, theta, b):
-    v0 = xp.tan(theta)
-    v1 = b * 1.4142135623730951
-    v2 = v0 * v1
-    v3 = b / b
-    v4 = xp.arctan(v3)
-    v5 = v2 * v4
-    v6 = d / v5
-    v7 = xp.log(v6)
-    v8 = v7 - (-0.10502723786770594)
-    v9 = (-6.0) * v8
-    v10 = v7 - 0.34642256747438094
-    v11 = (-6.0) * v10
-    v12 = xp.maximum(v9, v11)
-    v13 = v9 - v11
-    v14 = xp.absolute(v13)
-    v15 = -v14
-    v16 = xp.exp(v15)
-    v17 = xp.log1p(v16)
-    v18 = v12 + v17
-    v19 = v18 / (-6.0)
-    v20 = xp.exp(v19)
-    v21 = 1.0 + v20
-    v22 = 1.0 / v21
-    v23 = 1.0 - v22
-    v24 = (-0.4812051) * v23
-    v25 = v24 + 3.403791
-    v26 = v25 * v23
-    v27 = v26 + (-8.150206)
-    v28 = v27 * v23
-    v29 = v28 + 8.66489
-    v30 = v29 * v23
-    v31 = v30 + (-3.570796)
-    v32 = v31 * v23
-    v33 = v32 + (-0.4352508)
-    v34 = v33 * v23
-    v35 = v34 + (-0.008072401)
-    v36 = v35 * v23
-    v37 = v36 + 1.587574
-    v38 = v20 * v37
-    v39 = xp.where(d > 0.0, d, 1.0)
-    v40 = xp.minimum(v38, xp.inf)
-    for _ in range(6):
-        v42 = v40 * v40
-        v43 = 1.0 + v42
-        v44 = xp.sqrt(v43)
-        v45 = b * v44
-        v46 = v0 * v45
-        v47 = b * v40
-        v48 = v47 / b
-        v49 = xp.arctan(v48)
-        v50 = v46 * v49
-        v51 = v47 * v47
-        v52 = v51 / v45
-        v53 = v0 * v49
-        v54 = b * v0
-        v55 = v54 / v47
-        v56 = v53 + v55
-        v57 = v52 * v56
-        v58 = v57 / v50
-        v59 = xp.log(v39 / v50)
-        v60 = v59 / 1.0
-        v61 = v59 / 2.0
-        v62 = xp.minimum(xp.maximum(v59 / v58, xp.minimum(v60, v61)), xp.maximum(v60, v61))
-        v63 = xp.where(v50 < xp.inf, v62, 0.0)
-        v40 = xp.minimum(v40 * xp.exp(v63), xp.inf)
-    v65 = xp.where(d > 0.0, v40, 0.0 * d)
-    v66 = v65 * v65
-    v67 = 1.0 + v66
-    v68 = xp.sqrt(v67)
-    v69 = b * v68
-    return v69
-
-
-def radius_from_force(xp, F, theta, b, E_star):
-    v0 = xp.tan(theta)
-    v1 = E_star * v0
-    v2 = b * 1.4142135623730951
-    v3 = v2 ** 2.0
-    v4 = b / b
-    v5 = xp.arctan(v4)
-    v6 = v3 * v5
-    v7 = b * b
-    v8 = v6 + v7
-    v9 = v1 * v8
-    v10 = F / v9
-    v11 = xp.log(v10)
-    v12 = v11 - (-0.2510287548037454)
-    v13 = (-2.75) * v12
-    v14 = v11 - (-0.49265831981054176)
-    v15 = (-1.375) * v14
-    v16 = xp.maximum(v13, v15)
-    v17 = v13 - v15
-    v18 = xp.absolute(v17)
-    v19 = -v18
-    v20 = xp.exp(v19)
-    v21 = xp.log1p(v20)
-    v22 = v16 + v21
-    v23 = v22 / (-2.75)
-    v24 = xp.exp(v23)
-    v25 = 1.0 + v24
-    v26 = 1.0 / v25
-    v27 = 1.0 - v26
-    v28 = 7.204481 * v27
-    v29 = v28 + (-25.89697)
-    v30 = v29 * v27
-    v31 = v30 + 34.2219
-    v32 = v31 * v27
-    v33 = v32 + (-19.76727)
-    v34 = v33 * v27
-    v35 = v34 + 4.536442
-    v36 = v35 * v27
-    v37 = v36 + (-0.3986471)
-    v38 = v37 * v27
-    v39 = v38 + 0.100541
-    v40 = v39 * v27
-    v41 = v40 + 0.9995205
-    v42 = v24 * v41
-    v43 = xp.where(F > 0.0, F, 1.0)
-    v44 = xp.minimum(v42, xp.inf)
-    for _ in range(6):
-        v46 = v44 * v44
-        v47 = 1.0 + v46
-        v48 = xp.sqrt(v47)
-        v49 = b * v48
-        v50 = v49 ** 2.0
-        v51 = b * v44
-        v52 = v51 / b
-        v53 = xp.arctan(v52)
-        v54 = v50 * v53
-        v55 = b * v51
-        v56 = v54 + v55
-        v57 = v1 * v56
-        v58 = 2.0 * E_star
-        v59 = v58 * v51
-        v60 = v59 * v51
-        v61 = v0 * v53
-        v62 = b * v0
-        v63 = v62 / v51
-        v64 = v61 + v63
-        v65 = v60 * v64
-        v66 = v65 / v57
-        v67 = xp.log(v43 / v57)
-        v68 = v67 / 1.0
-        v69 = v67 / 2.0
-        v70 = xp.minimum(xp.maximum(v67 / v66, xp.minimum(v68, v69)), xp.maximum(v68, v69))
-        v71 = xp.where(v57 < xp.inf, v70, 0.0)
-        v44 = xp.minimum(v44 * xp.exp(v71), xp.inf)
-    v73 = xp.where(F > 0.0, v44, 0.0 * F)
-    v74 = v73 * v73
-    v75 = 1.0 + v74
-    v76 = xp.sqrt(v75)
-    v77 = b * v76
-    return v77
+    v7 = difference_root(xp, v4, b)
+    v10 = difference_root(xp, v6, b) / difference_root(xp, v4, v6)
+    v11 = b / v4
+    v13 = xp.arcsinh(v10 / v11)
+    v16 = v14 * v13
+    v27 = 0.0 - xp.expm1(-2.0 * v13)
+    v28 = v27 > 0.0
+    v24 = xp.exp(-v16) * (0.0 - xp.expm1(-2.0 * (v13 - v16)))
+    v32 = v10 * (v24 / xp.where(v28, xp.where(v28, v27, 1.0), xp.inf))
+    v34 = v32 * v32
+    v36 = xp.sqrt(1.0 + v34)
+    v37 = v7 * v32 / v36
+    v40 = xp.sqrt(b * b + v37 * v37)
+    v46 = slope_beyond(xp, v40, v37, theta, b) * v37 / v40 * xp.arctan2(v40, v7 / v36)
+    v56 = xp.where(v5, 0.5 * b, v2)
+    v55 = v7 * (v13 * xp.sum(v15 * (v46 * (xp.sqrt(v11 * v11 + v34) / (v36 * v36 * v36))), axis=0))
+    v62 = depth(xp, v2, theta, b) - profile(xp, xp.where(v3, 0.5 * v2, r), theta, b)
+    v64 = xp.where(v1, 0.5 * b, a)
+    return xp.where(v1, xp.where(v3, 0.6366197723675814 * xp.where(v5, v55, 0.0), v62), xp.nan)
 
 
 def stiffness(xp, a, E_star):
-    v0 = 2.0 * E_star
-    v1 = v0 * a
-    return v1
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, theta, b, E_star):
+    v7 = xp.sqrt((a - b) * (a + b))
+    v13 = xp.arctan(v7 / b) + b * v7 / a ** 2.0
+    return E_star * xp.tan(theta) / 3.141592653589793 * v13
+
+
+def radius_from_depth(xp, d, theta, b):
+    v4 = xp.log(d / depth_at(xp, b * 1.4142135623730951, b, theta, b))
+    v6 = -6.0 * (v4 - -0.10502723786770594)
+    v8 = -6.0 * (v4 - 0.34642256747438094)
+    v17 = xp.exp((xp.maximum(v6, v8) + xp.log1p(xp.exp(-xp.absolute(v6 - v8)))) / -6.0)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((-0.4812051 * v20 + 3.403791) * v20 + -8.150206) * v20 + 8.66489) * v20 + -3.570796
+
+    def f35(v36):
+        v40 = b * xp.sqrt(1.0 + v36 * v36)
+        v41 = b * v36
+        v42 = depth_at(xp, v40, v41, theta, b)
+        return (v42, v41 * v41 / v40 * slope_beyond(xp, v40, v41, theta, b) / v42)
+    v35 = v17 * (((v28 * v20 + -0.4352508) * v20 + -0.008072401) * v20 + 1.587574)
+    v48 = newton(xp, f35, d, v35, xp.inf, 1.0, 2.0)
+    return b * xp.sqrt(1.0 + v48 * v48)
+
+
+def radius_from_force(xp, F, theta, b, E_star):
+    v4 = xp.log(F / force_at(xp, b * 1.4142135623730951, b, theta, b, E_star))
+    v6 = -2.75 * (v4 - -0.2510287548037454)
+    v8 = -1.375 * (v4 - -0.49265831981054176)
+    v17 = xp.exp((xp.maximum(v6, v8) + xp.log1p(xp.exp(-xp.absolute(v6 - v8)))) / -2.75)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((7.204481 * v20 + -25.89697) * v20 + 34.2219) * v20 + -19.76727) * v20 + 4.536442
+
+    def f35(v36):
+        v40 = b * xp.sqrt(1.0 + v36 * v36)
+        v41 = b * v36
+        v42 = force_at(xp, v40, v41, theta, b, E_star)
+        return (v42, 2.0 * E_star * v41 * v41 * slope_beyond(xp, v40, v41, theta, b) / v42)
+    v35 = v17 * (((v28 * v20 + -0.3986471) * v20 + 0.100541) * v20 + 0.9995205)
+    v49 = newton(xp, f35, F, v35, xp.inf, 1.0, 2.0)
+    return b * xp.sqrt(1.0 + v49 * v49)
+
+
+def force_from_depth(xp, d, theta, b, E_star):
+    v4 = xp.log(d / depth_at(xp, b * 1.4142135623730951, b, theta, b))
+    v6 = -6.0 * (v4 - -0.10502723786770594)
+    v8 = -6.0 * (v4 - 0.34642256747438094)
+    v17 = xp.exp((xp.maximum(v6, v8) + xp.log1p(xp.exp(-xp.absolute(v6 - v8)))) / -6.0)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((-0.4812051 * v20 + 3.403791) * v20 + -8.150206) * v20 + 8.66489) * v20 + -3.570796
+
+    def f35(v36):
+        v40 = b * xp.sqrt(1.0 + v36 * v36)
+        v41 = b * v36
+        v42 = depth_at(xp, v40, v41, theta, b)
+        return (v42, v41 * v41 / v40 * slope_beyond(xp, v40, v41, theta, b) / v42)
+    v35 = v17 * (((v28 * v20 + -0.4352508) * v20 + -0.008072401) * v20 + 1.587574)
+    v48 = newton(xp, f35, d, v35, xp.inf, 1.0, 2.0)
+    v52 = b * xp.sqrt(1.0 + v48 * v48)
+    v53 = b * v48
+    v62 = 2.0 * E_star * v52 * (d - depth_at(xp, v52, v53, theta, b))
+    v64 = force_at(xp, v52, v53, theta, b, E_star) + xp.where((v52 > 0.0) & (v52 < xp.inf), v62, 0.0)
+    return v64
+
+
+def depth_from_force(xp, F, theta, b, E_star):
+    v4 = xp.log(F / force_at(xp, b * 1.4142135623730951, b, theta, b, E_star))
+    v6 = -2.75 * (v4 - -0.2510287548037454)
+    v8 = -1.375 * (v4 - -0.49265831981054176)
+    v17 = xp.exp((xp.maximum(v6, v8) + xp.log1p(xp.exp(-xp.absolute(v6 - v8)))) / -2.75)
+    v20 = 1.0 - 1.0 / (1.0 + v17)
+    v28 = (((7.204481 * v20 + -25.89697) * v20 + 34.2219) * v20 + -19.76727) * v20 + 4.536442
+
+    def f35(v36):
+        v40 = b * xp.sqrt(1.0 + v36 * v36)
+        v41 = b * v36
+        v42 = force_at(xp, v40, v41, theta, b, E_star)
+        return (v42, 2.0 * E_star * v41 * v41 * slope_beyond(xp, v40, v41, theta, b) / v42)
+    v35 = v17 * (((v28 * v20 + -0.3986471) * v20 + 0.100541) * v20 + 0.9995205)
+    v49 = newton(xp, f35, F, v35, xp.inf, 1.0, 2.0)
+    v53 = b * xp.sqrt(1.0 + v49 * v49)
+    v54 = b * v49
+    v63 = (F - force_at(xp, v53, v54, theta, b, E_star)) / (2.0 * E_star * v53)
+    return depth_at(xp, v53, v54, theta, b) + xp.where((v53 > 0.0) & (v53 < xp.inf), v63, 0.0)

@@ -1,60 +1,31 @@
 """Formulas of axicontact.plane.flat_punch over an array library `xp`."""
 
 
-def depth(xp, L, P, a, E_star):
-    v0 = a <= L
-    v1 = xp.where(v0, a, 0.5 * L)
-    v2 = 2.0 * P
-    v3 = L - v1
-    v4 = v1 + L
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = v3 + v6
-    v8 = v7 / v1
-    v9 = xp.log1p(v8)
-    v10 = v2 * v9
-    v11 = 3.141592653589793 * E_star
-    v12 = v10 / v11
-    v13 = xp.where(v0, 2.0 * L, a)
-    v14 = xp.where(v0, v12, xp.nan)
-    return v14
+def profile(xp, x, a):
+    v1 = x <= a
+    v2 = xp.where(v1, x, 0.5 * a)
+    v3 = xp.where(v1, 2.0 * a, x)
+    return xp.where(v1, 0.0, xp.nan)
 
 
 def pressure(xp, x, P, a):
-    v0 = x <= a
-    v1 = P > 0.0
-    v2 = v0 & v1
-    v3 = a - x
-    v4 = a + x
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = 3.141592653589793 * v6
-    v8 = P / v7
-    v9 = xp.where(v2, v8, 0.0)
-    return v9
-
-
-def profile(xp, x, a):
-    v0 = x <= a
-    v1 = xp.where(v0, x, 0.5 * a)
-    v2 = xp.where(v0, 2.0 * a, x)
-    v3 = xp.where(v0, 0.0, xp.nan)
-    return v3
+    v10 = xp.where((x <= a) & (P > 0.0), P / (3.141592653589793 * xp.sqrt((a - x) * (a + x))), 0.0)
+    return v10
 
 
 def slope(xp, x, P, a, E_star):
-    v0 = x >= a
-    v1 = xp.where(v0, x, 2.0 * a)
-    v2 = P > 0.0
-    v3 = (-2.0) * P
-    v4 = 3.141592653589793 * E_star
-    v5 = v1 - a
-    v6 = a + v1
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v4 * v8
-    v10 = v3 / v9
-    v11 = xp.where(v2, v10, 0.0)
-    v12 = xp.where(v0, 0.5 * a, x)
-    v13 = xp.where(v0, v11, 0.0)
-    return v13
+    v1 = x >= a
+    v2 = xp.where(v1, x, 2.0 * a)
+    v3 = P > 0.0
+    v11 = 3.141592653589793 * E_star * xp.sqrt((v2 - a) * (a + v2))
+    v14 = xp.where(v1, 0.5 * a, x)
+    return xp.where(v1, xp.where(v3, -2.0 * xp.where(v3, P, 1.0) / v11, 0.0), 0.0)
+
+
+def depth(xp, L, P, a, E_star):
+    v1 = a <= L
+    v2 = xp.where(v1, a, 0.5 * L)
+    v4 = L - v2
+    v14 = xp.where(v1, 2.0 * L, a)
+    v13 = 2.0 * P * xp.log1p((v4 + xp.sqrt(v4 * (v2 + L))) / v2) / (3.141592653589793 * E_star)
+    return xp.where(v1, v13, xp.nan)

@@ -1,10 +1,120 @@
 """Formulas of axicontact.plane.rounded_punch over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
+
+
+def profile(xp, x, R, b):
+    v1 = x > b
+    v7 = xp.where(v1, 0.5 * b, x)
+    return xp.where(v1, (xp.where(v1, x, 2.0 * b) - b) ** 2.0 / (2.0 * R), 0.0)
+
+
+def growth_beyond(xp, t, root, R, b):
+    return t * xp.arctan(root / b) / R
+
+
+def load_at(xp, root, R, b, E_star):
+    v4, v5 = nodes_along(xp, 1, root, R, b, E_star)
+    v2 = xp.arcsinh(root / b)
+    v3 = xp.minimum(v2, 42.0)
+    v6 = v4 * v3
+    v17 = 0.0 - xp.expm1(-2.0 * v2)
+    v18 = v17 > 0.0
+    v14 = xp.exp(-v6) * (0.0 - xp.expm1(-2.0 * (v2 - v6)))
+    v22 = root * (v14 / xp.where(v18, xp.where(v18, v17, 1.0), xp.inf))
+    v27 = growth_beyond(xp, xp.sqrt(b * b + v22 * v22), v22, R, b) * v22
+    return E_star * (v3 * xp.sum(v5 * v27, axis=0))
+
+
+def load_below(xp, a, R, b, E_star):
+    return load_at(xp, xp.sqrt((a - b) * (a + b)), R, b, E_star)
+
+
+def load_above(xp, a, R, b, E_star):
+    v7 = xp.sqrt((a - b) * (a + b))
+    return E_star / (2.0 * R) * (a ** 2.0 * xp.arctan(v7 / b) - b * v7)
+
+
+def load(xp, a, R, b, E_star):
+    v1 = 2.0 * b
+    v2 = a < v1
+    v6 = load_above(xp, xp.where(v2, 2.0 * v1, a), R, b, E_star)
+    return xp.where(v2, load_below(xp, xp.where(v2, a, 0.5 * v1), R, b, E_star), v6)
+
+
+def pressure(xp, x, a, R, b, E_star):
+    v25, v26 = nodes_along(xp, 1, x, a, R, b, E_star)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = x < v2
+    v4 = xp.where(v3, x, 0.5 * v2)
+    v8 = xp.where(v4 == b, b * 1.0000000000000002, v4)
+    v9 = xp.maximum(v8, b)
+    v10 = v2 > v9
+    v11 = xp.where(v10, v2, 2.0 * v9)
+    v12 = v8 < b
+    v13 = xp.where(v12, v8, 0.5 * b)
+    v16 = difference_root(xp, v11, xp.where(v12, 2.0 * b, v8))
+    v17 = xp.where(v12, difference_root(xp, v11, b), v16)
+    v24 = xp.arcsinh(v17 / xp.sqrt(xp.absolute(v8 - b) * (v8 + b)))
+    v27 = v25 * v24
+    v32 = xp.where(v12, v8, 0.5 * b)
+    v33 = xp.where(v12, 2.0 * b, v8)
+    v35 = 2.0 * xp.where(v12, 0.0, 1.0)
+    v36 = 1.0 - v35
+    v46 = v35 - v36 * xp.expm1(-2.0 * v24)
+    v47 = v46 > 0.0
+    v42 = xp.exp(-v27) * (v35 - v36 * xp.expm1(-2.0 * (v24 - v27)))
+    v51 = difference_root(xp, v11, b) * (v42 / xp.where(v47, xp.where(v47, v46, 1.0), xp.inf))
+    v54 = xp.sqrt(b * b + v51 * v51)
+    v59 = xp.where(v10, 0.5 * v9, v2)
+    v58 = v24 * xp.sum(v26 * (growth_beyond(xp, v54, v51, R, b) * v51 / v54), axis=0)
+    v62 = xp.where(v3, 2.0 * v2, x)
+    v64 = xp.where(v1, 0.5 * b, a)
+    v63 = xp.where(v3, E_star / 3.141592653589793 * xp.where(v10, v58, 0.0), 0.0)
+    return xp.where(v1, v63, xp.nan)
+
+
+def profile_slope(xp, x, R, b):
+    v1 = x > b
+    v5 = xp.where(v1, 0.5 * b, x)
+    return xp.where(v1, (xp.where(v1, x, 2.0 * b) - b) / R, 0.0)
+
+
+def slope(xp, x, a, R, b):
+    v16, v17 = nodes_along(xp, 1, x, a, R, b)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = x > v2
+    v4 = xp.where(v3, x, 2.0 * v2)
+    v5 = v2 > b
+    v6 = xp.where(v5, v2, 2.0 * b)
+    v7 = difference_root(xp, v6, b)
+    v9 = v7 / difference_root(xp, v4, v6)
+    v10 = b / v4
+    v12 = xp.arcsinh(v9 / v10)
+    v15 = xp.minimum(v12, 42.0 + xp.arcsinh(v9))
+    v18 = v16 * v15
+    v29 = 0.0 - xp.expm1(-2.0 * v12)
+    v30 = v29 > 0.0
+    v26 = xp.exp(-v18) * (0.0 - xp.expm1(-2.0 * (v12 - v18)))
+    v33 = v26 / xp.where(v30, xp.where(v30, v29, 1.0), xp.inf)
+    v38 = v9 * v33
+    v40 = 1.0 + v38 * v38
+    v43 = v7 * v33 * (xp.sqrt(1.0 + v9 * v9) / xp.sqrt(v40))
+    v46 = xp.sqrt(b * b + v43 * v43)
+    v55 = v43 / v46 * (xp.sqrt((v10 / v9) ** 2.0 + v33 * v33) / v40)
+    v59 = xp.where(v5, 0.5 * b, v2)
+    v60 = xp.where(v5, v9 * (v15 * xp.sum(v17 * (growth_beyond(xp, v46, v43, R, b) * v55), axis=0)), 0.0)
+    v64 = -profile_slope(xp, xp.where(v3, 0.5 * v2, x), R, b)
+    v66 = xp.where(v1, 0.5 * b, a)
+    return xp.where(v1, xp.where(v3, -0.6366197723675814 * v60, v64), xp.nan)
 
 
 def depth(xp, L, a, R, b):
-    nodes, weights = nodes_along(xp, 64, L, a, R, b)
+    v18, v19 = nodes_along(xp, 1, L, a, R, b)
     v1 = a >= b
     v2 = xp.where(v1, a, 2.0 * b)
     v3 = v2 <= L
@@ -13,382 +123,38 @@ def depth(xp, L, a, R, b):
     v6 = xp.where(v5, v4, 0.5 * L)
     v7 = v6 > b
     v8 = xp.where(v7, v6, 2.0 * b)
-    v9 = v8 - b
-    v10 = xp.maximum(v9, 0.0)
-    v11 = v8 + b
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = L - v8
-    v15 = xp.maximum(v14, 0.0)
-    v16 = L + v8
-    v17 = v15 * v16
-    v18 = xp.sqrt(v17)
-    v19 = v13 / v18
-    v20 = b / L
-    v21 = v19 / v20
-    v22 = xp.arcsinh(v21)
-    v23 = xp.arcsinh(v19)
-    v24 = 42.0 + v23
-    v25 = xp.minimum(v22, v24)
-    v26 = nodes * v25
-    v27 = b * b
-    v28 = -v26
-    v29 = xp.exp(v28)
-    v30 = v22 - v26
-    v31 = (-2.0) * v30
-    v32 = xp.expm1(v31)
-    v33 = 0.0 - v32
-    v34 = v29 * v33
-    v35 = (-2.0) * v22
-    v36 = xp.expm1(v35)
-    v37 = 0.0 - v36
-    v38 = v37 > 0.0
-    v39 = xp.where(v38, v37, xp.inf)
-    v40 = v34 / v39
-    v41 = v13 * v40
-    v42 = v19 * v19
-    v43 = 1.0 + v42
-    v44 = xp.sqrt(v43)
-    v45 = v19 * v40
-    v46 = v45 * v45
-    v47 = 1.0 + v46
-    v48 = xp.sqrt(v47)
-    v49 = v44 / v48
-    v50 = v41 * v49
-    v51 = v50 * v50
-    v52 = v27 + v51
-    v53 = xp.sqrt(v52)
-    v54 = v50 / b
-    v55 = xp.arctan(v54)
-    v56 = v53 * v55
-    v57 = v56 / R
-    v58 = v50 / v53
-    v59 = v20 / v19
-    v60 = v59 ** 2.0
-    v61 = v40 * v40
-    v62 = v60 + v61
-    v63 = xp.sqrt(v62)
-    v64 = v63 / v47
-    v65 = v58 * v64
-    v66 = v57 * v65
-    v67 = v66 * v49
-    v68 = v18 * v49
-    v69 = v68 / v53
-    v70 = xp.arcsinh(v69)
-    v71 = v67 * v70
-    v72 = v25 * xp.sum(weights * v71, axis=0)
-    v73 = v13 * v72
-    v74 = xp.where(v7, 0.5 * b, v6)
-    v75 = xp.where(v7, v73, 0.0)
-    v76 = 0.6366197723675814 * v75
-    v77 = xp.where(v5, 2.0 * L, v4)
-    v78 = v77 > b
-    v79 = xp.where(v78, v77, 2.0 * b)
-    v80 = v79 - b
-    v81 = v80 ** 2.0
-    v82 = 2.0 * R
-    v83 = v81 / v82
-    v84 = xp.where(v78, 0.5 * b, v77)
-    v85 = xp.where(v78, v83, 0.0)
-    v86 = xp.where(v5, v76, v85)
-    v87 = xp.where(v3, 2.0 * L, v2)
-    v88 = xp.where(v3, v86, xp.nan)
-    v89 = xp.where(v1, 0.5 * b, a)
-    v90 = xp.where(v1, v88, xp.nan)
-    return v90
+    v9 = difference_root(xp, v8, b)
+    v10 = difference_root(xp, L, v8)
+    v11 = v9 / v10
+    v12 = b / L
+    v14 = xp.arcsinh(v11 / v12)
+    v17 = xp.minimum(v14, 42.0 + xp.arcsinh(v11))
+    v20 = v18 * v17
+    v31 = 0.0 - xp.expm1(-2.0 * v14)
+    v32 = v31 > 0.0
+    v28 = xp.exp(-v20) * (0.0 - xp.expm1(-2.0 * (v14 - v20)))
+    v35 = v28 / xp.where(v32, xp.where(v32, v31, 1.0), xp.inf)
+    v40 = v11 * v35
+    v42 = 1.0 + v40 * v40
+    v44 = xp.sqrt(1.0 + v11 * v11) / xp.sqrt(v42)
+    v45 = v9 * v35 * v44
+    v48 = xp.sqrt(b * b + v45 * v45)
+    v57 = v45 / v48 * (xp.sqrt((v12 / v11) ** 2.0 + v35 * v35) / v42)
+    v63 = growth_beyond(xp, v48, v45, R, b) * v57 * v44 * xp.arcsinh(v10 * v44 / v48)
+    v66 = xp.where(v7, 0.5 * b, v6)
+    v68 = 0.6366197723675814 * xp.where(v7, v9 * (v17 * xp.sum(v19 * v63, axis=0)), 0.0)
+    v72 = xp.where(v3, 2.0 * L, v2)
+    v74 = xp.where(v1, 0.5 * b, a)
+    v73 = xp.where(v3, xp.where(v5, v68, profile(xp, xp.where(v5, 2.0 * L, v4), R, b)), xp.nan)
+    return xp.where(v1, v73, xp.nan)
 
 
 def half_width_from_load(xp, P, R, b, E_star):
-    nodes, weights = nodes_along(xp, 64, P, R, b, E_star)
-    v1 = xp.where(P > 0.0, P, 1.0)
-    v2 = xp.minimum(1.0, xp.inf)
-    for _ in range(6):
-        v4 = b * v2
-        v5 = v4 / b
-        v6 = xp.arcsinh(v5)
-        v7 = xp.minimum(v6, 42.0)
-        v8 = nodes * v7
-        v9 = b * b
-        v10 = -v8
-        v11 = xp.exp(v10)
-        v12 = v6 - v8
-        v13 = (-2.0) * v12
-        v14 = xp.expm1(v13)
-        v15 = 0.0 - v14
-        v16 = v11 * v15
-        v17 = (-2.0) * v6
-        v18 = xp.expm1(v17)
-        v19 = 0.0 - v18
-        v20 = v19 > 0.0
-        v21 = xp.where(v20, v19, xp.inf)
-        v22 = v16 / v21
-        v23 = v4 * v22
-        v24 = v23 * v23
-        v25 = v9 + v24
-        v26 = xp.sqrt(v25)
-        v27 = v23 / b
-        v28 = xp.arctan(v27)
-        v29 = v26 * v28
-        v30 = v29 / R
-        v31 = v30 * v23
-        v32 = v7 * xp.sum(weights * v31, axis=0)
-        v33 = E_star * v32
-        v34 = E_star * v4
-        v35 = v34 * v4
-        v36 = v2 * v2
-        v37 = 1.0 + v36
-        v38 = xp.sqrt(v37)
-        v39 = b * v38
-        v40 = v35 / v39
-        v41 = xp.arctan(v5)
-        v42 = v39 * v41
-        v43 = v42 / R
-        v44 = v40 * v43
-        v45 = v44 / v33
-        v46 = xp.log(v1 / v33)
-        v47 = v46 / 2.0
-        v48 = v46 / 3.0
-        v49 = xp.minimum(xp.maximum(v46 / v45, xp.minimum(v47, v48)), xp.maximum(v47, v48))
-        v50 = xp.where(v33 < xp.inf, v49, 0.0)
-        v2 = xp.minimum(v2 * xp.exp(v50), xp.inf)
-    v52 = xp.where(P > 0.0, v2, 0.0 * P)
-    v53 = v52 * v52
-    v54 = 1.0 + v53
-    v55 = xp.sqrt(v54)
-    v56 = b * v55
-    return v56
 
-
-def load(xp, a, R, b, E_star):
-    nodes, weights = nodes_along(xp, 64, a, R, b, E_star)
-    v1 = 2.0 * b
-    v2 = a < v1
-    v3 = xp.where(v2, a, 0.5 * v1)
-    v4 = v3 - b
-    v5 = v3 + b
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = v7 / b
-    v9 = xp.arcsinh(v8)
-    v10 = xp.minimum(v9, 42.0)
-    v11 = nodes * v10
-    v12 = b * b
-    v13 = -v11
-    v14 = xp.exp(v13)
-    v15 = v9 - v11
-    v16 = (-2.0) * v15
-    v17 = xp.expm1(v16)
-    v18 = 0.0 - v17
-    v19 = v14 * v18
-    v20 = (-2.0) * v9
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v22 > 0.0
-    v24 = xp.where(v23, v22, xp.inf)
-    v25 = v19 / v24
-    v26 = v7 * v25
-    v27 = v26 * v26
-    v28 = v12 + v27
-    v29 = xp.sqrt(v28)
-    v30 = v26 / b
-    v31 = xp.arctan(v30)
-    v32 = v29 * v31
-    v33 = v32 / R
-    v34 = v33 * v26
-    v35 = v10 * xp.sum(weights * v34, axis=0)
-    v36 = E_star * v35
-    v37 = xp.where(v2, 2.0 * v1, a)
-    v38 = 2.0 * R
-    v39 = E_star / v38
-    v40 = v37 ** 2.0
-    v41 = v37 - b
-    v42 = v37 + b
-    v43 = v41 * v42
-    v44 = xp.sqrt(v43)
-    v45 = v44 / b
-    v46 = xp.arctan(v45)
-    v47 = v40 * v46
-    v48 = b * v44
-    v49 = v47 - v48
-    v50 = v39 * v49
-    v51 = xp.where(v2, v36, v50)
-    return v51
-
-
-def pressure(xp, x, a, R, b, E_star):
-    nodes, weights = nodes_along(xp, 64, x, a, R, b, E_star)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = x < v2
-    v4 = xp.where(v3, x, 0.5 * v2)
-    v5 = E_star / 3.141592653589793
-    v6 = v4 == b
-    v7 = xp.nextafter(b, xp.inf)
-    v8 = xp.where(v6, v7, v4)
-    v9 = xp.maximum(v8, b)
-    v10 = v2 > v9
-    v11 = xp.where(v10, v2, 2.0 * v9)
-    v12 = v8 < b
-    v13 = xp.where(v12, v8, 0.5 * b)
-    v14 = v11 - b
-    v15 = xp.maximum(v14, 0.0)
-    v16 = v11 + b
-    v17 = v15 * v16
-    v18 = xp.sqrt(v17)
-    v19 = xp.where(v12, 2.0 * b, v8)
-    v20 = v11 - v19
-    v21 = xp.maximum(v20, 0.0)
-    v22 = v11 + v19
-    v23 = v21 * v22
-    v24 = xp.sqrt(v23)
-    v25 = xp.where(v12, v18, v24)
-    v26 = v8 - b
-    v27 = xp.absolute(v26)
-    v28 = v8 + b
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = v25 / v30
-    v32 = xp.arcsinh(v31)
-    v33 = nodes * v32
-    v34 = b * b
-    v35 = v11 - b
-    v36 = xp.maximum(v35, 0.0)
-    v37 = v11 + b
-    v38 = v36 * v37
-    v39 = xp.sqrt(v38)
-    v40 = -v33
-    v41 = xp.exp(v40)
-    v42 = xp.where(v12, v8, 0.5 * b)
-    v43 = xp.where(v12, 2.0 * b, v8)
-    v44 = xp.where(v12, 0.0, 1.0)
-    v45 = 2.0 * v44
-    v46 = 1.0 - v45
-    v47 = v32 - v33
-    v48 = (-2.0) * v47
-    v49 = xp.expm1(v48)
-    v50 = v46 * v49
-    v51 = v45 - v50
-    v52 = v41 * v51
-    v53 = (-2.0) * v32
-    v54 = xp.expm1(v53)
-    v55 = v46 * v54
-    v56 = v45 - v55
-    v57 = v56 > 0.0
-    v58 = xp.where(v57, v56, xp.inf)
-    v59 = v52 / v58
-    v60 = v39 * v59
-    v61 = v60 * v60
-    v62 = v34 + v61
-    v63 = xp.sqrt(v62)
-    v64 = v60 / b
-    v65 = xp.arctan(v64)
-    v66 = v63 * v65
-    v67 = v66 / R
-    v68 = v67 * v60
-    v69 = v68 / v63
-    v70 = v32 * xp.sum(weights * v69, axis=0)
-    v71 = xp.where(v10, 0.5 * v9, v2)
-    v72 = xp.where(v10, v70, 0.0)
-    v73 = v5 * v72
-    v74 = xp.where(v3, 2.0 * v2, x)
-    v75 = xp.where(v3, v73, 0.0)
-    v76 = xp.where(v1, 0.5 * b, a)
-    v77 = xp.where(v1, v75, xp.nan)
-    return v77
-
-
-def profile(xp, x, R, b):
-    v0 = x > b
-    v1 = xp.where(v0, x, 2.0 * b)
-    v2 = v1 - b
-    v3 = v2 ** 2.0
-    v4 = 2.0 * R
-    v5 = v3 / v4
-    v6 = xp.where(v0, 0.5 * b, x)
-    v7 = xp.where(v0, v5, 0.0)
-    return v7
-
-
-def slope(xp, x, a, R, b):
-    nodes, weights = nodes_along(xp, 64, x, a, R, b)
-    v1 = a >= b
-    v2 = xp.where(v1, a, 2.0 * b)
-    v3 = x > v2
-    v4 = xp.where(v3, x, 2.0 * v2)
-    v5 = v2 > b
-    v6 = xp.where(v5, v2, 2.0 * b)
-    v7 = v6 - b
-    v8 = xp.maximum(v7, 0.0)
-    v9 = v6 + b
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v4 - v6
-    v13 = xp.maximum(v12, 0.0)
-    v14 = v4 + v6
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v11 / v16
-    v18 = b / v4
-    v19 = v17 / v18
-    v20 = xp.arcsinh(v19)
-    v21 = xp.arcsinh(v17)
-    v22 = 42.0 + v21
-    v23 = xp.minimum(v20, v22)
-    v24 = nodes * v23
-    v25 = b * b
-    v26 = -v24
-    v27 = xp.exp(v26)
-    v28 = v20 - v24
-    v29 = (-2.0) * v28
-    v30 = xp.expm1(v29)
-    v31 = 0.0 - v30
-    v32 = v27 * v31
-    v33 = (-2.0) * v20
-    v34 = xp.expm1(v33)
-    v35 = 0.0 - v34
-    v36 = v35 > 0.0
-    v37 = xp.where(v36, v35, xp.inf)
-    v38 = v32 / v37
-    v39 = v11 * v38
-    v40 = v17 * v17
-    v41 = 1.0 + v40
-    v42 = xp.sqrt(v41)
-    v43 = v17 * v38
-    v44 = v43 * v43
-    v45 = 1.0 + v44
-    v46 = xp.sqrt(v45)
-    v47 = v42 / v46
-    v48 = v39 * v47
-    v49 = v48 * v48
-    v50 = v25 + v49
-    v51 = xp.sqrt(v50)
-    v52 = v48 / b
-    v53 = xp.arctan(v52)
-    v54 = v51 * v53
-    v55 = v54 / R
-    v56 = v48 / v51
-    v57 = v18 / v17
-    v58 = v57 ** 2.0
-    v59 = v38 * v38
-    v60 = v58 + v59
-    v61 = xp.sqrt(v60)
-    v62 = v61 / v45
-    v63 = v56 * v62
-    v64 = v55 * v63
-    v65 = v23 * xp.sum(weights * v64, axis=0)
-    v66 = v17 * v65
-    v67 = xp.where(v5, 0.5 * b, v2)
-    v68 = xp.where(v5, v66, 0.0)
-    v69 = (-0.6366197723675814) * v68
-    v70 = xp.where(v3, 0.5 * v2, x)
-    v71 = v70 > b
-    v72 = xp.where(v71, v70, 2.0 * b)
-    v73 = v72 - b
-    v74 = v73 / R
-    v75 = xp.where(v71, 0.5 * b, v70)
-    v76 = xp.where(v71, v74, 0.0)
-    v77 = -v76
-    v78 = xp.where(v3, v69, v77)
-    v79 = xp.where(v1, 0.5 * b, a)
-    v80 = xp.where(v1, v78, xp.nan)
-    return v80
+    def f0(v1):
+        v2 = b * v1
+        v3 = load_at(xp, v2, R, b, E_star)
+        v9 = b * xp.sqrt(1.0 + v1 * v1)
+        return (v3, E_star * v2 * v2 / v9 * growth_beyond(xp, v9, v2, R, b) / v3)
+    v14 = newton(xp, f0, P, 1.0, xp.inf, 2.0, 3.0)
+    return b * xp.sqrt(1.0 + v14 * v14)

@@ -1,418 +1,149 @@
 """Formulas of axicontact.plane.rounded_wedge over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
 
 
-def depth(xp, L, a, theta, b):
-    nodes, weights = nodes_along(xp, 64, L, a, theta, b)
-    v1 = a <= L
-    v2 = xp.where(v1, a, 0.5 * L)
-    v3 = v2 > 0.0
-    v4 = v2 < L
-    v5 = xp.where(v4, v2, 0.5 * L)
-    v6 = xp.tan(theta)
-    v7 = 2.0 * b
-    v8 = v6 / v7
-    v9 = xp.minimum(v5, b)
-    v10 = v9 ** 2.0
-    v11 = v8 * v10
-    v12 = L - v9
-    v13 = v9 + L
-    v14 = v12 * v13
-    v15 = xp.sqrt(v14)
-    v16 = v15 + L
-    v17 = L / v16
-    v18 = v12 + v15
-    v19 = v18 / v9
-    v20 = xp.log1p(v19)
-    v21 = v17 + v20
-    v22 = v11 * v21
-    v23 = v5 > b
-    v24 = xp.where(v23, v5, 2.0 * b)
-    v25 = v24 - b
-    v26 = xp.maximum(v25, 0.0)
-    v27 = v24 + b
-    v28 = v26 * v27
-    v29 = xp.sqrt(v28)
-    v30 = L - v24
-    v31 = xp.maximum(v30, 0.0)
-    v32 = L + v24
-    v33 = v31 * v32
-    v34 = xp.sqrt(v33)
-    v35 = v29 / v34
-    v36 = b / L
-    v37 = v35 / v36
-    v38 = xp.arcsinh(v37)
-    v39 = xp.arcsinh(v35)
-    v40 = 42.0 + v39
-    v41 = xp.minimum(v38, v40)
-    v42 = nodes * v41
-    v43 = v6 / b
-    v44 = b * b
-    v45 = -v42
-    v46 = xp.exp(v45)
-    v47 = v38 - v42
-    v48 = (-2.0) * v47
-    v49 = xp.expm1(v48)
-    v50 = 0.0 - v49
-    v51 = v46 * v50
-    v52 = (-2.0) * v38
-    v53 = xp.expm1(v52)
-    v54 = 0.0 - v53
-    v55 = v54 > 0.0
-    v56 = xp.where(v55, v54, xp.inf)
-    v57 = v51 / v56
-    v58 = v29 * v57
-    v59 = v35 * v35
-    v60 = 1.0 + v59
-    v61 = xp.sqrt(v60)
-    v62 = v35 * v57
-    v63 = v62 * v62
-    v64 = 1.0 + v63
-    v65 = xp.sqrt(v64)
-    v66 = v61 / v65
-    v67 = v58 * v66
-    v68 = v67 * v67
-    v69 = v44 + v68
-    v70 = xp.sqrt(v69)
-    v71 = v43 * v70
-    v72 = b / v67
-    v73 = xp.arctan(v72)
-    v74 = v71 * v73
-    v75 = v67 / v70
-    v76 = v36 / v35
-    v77 = v76 ** 2.0
-    v78 = v57 * v57
-    v79 = v77 + v78
-    v80 = xp.sqrt(v79)
-    v81 = v80 / v64
-    v82 = v75 * v81
-    v83 = v74 * v82
-    v84 = v83 * v66
-    v85 = v34 * v66
-    v86 = v85 / v70
-    v87 = xp.arcsinh(v86)
-    v88 = v84 * v87
-    v89 = v41 * xp.sum(weights * v88, axis=0)
-    v90 = v29 * v89
-    v91 = xp.where(v23, 0.5 * b, v5)
-    v92 = xp.where(v23, v90, 0.0)
-    v93 = 0.6366197723675814 * v92
-    v94 = v22 + v93
-    v95 = xp.where(v4, 2.0 * L, v2)
-    v96 = v95 > b
-    v97 = xp.where(v96, v95, 2.0 * b)
-    v98 = xp.tan(theta)
-    v99 = b / 2.0
-    v100 = v97 - v99
-    v101 = v98 * v100
-    v102 = xp.where(v96, 0.5 * b, v95)
-    v103 = xp.tan(theta)
-    v104 = 2.0 * b
-    v105 = v103 / v104
-    v106 = v102 ** 2.0
-    v107 = v105 * v106
-    v108 = xp.where(v96, v101, v107)
-    v109 = xp.where(v4, v94, v108)
-    v110 = xp.where(v3, v109, 0.0)
-    v111 = xp.where(v1, 2.0 * L, a)
-    v112 = xp.where(v1, v110, xp.nan)
-    return v112
-
-
-def half_width_from_load(xp, P, theta, b, E_star):
-    v0 = xp.where(P > 0.0, P, 1.0)
-    v1 = xp.minimum(b, xp.inf)
-    for _ in range(6):
-        v3 = v1 < b
-        v4 = xp.where(v3, v1, 0.5 * b)
-        v5 = 3.141592653589793 * E_star
-        v6 = xp.tan(theta)
-        v7 = v5 * v6
-        v8 = 4.0 * b
-        v9 = v7 / v8
-        v10 = v4 ** 2.0
-        v11 = v9 * v10
-        v12 = xp.where(v3, 2.0 * b, v1)
-        v13 = xp.tan(theta)
-        v14 = E_star * v13
-        v15 = v12 - b
-        v16 = v12 + b
-        v17 = v15 * v16
-        v18 = xp.sqrt(v17)
-        v19 = v12 ** 2.0
-        v20 = b / v18
-        v21 = xp.arctan(v20)
-        v22 = v19 * v21
-        v23 = v22 / b
-        v24 = v18 + v23
-        v25 = v14 * v24
-        v26 = v25 / 2.0
-        v27 = xp.where(v3, v11, v26)
-        v28 = E_star * v1
-        v29 = xp.where(v3, v1, 0.5 * b)
-        v30 = xp.tan(theta)
-        v31 = 3.141592653589793 * v30
-        v32 = 2.0 * b
-        v33 = v31 / v32
-        v34 = v33 * v29
-        v35 = xp.where(v3, 2.0 * b, v1)
-        v36 = xp.tan(theta)
-        v37 = v36 / b
-        v38 = v37 * v35
-        v39 = v35 - b
-        v40 = v35 + b
-        v41 = v39 * v40
-        v42 = xp.sqrt(v41)
-        v43 = b / v42
-        v44 = xp.arctan(v43)
-        v45 = v38 * v44
-        v46 = xp.where(v3, v34, v45)
-        v47 = v28 * v46
-        v48 = v47 / v27
-        v49 = xp.log(v0 / v27)
-        v50 = v49 / 1.0
-        v51 = v49 / 2.0
-        v52 = xp.minimum(xp.maximum(v49 / v48, xp.minimum(v50, v51)), xp.maximum(v50, v51))
-        v53 = xp.where(v27 < xp.inf, v52, 0.0)
-        v1 = xp.minimum(v1 * xp.exp(v53), xp.inf)
-    v55 = xp.where(P > 0.0, v1, 0.0 * P)
-    return v55
+def profile(xp, x, theta, b):
+    v1 = x > b
+    v12 = xp.tan(theta) / (2.0 * b) * xp.where(v1, 0.5 * b, x) ** 2.0
+    return xp.where(v1, xp.tan(theta) * (xp.where(v1, x, 2.0 * b) - b / 2.0), v12)
 
 
 def load(xp, a, theta, b, E_star):
-    v0 = a < b
-    v1 = xp.where(v0, a, 0.5 * b)
-    v2 = 3.141592653589793 * E_star
-    v3 = xp.tan(theta)
-    v4 = v2 * v3
-    v5 = 4.0 * b
-    v6 = v4 / v5
-    v7 = v1 ** 2.0
-    v8 = v6 * v7
-    v9 = xp.where(v0, 2.0 * b, a)
-    v10 = xp.tan(theta)
-    v11 = E_star * v10
-    v12 = v9 - b
-    v13 = v9 + b
-    v14 = v12 * v13
-    v15 = xp.sqrt(v14)
-    v16 = v9 ** 2.0
-    v17 = b / v15
-    v18 = xp.arctan(v17)
-    v19 = v16 * v18
-    v20 = v19 / b
-    v21 = v15 + v20
-    v22 = v11 * v21
-    v23 = v22 / 2.0
-    v24 = xp.where(v0, v8, v23)
-    return v24
+    v1 = a < b
+    v10 = xp.where(v1, 2.0 * b, a)
+    v16 = xp.sqrt((v10 - b) * (v10 + b))
+    v24 = E_star * xp.tan(theta) * (v16 + v10 ** 2.0 * xp.arctan(b / v16) / b) / 2.0
+    v9 = 3.141592653589793 * E_star * xp.tan(theta) / (4.0 * b) * xp.where(v1, a, 0.5 * b) ** 2.0
+    return xp.where(v1, v9, v24)
+
+
+def growth_beyond(xp, t, root, theta, b):
+    return xp.tan(theta) / b * t * xp.arctan(b / root)
 
 
 def pressure(xp, x, a, theta, b, E_star):
-    nodes, weights = nodes_along(xp, 64, x, a, theta, b, E_star)
+    v37, v38 = nodes_along(xp, 1, x, a, theta, b, E_star)
     v1 = x < a
     v2 = xp.where(v1, x, 0.5 * a)
     v3 = xp.minimum(a, b)
     v4 = v2 < v3
     v5 = xp.where(v4, v2, 0.5 * v3)
-    v6 = xp.tan(theta)
-    v7 = E_star * v6
-    v8 = 2.0 * b
-    v9 = v7 / v8
-    v10 = v3 - v5
-    v11 = v3 + v5
-    v12 = v10 * v11
-    v13 = xp.sqrt(v12)
-    v14 = v9 * v13
     v15 = xp.where(v4, 2.0 * v3, v2)
-    v16 = xp.where(v4, v14, 0.0)
-    v17 = E_star / 3.141592653589793
-    v18 = v2 == b
-    v19 = xp.nextafter(b, xp.inf)
-    v20 = xp.where(v18, v19, v2)
+    v20 = xp.where(v2 == b, b * 1.0000000000000002, v2)
     v21 = xp.maximum(v20, b)
     v22 = a > v21
     v23 = xp.where(v22, a, 2.0 * v21)
     v24 = v20 < b
     v25 = xp.where(v24, v20, 0.5 * b)
-    v26 = v23 - b
-    v27 = xp.maximum(v26, 0.0)
-    v28 = v23 + b
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = xp.where(v24, 2.0 * b, v20)
-    v32 = v23 - v31
-    v33 = xp.maximum(v32, 0.0)
-    v34 = v23 + v31
-    v35 = v33 * v34
-    v36 = xp.sqrt(v35)
-    v37 = xp.where(v24, v30, v36)
-    v38 = v20 - b
-    v39 = xp.absolute(v38)
-    v40 = v20 + b
-    v41 = v39 * v40
-    v42 = xp.sqrt(v41)
-    v43 = v37 / v42
-    v44 = xp.arcsinh(v43)
-    v45 = nodes * v44
-    v46 = xp.tan(theta)
-    v47 = v46 / b
-    v48 = b * b
-    v49 = v23 - b
-    v50 = xp.maximum(v49, 0.0)
-    v51 = v23 + b
-    v52 = v50 * v51
-    v53 = xp.sqrt(v52)
-    v54 = -v45
-    v55 = xp.exp(v54)
-    v56 = xp.where(v24, v20, 0.5 * b)
-    v57 = xp.where(v24, 2.0 * b, v20)
-    v58 = xp.where(v24, 0.0, 1.0)
-    v59 = 2.0 * v58
-    v60 = 1.0 - v59
-    v61 = v44 - v45
-    v62 = (-2.0) * v61
-    v63 = xp.expm1(v62)
-    v64 = v60 * v63
-    v65 = v59 - v64
-    v66 = v55 * v65
-    v67 = (-2.0) * v44
-    v68 = xp.expm1(v67)
-    v69 = v60 * v68
-    v70 = v59 - v69
-    v71 = v70 > 0.0
-    v72 = xp.where(v71, v70, xp.inf)
-    v73 = v66 / v72
-    v74 = v53 * v73
-    v75 = v74 * v74
-    v76 = v48 + v75
-    v77 = xp.sqrt(v76)
-    v78 = v47 * v77
-    v79 = b / v74
-    v80 = xp.arctan(v79)
-    v81 = v78 * v80
-    v82 = v81 * v74
-    v83 = v82 / v77
-    v84 = v44 * xp.sum(weights * v83, axis=0)
-    v85 = xp.where(v22, 0.5 * v21, a)
-    v86 = xp.where(v22, v84, 0.0)
-    v87 = v17 * v86
-    v88 = v16 + v87
-    v89 = xp.where(v1, 2.0 * a, x)
-    v90 = xp.where(v1, v88, 0.0)
-    return v90
+    v28 = difference_root(xp, v23, xp.where(v24, 2.0 * b, v20))
+    v29 = xp.where(v24, difference_root(xp, v23, b), v28)
+    v36 = xp.arcsinh(v29 / xp.sqrt(xp.absolute(v20 - b) * (v20 + b)))
+    v39 = v37 * v36
+    v44 = xp.where(v24, v20, 0.5 * b)
+    v45 = xp.where(v24, 2.0 * b, v20)
+    v47 = 2.0 * xp.where(v24, 0.0, 1.0)
+    v48 = 1.0 - v47
+    v58 = v47 - v48 * xp.expm1(-2.0 * v36)
+    v59 = v58 > 0.0
+    v54 = xp.exp(-v39) * (v47 - v48 * xp.expm1(-2.0 * (v36 - v39)))
+    v63 = difference_root(xp, v23, b) * (v54 / xp.where(v59, xp.where(v59, v58, 1.0), xp.inf))
+    v66 = xp.sqrt(b * b + v63 * v63)
+    v71 = xp.where(v22, 0.5 * v21, a)
+    v70 = v36 * xp.sum(v38 * (growth_beyond(xp, v66, v63, theta, b) * v63 / v66), axis=0)
+    v16 = xp.where(v4, E_star * xp.tan(theta) / (2.0 * b) * xp.sqrt((v3 - v5) * (v3 + v5)), 0.0)
+    v75 = xp.where(v1, 2.0 * a, x)
+    return xp.where(v1, v16 + E_star / 3.141592653589793 * xp.where(v22, v70, 0.0), 0.0)
 
 
-def profile(xp, x, theta, b):
-    v0 = x > b
-    v1 = xp.where(v0, x, 2.0 * b)
-    v2 = xp.tan(theta)
-    v3 = b / 2.0
-    v4 = v1 - v3
-    v5 = v2 * v4
-    v6 = xp.where(v0, 0.5 * b, x)
-    v7 = xp.tan(theta)
-    v8 = 2.0 * b
-    v9 = v7 / v8
-    v10 = v6 ** 2.0
-    v11 = v9 * v10
-    v12 = xp.where(v0, v5, v11)
-    return v12
+def profile_slope(xp, x, theta, b):
+    v1 = x > b
+    v2 = xp.where(v1, x, 2.0 * b)
+    return xp.where(v1, xp.tan(theta), xp.tan(theta) / b * xp.where(v1, 0.5 * b, x))
 
 
 def slope(xp, x, a, theta, b):
-    nodes, weights = nodes_along(xp, 64, x, a, theta, b)
+    v26, v27 = nodes_along(xp, 1, x, a, theta, b)
     v1 = x > a
     v2 = xp.where(v1, x, 2.0 * a)
-    v3 = xp.tan(theta)
-    v4 = -v3
     v5 = xp.minimum(a, b)
-    v6 = v5 ** 2.0
-    v7 = v4 * v6
-    v8 = v2 - v5
-    v9 = v5 + v2
-    v10 = v8 * v9
-    v11 = xp.sqrt(v10)
-    v12 = v11 + v2
-    v13 = b * v12
-    v14 = v7 / v13
     v15 = a > b
     v16 = xp.where(v15, a, 2.0 * b)
-    v17 = v16 - b
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v16 + b
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v2 - v16
-    v23 = xp.maximum(v22, 0.0)
-    v24 = v2 + v16
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = v21 / v26
-    v28 = b / v2
-    v29 = v27 / v28
-    v30 = xp.arcsinh(v29)
-    v31 = xp.arcsinh(v27)
-    v32 = 42.0 + v31
-    v33 = xp.minimum(v30, v32)
-    v34 = nodes * v33
-    v35 = v3 / b
-    v36 = b * b
-    v37 = -v34
-    v38 = xp.exp(v37)
-    v39 = v30 - v34
-    v40 = (-2.0) * v39
-    v41 = xp.expm1(v40)
-    v42 = 0.0 - v41
-    v43 = v38 * v42
-    v44 = (-2.0) * v30
-    v45 = xp.expm1(v44)
-    v46 = 0.0 - v45
-    v47 = v46 > 0.0
-    v48 = xp.where(v47, v46, xp.inf)
-    v49 = v43 / v48
-    v50 = v21 * v49
-    v51 = v27 * v27
-    v52 = 1.0 + v51
-    v53 = xp.sqrt(v52)
-    v54 = v27 * v49
-    v55 = v54 * v54
-    v56 = 1.0 + v55
-    v57 = xp.sqrt(v56)
-    v58 = v53 / v57
-    v59 = v50 * v58
-    v60 = v59 * v59
-    v61 = v36 + v60
-    v62 = xp.sqrt(v61)
-    v63 = v35 * v62
-    v64 = b / v59
-    v65 = xp.arctan(v64)
-    v66 = v63 * v65
-    v67 = v59 / v62
-    v68 = v28 / v27
-    v69 = v68 ** 2.0
-    v70 = v49 * v49
-    v71 = v69 + v70
-    v72 = xp.sqrt(v71)
-    v73 = v72 / v56
-    v74 = v67 * v73
-    v75 = v66 * v74
-    v76 = v33 * xp.sum(weights * v75, axis=0)
-    v77 = v27 * v76
-    v78 = xp.where(v15, 0.5 * b, a)
-    v79 = xp.where(v15, v77, 0.0)
-    v80 = 0.6366197723675814 * v79
-    v81 = v14 - v80
-    v82 = xp.where(v1, 0.5 * a, x)
-    v83 = v82 > b
-    v84 = xp.where(v83, v82, 2.0 * b)
-    v85 = xp.tan(theta)
-    v86 = xp.where(v83, 0.5 * b, v82)
-    v87 = xp.tan(theta)
-    v88 = v87 / b
-    v89 = v88 * v86
-    v90 = xp.where(v83, v85, v89)
-    v91 = -v90
-    v92 = xp.where(v1, v81, v91)
-    return v92
+    v17 = difference_root(xp, v16, b)
+    v19 = v17 / difference_root(xp, v2, v16)
+    v20 = b / v2
+    v22 = xp.arcsinh(v19 / v20)
+    v25 = xp.minimum(v22, 42.0 + xp.arcsinh(v19))
+    v28 = v26 * v25
+    v39 = 0.0 - xp.expm1(-2.0 * v22)
+    v40 = v39 > 0.0
+    v36 = xp.exp(-v28) * (0.0 - xp.expm1(-2.0 * (v22 - v28)))
+    v43 = v36 / xp.where(v40, xp.where(v40, v39, 1.0), xp.inf)
+    v48 = v19 * v43
+    v50 = 1.0 + v48 * v48
+    v53 = v17 * v43 * (xp.sqrt(1.0 + v19 * v19) / xp.sqrt(v50))
+    v56 = xp.sqrt(b * b + v53 * v53)
+    v65 = v53 / v56 * (xp.sqrt((v20 / v19) ** 2.0 + v43 * v43) / v50)
+    v69 = xp.where(v15, 0.5 * b, a)
+    v68 = v19 * (v25 * xp.sum(v27 * (growth_beyond(xp, v56, v53, theta, b) * v65), axis=0))
+    v14 = -xp.tan(theta) * v5 ** 2.0 / (b * (xp.sqrt((v2 - v5) * (v5 + v2)) + v2))
+    v75 = -profile_slope(xp, xp.where(v1, 0.5 * a, x), theta, b)
+    return xp.where(v1, v14 - 0.6366197723675814 * xp.where(v15, v68, 0.0), v75)
+
+
+def depth(xp, L, a, theta, b):
+    v35, v36 = nodes_along(xp, 1, L, a, theta, b)
+    v1 = a <= L
+    v2 = xp.where(v1, a, 0.5 * L)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v5 = v4 < L
+    v6 = xp.where(v5, v4, 0.5 * L)
+    v10 = xp.minimum(v6, b)
+    v13 = L - v10
+    v16 = xp.sqrt(v13 * (v10 + L))
+    v22 = L / (v16 + L) + xp.log1p((v13 + v16) / v10)
+    v24 = v6 > b
+    v25 = xp.where(v24, v6, 2.0 * b)
+    v26 = difference_root(xp, v25, b)
+    v27 = difference_root(xp, L, v25)
+    v28 = v26 / v27
+    v29 = b / L
+    v31 = xp.arcsinh(v28 / v29)
+    v34 = xp.minimum(v31, 42.0 + xp.arcsinh(v28))
+    v37 = v35 * v34
+    v48 = 0.0 - xp.expm1(-2.0 * v31)
+    v49 = v48 > 0.0
+    v45 = xp.exp(-v37) * (0.0 - xp.expm1(-2.0 * (v31 - v37)))
+    v52 = v45 / xp.where(v49, xp.where(v49, v48, 1.0), xp.inf)
+    v57 = v28 * v52
+    v59 = 1.0 + v57 * v57
+    v61 = xp.sqrt(1.0 + v28 * v28) / xp.sqrt(v59)
+    v62 = v26 * v52 * v61
+    v65 = xp.sqrt(b * b + v62 * v62)
+    v74 = v62 / v65 * (xp.sqrt((v29 / v28) ** 2.0 + v52 * v52) / v59)
+    v80 = growth_beyond(xp, v65, v62, theta, b) * v74 * v61 * xp.arcsinh(v27 * v61 / v65)
+    v83 = xp.where(v24, 0.5 * b, v6)
+    v85 = 0.6366197723675814 * xp.where(v24, v26 * (v34 * xp.sum(v36 * v80, axis=0)), 0.0)
+    v86 = xp.tan(theta) / (2.0 * b) * v10 ** 2.0 * v22 + v85
+    v91 = xp.where(v1, 2.0 * L, a)
+    v90 = xp.where(v3, xp.where(v5, v86, profile(xp, xp.where(v5, 2.0 * L, v4), theta, b)), 0.0)
+    return xp.where(v1, v90, xp.nan)
+
+
+def growth(xp, t, theta, b):
+    return 3.141592653589793 * xp.tan(theta) / (2.0 * b) * t
+
+
+def half_width_from_load(xp, P, theta, b, E_star):
+
+    def f0(v1):
+        v2 = load(xp, v1, theta, b, E_star)
+        v4 = v1 < b
+        v7 = xp.where(v4, 2.0 * b, v1)
+        v12 = growth_beyond(xp, v7, xp.sqrt((v7 - b) * (v7 + b)), theta, b)
+        v15 = E_star * v1 * xp.where(v4, growth(xp, xp.where(v4, v1, 0.5 * b), theta, b), v12) / v2
+        return (v2, v15)
+    return newton(xp, f0, P, b, xp.inf, 1.0, 2.0)

@@ -1,537 +1,69 @@
 """Formulas of axicontact.tangential.hyperboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
-
-
-def full_slip_displacement(xp, a, theta, b, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = xp.tan(theta)
-    v3 = v2 * a
-    v4 = a / b
-    v5 = xp.arctan(v4)
-    v6 = v3 * v5
-    v7 = v1 * v6
-    return v7
-
-
-def stick_radius(xp, F_x, a, theta, b, E_star, mu):
-    v0 = F_x == 0.0
-    v1 = a >= 0.0
-    v2 = v0 & v1
-    v3 = xp.tan(theta)
-    v4 = E_star * v3
-    v5 = a ** 2.0
-    v6 = xp.arctan2(a, b)
-    v7 = v5 * v6
-    v8 = b ** 2.0
-    v9 = a / b
-    v10 = v9 < 1.0
-    v11 = xp.where(v10, v9, 0.5 * 1.0)
-    v12 = xp.minimum(v11, 1.0)
-    v13 = v12 * v12
-    v14 = v12 * v13
-    v15 = 2.229767813968649e-06 * v13
-    v16 = v15 + 0.0021043873129700233
-    v17 = v16 * v13
-    v18 = v17 + 0.04325113828415611
-    v19 = v18 * v13
-    v20 = v19 + 0.2725778671008127
-    v21 = v20 * v13
-    v22 = v21 + 0.7123414383945195
-    v23 = v22 * v13
-    v24 = v23 + 0.8116412201960678
-    v25 = v24 * v13
-    v26 = v25 + 0.3333333333333333
-    v27 = 0.002445452808893491 * v13
-    v28 = v27 + 0.06453295925870227
-    v29 = v28 * v13
-    v30 = v29 + 0.5368820963772863
-    v31 = v30 * v13
-    v32 = v31 + 1.9680296155712274
-    v33 = v32 * v13
-    v34 = v33 + 3.5294070829658954
-    v35 = v34 * v13
-    v36 = v35 + 3.034923660588189
-    v37 = v36 * v13
-    v38 = v37 + 1.0
-    v39 = v26 / v38
-    v40 = v14 * v39
-    v41 = xp.where(v10, 2.0 * 1.0, v9)
-    v42 = xp.arctan(v41)
-    v43 = v41 - v42
-    v44 = xp.where(v10, v40, v43)
-    v45 = v8 * v44
-    v46 = v7 + v45
-    v47 = v4 * v46
-    v48 = F_x / mu
-    v49 = v47 - v48
-    v50 = xp.absolute(v49)
-    v51 = 2e-16 * v47
-    v52 = v50 <= v51
-    v53 = xp.where(v52, v50, 0.5 * v51)
-    v54 = xp.where(v52, 2.0 * v51, v50)
-    v55 = xp.where(v52, 0.0, v49)
-    v56 = v55 >= 0.0
-    v57 = xp.where(v56, v55, xp.nan)
-    v58 = b / 1000.0
-    v59 = xp.where(v57 > 0.0, v57, 1.0)
-    v60 = xp.minimum(v58, xp.inf)
-    for _ in range(6):
-        v62 = v60 ** 2.0
-        v63 = xp.arctan2(v60, b)
-        v64 = v62 * v63
-        v65 = v60 / b
-        v66 = v65 < 1.0
-        v67 = xp.where(v66, v65, 0.5 * 1.0)
-        v68 = xp.minimum(v67, 1.0)
-        v69 = v68 * v68
-        v70 = v68 * v69
-        v71 = 2.229767813968649e-06 * v69
-        v72 = v71 + 0.0021043873129700233
-        v73 = v72 * v69
-        v74 = v73 + 0.04325113828415611
-        v75 = v74 * v69
-        v76 = v75 + 0.2725778671008127
-        v77 = v76 * v69
-        v78 = v77 + 0.7123414383945195
-        v79 = v78 * v69
-        v80 = v79 + 0.8116412201960678
-        v81 = v80 * v69
-        v82 = v81 + 0.3333333333333333
-        v83 = 0.002445452808893491 * v69
-        v84 = v83 + 0.06453295925870227
-        v85 = v84 * v69
-        v86 = v85 + 0.5368820963772863
-        v87 = v86 * v69
-        v88 = v87 + 1.9680296155712274
-        v89 = v88 * v69
-        v90 = v89 + 3.5294070829658954
-        v91 = v90 * v69
-        v92 = v91 + 3.034923660588189
-        v93 = v92 * v69
-        v94 = v93 + 1.0
-        v95 = v82 / v94
-        v96 = v70 * v95
-        v97 = xp.where(v66, 2.0 * 1.0, v65)
-        v98 = xp.arctan(v97)
-        v99 = v97 - v98
-        v100 = xp.where(v66, v96, v99)
-        v101 = v8 * v100
-        v102 = v64 + v101
-        v103 = v4 * v102
-        v104 = 2.0 * E_star
-        v105 = v104 * v62
-        v106 = xp.arctan(v65)
-        v107 = v3 * v106
-        v108 = b * v3
-        v109 = v108 * v60
-        v110 = v62 + v8
-        v111 = v109 / v110
-        v112 = v107 + v111
-        v113 = v105 * v112
-        v114 = v113 / v103
-        v115 = xp.log(v59 / v103)
-        v116 = v115 / 2.0
-        v117 = v115 / 3.0
-        v118 = xp.minimum(xp.maximum(v115 / v114, xp.minimum(v116, v117)), xp.maximum(v116, v117))
-        v119 = xp.where(v103 < xp.inf, v118, 0.0)
-        v60 = xp.minimum(v60 * xp.exp(v119), xp.inf)
-    v121 = xp.where(v57 > 0.0, v60, 0.0 * v57)
-    v122 = xp.where(v2, a, v121)
-    return v122
-
-
-def tangential_displacement(xp, a, c, theta, b, E_star, G_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, theta, b, E_star, G_star, mu)
-    v1 = E_star / G_star
-    v2 = mu * v1
-    v3 = xp.tan(theta)
-    v4 = v3 * c
-    v5 = c / b
-    v6 = xp.arctan(v5)
-    v7 = v4 * v6
-    v8 = v3 * a
-    v9 = a / b
-    v10 = xp.arctan(v9)
-    v11 = v8 * v10
-    v12 = 0.25 * v11
-    v13 = v7 >= v12
-    v14 = xp.where(v13, v7, 2.0 * v12)
-    v15 = v14 >= v12
-    v16 = a > c
-    v17 = v15 & v16
-    v18 = a - c
-    v19 = xp.where(v16, a, 2.0 * c)
-    v20 = v19 - c
-    v21 = v19 + c
-    v22 = v20 * v21
-    v23 = v19 - 0.0
-    v24 = xp.maximum(v23, 0.0)
-    v25 = v19 + 0.0
-    v26 = v24 * v25
-    v27 = xp.sqrt(v26)
-    v28 = c - 0.0
-    v29 = xp.maximum(v28, 0.0)
-    v30 = c + 0.0
-    v31 = v29 * v30
-    v32 = xp.sqrt(v31)
-    v33 = v27 + v32
-    v34 = v22 / v33
-    v35 = xp.where(v16, 0.5 * c, a)
-    v36 = xp.where(v16, v34, 0.0)
-    v37 = v18 + v36
-    v38 = c - 0.0
-    v39 = xp.maximum(v38, 0.0)
-    v40 = c + 0.0
-    v41 = v39 * v40
-    v42 = xp.sqrt(v41)
-    v43 = c + v42
-    v44 = v37 / v43
-    v45 = xp.log1p(v44)
-    v46 = xp.where(v17, v45, 0.0)
-    v47 = nodes * v46
-    v48 = xp.cosh(v47)
-    v49 = c * v48
-    v50 = xp.sinh(v47)
-    v51 = v42 * v50
-    v52 = v49 + v51
-    v53 = v52 / b
-    v54 = xp.arctan(v53)
-    v55 = v3 * v54
-    v56 = b * v3
-    v57 = v56 * v52
-    v58 = v52 ** 2.0
-    v59 = b ** 2.0
-    v60 = v58 + v59
-    v61 = v57 / v60
-    v62 = v55 + v61
-    v63 = v52 ** 1.0
-    v64 = v62 * v63
-    v65 = v46 * xp.sum(weights * v64, axis=0)
-    v66 = xp.where(v17, v65, 0.0)
-    v67 = xp.where(v13, 0.5 * v12, v7)
-    v68 = v11 - v67
-    v69 = xp.where(v13, v66, v68)
-    v70 = v2 * v69
-    return v70
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.slip import gap
+from ...._programs.expressions._runtime.physics.slip import stick_force
+from ...._programs.expressions.normal.hyperboloid import depth as normal_depth
+from ...._programs.expressions.normal.hyperboloid import force as normal_force
+from ...._programs.expressions.normal.hyperboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.hyperboloid import radius_from_force as normal_radius_from_force
+from ...._programs.expressions.normal.hyperboloid import slope as normal_slope
+from ...._runtime.steps import nodes_along
 
 
 def tangential_force(xp, a, c, theta, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, theta, b, E_star, mu)
-    v1 = xp.tan(theta)
-    v2 = E_star * v1
-    v3 = c ** 2.0
-    v4 = xp.arctan2(c, b)
-    v5 = v3 * v4
-    v6 = b ** 2.0
-    v7 = c / b
-    v8 = v7 < 1.0
-    v9 = xp.where(v8, v7, 0.5 * 1.0)
-    v10 = xp.minimum(v9, 1.0)
-    v11 = v10 * v10
-    v12 = v10 * v11
-    v13 = 2.229767813968649e-06 * v11
-    v14 = v13 + 0.0021043873129700233
-    v15 = v14 * v11
-    v16 = v15 + 0.04325113828415611
-    v17 = v16 * v11
-    v18 = v17 + 0.2725778671008127
-    v19 = v18 * v11
-    v20 = v19 + 0.7123414383945195
-    v21 = v20 * v11
-    v22 = v21 + 0.8116412201960678
-    v23 = v22 * v11
-    v24 = v23 + 0.3333333333333333
-    v25 = 0.002445452808893491 * v11
-    v26 = v25 + 0.06453295925870227
-    v27 = v26 * v11
-    v28 = v27 + 0.5368820963772863
-    v29 = v28 * v11
-    v30 = v29 + 1.9680296155712274
-    v31 = v30 * v11
-    v32 = v31 + 3.5294070829658954
-    v33 = v32 * v11
-    v34 = v33 + 3.034923660588189
-    v35 = v34 * v11
-    v36 = v35 + 1.0
-    v37 = v24 / v36
-    v38 = v12 * v37
-    v39 = xp.where(v8, 2.0 * 1.0, v7)
-    v40 = xp.arctan(v39)
-    v41 = v39 - v40
-    v42 = xp.where(v8, v38, v41)
-    v43 = v6 * v42
-    v44 = v5 + v43
-    v45 = v2 * v44
-    v46 = a ** 2.0
-    v47 = xp.arctan2(a, b)
-    v48 = v46 * v47
-    v49 = a / b
-    v50 = v49 < 1.0
-    v51 = xp.where(v50, v49, 0.5 * 1.0)
-    v52 = xp.minimum(v51, 1.0)
-    v53 = v52 * v52
-    v54 = v52 * v53
-    v55 = 2.229767813968649e-06 * v53
-    v56 = v55 + 0.0021043873129700233
-    v57 = v56 * v53
-    v58 = v57 + 0.04325113828415611
-    v59 = v58 * v53
-    v60 = v59 + 0.2725778671008127
-    v61 = v60 * v53
-    v62 = v61 + 0.7123414383945195
-    v63 = v62 * v53
-    v64 = v63 + 0.8116412201960678
-    v65 = v64 * v53
-    v66 = v65 + 0.3333333333333333
-    v67 = 0.002445452808893491 * v53
-    v68 = v67 + 0.06453295925870227
-    v69 = v68 * v53
-    v70 = v69 + 0.5368820963772863
-    v71 = v70 * v53
-    v72 = v71 + 1.9680296155712274
-    v73 = v72 * v53
-    v74 = v73 + 3.5294070829658954
-    v75 = v74 * v53
-    v76 = v75 + 3.034923660588189
-    v77 = v76 * v53
-    v78 = v77 + 1.0
-    v79 = v66 / v78
-    v80 = v54 * v79
-    v81 = xp.where(v50, 2.0 * 1.0, v49)
-    v82 = xp.arctan(v81)
-    v83 = v81 - v82
-    v84 = xp.where(v50, v80, v83)
-    v85 = v6 * v84
-    v86 = v48 + v85
-    v87 = v2 * v86
-    v88 = 0.25 * v87
-    v89 = v45 >= v88
-    v90 = xp.where(v89, v45, 2.0 * v88)
-    v91 = 2.0 * E_star
-    v92 = v90 >= v88
-    v93 = a > c
-    v94 = v92 & v93
-    v95 = a - c
-    v96 = xp.where(v93, a, 2.0 * c)
-    v97 = v96 - c
-    v98 = v96 + c
-    v99 = v97 * v98
-    v100 = v96 - 0.0
-    v101 = xp.maximum(v100, 0.0)
-    v102 = v96 + 0.0
-    v103 = v101 * v102
-    v104 = xp.sqrt(v103)
-    v105 = c - 0.0
-    v106 = xp.maximum(v105, 0.0)
-    v107 = c + 0.0
-    v108 = v106 * v107
-    v109 = xp.sqrt(v108)
-    v110 = v104 + v109
-    v111 = v99 / v110
-    v112 = xp.where(v93, 0.5 * c, a)
-    v113 = xp.where(v93, v111, 0.0)
-    v114 = v95 + v113
-    v115 = c - 0.0
-    v116 = xp.maximum(v115, 0.0)
-    v117 = c + 0.0
-    v118 = v116 * v117
-    v119 = xp.sqrt(v118)
-    v120 = c + v119
-    v121 = v114 / v120
-    v122 = xp.log1p(v121)
-    v123 = xp.where(v94, v122, 0.0)
-    v124 = nodes * v123
-    v125 = xp.cosh(v124)
-    v126 = c * v125
-    v127 = xp.sinh(v124)
-    v128 = v119 * v127
-    v129 = v126 + v128
-    v130 = v129 / b
-    v131 = xp.arctan(v130)
-    v132 = v1 * v131
-    v133 = b * v1
-    v134 = v133 * v129
-    v135 = v129 ** 2.0
-    v136 = v135 + v6
-    v137 = v134 / v136
-    v138 = v132 + v137
-    v139 = v138 * v135
-    v140 = v123 * xp.sum(weights * v139, axis=0)
-    v141 = xp.where(v94, v140, 0.0)
-    v142 = v91 * v141
-    v143 = xp.where(v89, 0.5 * v88, v45)
-    v144 = v87 - v143
-    v145 = xp.where(v89, v142, v144)
-    v146 = mu * v145
-    return v146
+    v19, v20 = nodes_along(xp, 1, a, c, theta, b, E_star, mu)
+    v1 = normal_force(xp, c, theta, b, E_star)
+    v2 = normal_force(xp, a, theta, b, E_star)
+    v3 = 0.25 * v2
+    v4 = v1 >= v3
+    v9 = (xp.where(v4, v1, 2.0 * v3) >= v3) & (a > c)
+    v12 = difference_root(xp, c, 0.0)
+    v17 = xp.log1p((a - c + gap(xp, a, c, difference_root(xp, a, 0.0), v12)) / (c + v12))
+    v18 = xp.where(v9, v17, 0.0)
+    v21 = v19 * v18
+    v26 = c * xp.cosh(v21) + v12 * xp.sinh(v21)
+    v31 = xp.where(v9, v18 * xp.sum(v20 * (normal_slope(xp, v26, theta, b) * v26 ** 2.0), axis=0), 0.0)
+    return mu * xp.where(v4, 2.0 * E_star * v31, v2 - xp.where(v4, 0.5 * v3, v1))
 
 
 def traction(xp, r, a, c, theta, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, r, a, c, theta, b, E_star, mu)
-    v1 = r < c
-    v2 = xp.where(v1, r, 0.5 * c)
-    v3 = E_star / 3.141592653589793
-    v4 = c - v2
-    v5 = xp.maximum(v4, 0.0)
-    v6 = c + v2
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v2 * v2
-    v10 = b * b
-    v11 = v9 + v10
-    v12 = xp.sqrt(v11)
-    v13 = v8 / v12
-    v14 = xp.arcsinh(v13)
-    v15 = nodes * v14
-    v16 = xp.tan(theta)
-    v17 = -v15
-    v18 = xp.exp(v17)
-    v19 = v14 - v15
-    v20 = (-2.0) * v19
-    v21 = xp.expm1(v20)
-    v22 = 0.0 - v21
-    v23 = v18 * v22
-    v24 = (-2.0) * v14
-    v25 = xp.expm1(v24)
-    v26 = 0.0 - v25
-    v27 = v26 > 0.0
-    v28 = xp.where(v27, v26, xp.inf)
-    v29 = v23 / v28
-    v30 = v8 * v29
-    v31 = v30 * v30
-    v32 = v9 + v31
-    v33 = xp.sqrt(v32)
-    v34 = v33 / b
-    v35 = xp.arctan(v34)
-    v36 = v16 * v35
-    v37 = b * v16
-    v38 = v37 * v33
-    v39 = v33 ** 2.0
-    v40 = b ** 2.0
-    v41 = v39 + v40
-    v42 = v38 / v41
-    v43 = v36 + v42
-    v44 = v43 / v33
-    v45 = v12 * v12
-    v46 = v45 + v31
-    v47 = xp.sqrt(v46)
-    v48 = v44 * v47
-    v49 = v14 * xp.sum(weights * v48, axis=0)
-    v50 = v3 * v49
-    v51 = xp.where(v1, 2.0 * c, r)
-    v52 = xp.where(v1, v50, 0.0)
-    v53 = r < a
-    v54 = xp.where(v53, r, 0.5 * a)
-    v55 = E_star / 3.141592653589793
-    v56 = a - v54
-    v57 = xp.maximum(v56, 0.0)
-    v58 = a + v54
-    v59 = v57 * v58
-    v60 = xp.sqrt(v59)
-    v61 = v54 * v54
-    v62 = b * b
-    v63 = v61 + v62
-    v64 = xp.sqrt(v63)
-    v65 = v60 / v64
-    v66 = xp.arcsinh(v65)
-    v67 = nodes * v66
-    v68 = xp.tan(theta)
-    v69 = -v67
-    v70 = xp.exp(v69)
-    v71 = v66 - v67
-    v72 = (-2.0) * v71
-    v73 = xp.expm1(v72)
-    v74 = 0.0 - v73
-    v75 = v70 * v74
-    v76 = (-2.0) * v66
-    v77 = xp.expm1(v76)
-    v78 = 0.0 - v77
-    v79 = v78 > 0.0
-    v80 = xp.where(v79, v78, xp.inf)
-    v81 = v75 / v80
-    v82 = v60 * v81
-    v83 = v82 * v82
-    v84 = v61 + v83
-    v85 = xp.sqrt(v84)
-    v86 = v85 / b
-    v87 = xp.arctan(v86)
-    v88 = v68 * v87
-    v89 = b * v68
-    v90 = v89 * v85
-    v91 = v85 ** 2.0
-    v92 = b ** 2.0
-    v93 = v91 + v92
-    v94 = v90 / v93
-    v95 = v88 + v94
-    v96 = v95 / v85
-    v97 = v64 * v64
-    v98 = v97 + v83
-    v99 = xp.sqrt(v98)
-    v100 = v96 * v99
-    v101 = v66 * xp.sum(weights * v100, axis=0)
-    v102 = v55 * v101
-    v103 = xp.where(v53, 2.0 * a, r)
-    v104 = xp.where(v53, v102, 0.0)
-    v105 = 0.25 * v104
-    v106 = v52 >= v105
-    v107 = v1 & v106
-    v108 = E_star / 3.141592653589793
-    v109 = a > c
-    v110 = v107 & v109
-    v111 = a - c
-    v112 = xp.where(v109, a, 2.0 * c)
-    v113 = v112 - c
-    v114 = v112 + c
-    v115 = v113 * v114
-    v116 = v112 - r
-    v117 = xp.maximum(v116, 0.0)
-    v118 = v112 + r
-    v119 = v117 * v118
-    v120 = xp.sqrt(v119)
-    v121 = c - r
-    v122 = xp.maximum(v121, 0.0)
-    v123 = c + r
-    v124 = v122 * v123
-    v125 = xp.sqrt(v124)
-    v126 = v120 + v125
-    v127 = v115 / v126
-    v128 = xp.where(v109, 0.5 * c, a)
-    v129 = xp.where(v109, v127, 0.0)
-    v130 = v111 + v129
-    v131 = c - r
-    v132 = xp.maximum(v131, 0.0)
-    v133 = c + r
-    v134 = v132 * v133
-    v135 = xp.sqrt(v134)
-    v136 = c + v135
-    v137 = v130 / v136
-    v138 = xp.log1p(v137)
-    v139 = xp.where(v110, v138, 0.0)
-    v140 = nodes * v139
-    v141 = xp.tan(theta)
-    v142 = xp.cosh(v140)
-    v143 = c * v142
-    v144 = xp.sinh(v140)
-    v145 = v135 * v144
-    v146 = v143 + v145
-    v147 = v146 / b
-    v148 = xp.arctan(v147)
-    v149 = v141 * v148
-    v150 = b * v141
-    v151 = v150 * v146
-    v152 = v146 ** 2.0
-    v153 = b ** 2.0
-    v154 = v152 + v153
-    v155 = v151 / v154
-    v156 = v149 + v155
-    v157 = v146 ** 0.0
-    v158 = v156 * v157
-    v159 = v139 * xp.sum(weights * v158, axis=0)
-    v160 = xp.where(v110, v159, 0.0)
-    v161 = v108 * v160
-    v162 = v104 - v52
-    v163 = xp.where(v107, v161, v162)
-    v164 = mu * v163
-    return v164
+    v19, v20 = nodes_along(xp, 1, r, a, c, theta, b, E_star, mu)
+    v2 = normal_pressure(xp, r, c, theta, b, E_star)
+    v3 = normal_pressure(xp, r, a, theta, b, E_star)
+    v6 = (r < c) & (v2 >= 0.25 * v3)
+    v9 = v6 & (a > c)
+    v12 = difference_root(xp, c, r)
+    v17 = xp.log1p((a - c + gap(xp, a, c, difference_root(xp, a, r), v12)) / (c + v12))
+    v18 = xp.where(v9, v17, 0.0)
+    v21 = v19 * v18
+    v26 = c * xp.cosh(v21) + v12 * xp.sinh(v21)
+    v31 = xp.where(v9, v18 * xp.sum(v20 * (normal_slope(xp, v26, theta, b) * v26 ** 0.0), axis=0), 0.0)
+    return mu * xp.where(v6, E_star / 3.141592653589793 * v31, v3 - v2)
+
+
+def tangential_displacement(xp, a, c, theta, b, E_star, G_star, mu):
+    v20, v21 = nodes_along(xp, 1, a, c, theta, b, E_star, G_star, mu)
+    v3 = normal_depth(xp, c, theta, b)
+    v4 = normal_depth(xp, a, theta, b)
+    v5 = 0.25 * v4
+    v6 = v3 >= v5
+    v10 = (xp.where(v6, v3, 2.0 * v5) >= v5) & (a > c)
+    v13 = difference_root(xp, c, 0.0)
+    v18 = xp.log1p((a - c + gap(xp, a, c, difference_root(xp, a, 0.0), v13)) / (c + v13))
+    v19 = xp.where(v10, v18, 0.0)
+    v22 = v20 * v19
+    v27 = c * xp.cosh(v22) + v13 * xp.sinh(v22)
+    v31 = v19 * xp.sum(v21 * (normal_slope(xp, v27, theta, b) * v27 ** 1.0), axis=0)
+    v35 = xp.where(v6, xp.where(v10, v31, 0.0), v4 - xp.where(v6, 0.5 * v5, v3))
+    return mu * (E_star / G_star) * v35
+
+
+def stick_radius(xp, F_x, a, theta, b, E_star, mu):
+    v5 = stick_force(xp, normal_force(xp, a, theta, b, E_star), F_x, mu)
+    v7 = xp.where((F_x == 0.0) & (a >= 0.0), a, normal_radius_from_force(xp, v5, theta, b, E_star))
+    return v7
+
+
+def full_slip_displacement(xp, a, theta, b, E_star, G_star, mu):
+    return mu * (E_star / G_star) * normal_depth(xp, a, theta, b)

@@ -1,309 +1,34 @@
 """Formulas of axicontact.tangential.power_law over an array library `xp`."""
 
-
-def full_slip_displacement(xp, a, A, n, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = 1.7724538509055159 * A
-    v3 = a ** n
-    v4 = v2 * v3
-    v5 = n / 2.0
-    v6 = v5 + 0.5
-    v7 = v6 < 1.0
-    v8 = xp.where(v7, v6, 0.5 * 1.0)
-    v9 = v8 + 1.0
-    v10 = v8 * v9
-    v11 = v8 + 0.5
-    v12 = v8 + 1.5
-    v13 = v11 * v12
-    v14 = v10 / v13
-    v15 = xp.where(v7, 2.0 * 1.0, v6)
-    v16 = v15 + 0.75
-    v17 = v15 + 0.5
-    v18 = v15 + 1.5
-    v19 = v17 * v18
-    v20 = v16 / v19
-    v21 = 1.0 - v20
-    v22 = xp.where(v7, v14, v21)
-    v23 = v6 + 1.75
-    v24 = xp.sqrt(v23)
-    v25 = v22 * v24
-    v26 = v23 * v23
-    v27 = 1.0 / v26
-    v28 = 0.01524698625788054 * v27
-    v29 = v28 + 0.5334320651111477
-    v30 = v29 * v27
-    v31 = v30 + 2.250488865813539
-    v32 = v31 * v27
-    v33 = v32 + 2.8612106440066865
-    v34 = v33 * v27
-    v35 = v34 + 1.3794681629043655
-    v36 = v35 * v27
-    v37 = v36 + 0.2596058532893223
-    v38 = v37 * v27
-    v39 = v38 + 0.015624999999999823
-    v40 = 3.278794792785737 * v27
-    v41 = v40 + 49.328555418276075
-    v42 = v41 * v27
-    v43 = v42 + 167.28648538571198
-    v44 = v43 * v27
-    v45 = v44 + 195.37226190335065
-    v46 = v45 * v27
-    v47 = v46 + 90.69722535867314
-    v48 = v47 * v27
-    v49 = v48 + 16.763212110504565
-    v50 = v49 * v27
-    v51 = v50 + 1.0
-    v52 = v39 / v51
-    v53 = v27 * v52
-    v54 = 1.0 + v53
-    v55 = v25 * v54
-    v56 = v4 * v55
-    v57 = v1 * v56
-    return v57
-
-
-def stick_radius(xp, F_x, a, A, n, E_star, mu):
-    v0 = F_x == 0.0
-    v1 = a >= 0.0
-    v2 = v0 & v1
-    v3 = n + 1.0
-    v4 = 3.5449077018110318 * E_star
-    v5 = v4 * n
-    v6 = v5 * A
-    v7 = v6 / v3
-    v8 = v7 * a
-    v9 = a ** n
-    v10 = v8 * v9
-    v11 = n / 2.0
-    v12 = v11 + 0.5
-    v13 = v12 < 1.0
-    v14 = xp.where(v13, v12, 0.5 * 1.0)
-    v15 = v14 + 1.0
-    v16 = v14 * v15
-    v17 = v14 + 0.5
-    v18 = v14 + 1.5
-    v19 = v17 * v18
-    v20 = v16 / v19
-    v21 = xp.where(v13, 2.0 * 1.0, v12)
-    v22 = v21 + 0.75
-    v23 = v21 + 0.5
-    v24 = v21 + 1.5
-    v25 = v23 * v24
-    v26 = v22 / v25
-    v27 = 1.0 - v26
-    v28 = xp.where(v13, v20, v27)
-    v29 = v12 + 1.75
-    v30 = xp.sqrt(v29)
-    v31 = v28 * v30
-    v32 = v29 * v29
-    v33 = 1.0 / v32
-    v34 = 0.01524698625788054 * v33
-    v35 = v34 + 0.5334320651111477
-    v36 = v35 * v33
-    v37 = v36 + 2.250488865813539
-    v38 = v37 * v33
-    v39 = v38 + 2.8612106440066865
-    v40 = v39 * v33
-    v41 = v40 + 1.3794681629043655
-    v42 = v41 * v33
-    v43 = v42 + 0.2596058532893223
-    v44 = v43 * v33
-    v45 = v44 + 0.015624999999999823
-    v46 = 3.278794792785737 * v33
-    v47 = v46 + 49.328555418276075
-    v48 = v47 * v33
-    v49 = v48 + 167.28648538571198
-    v50 = v49 * v33
-    v51 = v50 + 195.37226190335065
-    v52 = v51 * v33
-    v53 = v52 + 90.69722535867314
-    v54 = v53 * v33
-    v55 = v54 + 16.763212110504565
-    v56 = v55 * v33
-    v57 = v56 + 1.0
-    v58 = v45 / v57
-    v59 = v33 * v58
-    v60 = 1.0 + v59
-    v61 = v31 * v60
-    v62 = v10 * v61
-    v63 = F_x / mu
-    v64 = v62 - v63
-    v65 = xp.absolute(v64)
-    v66 = 2e-16 * v62
-    v67 = v65 <= v66
-    v68 = xp.where(v67, v65, 0.5 * v66)
-    v69 = xp.where(v67, 2.0 * v66, v65)
-    v70 = xp.where(v67, 0.0, v64)
-    v71 = v70 >= 0.0
-    v72 = xp.where(v71, v70, xp.nan)
-    v73 = v3 * v72
-    v74 = v6 * v61
-    v75 = v73 / v74
-    v76 = v75 > 0.0
-    v77 = v75 < xp.inf
-    v78 = v76 & v77
-    v79 = 1.0 / v3
-    v80 = v75 ** v79
-    v81 = v80 ** n
-    v82 = v80 ** 1.0
-    v83 = v81 * v82
-    v84 = v75 / v83
-    v85 = v84 - 1.0
-    v86 = v85 / v3
-    v87 = v80 * v86
-    v88 = v80 + v87
-    v89 = xp.where(v78, v88, v80)
-    v90 = xp.where(v2, a, v89)
-    return v90
-
-
-def tangential_displacement(xp, a, c, A, n, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = 1.7724538509055159 * A
-    v3 = a ** n
-    v4 = v2 * v3
-    v5 = n / 2.0
-    v6 = v5 + 0.5
-    v7 = v6 < 1.0
-    v8 = xp.where(v7, v6, 0.5 * 1.0)
-    v9 = v8 + 1.0
-    v10 = v8 * v9
-    v11 = v8 + 0.5
-    v12 = v8 + 1.5
-    v13 = v11 * v12
-    v14 = v10 / v13
-    v15 = xp.where(v7, 2.0 * 1.0, v6)
-    v16 = v15 + 0.75
-    v17 = v15 + 0.5
-    v18 = v15 + 1.5
-    v19 = v17 * v18
-    v20 = v16 / v19
-    v21 = 1.0 - v20
-    v22 = xp.where(v7, v14, v21)
-    v23 = v6 + 1.75
-    v24 = xp.sqrt(v23)
-    v25 = v22 * v24
-    v26 = v23 * v23
-    v27 = 1.0 / v26
-    v28 = 0.01524698625788054 * v27
-    v29 = v28 + 0.5334320651111477
-    v30 = v29 * v27
-    v31 = v30 + 2.250488865813539
-    v32 = v31 * v27
-    v33 = v32 + 2.8612106440066865
-    v34 = v33 * v27
-    v35 = v34 + 1.3794681629043655
-    v36 = v35 * v27
-    v37 = v36 + 0.2596058532893223
-    v38 = v37 * v27
-    v39 = v38 + 0.015624999999999823
-    v40 = 3.278794792785737 * v27
-    v41 = v40 + 49.328555418276075
-    v42 = v41 * v27
-    v43 = v42 + 167.28648538571198
-    v44 = v43 * v27
-    v45 = v44 + 195.37226190335065
-    v46 = v45 * v27
-    v47 = v46 + 90.69722535867314
-    v48 = v47 * v27
-    v49 = v48 + 16.763212110504565
-    v50 = v49 * v27
-    v51 = v50 + 1.0
-    v52 = v39 / v51
-    v53 = v27 * v52
-    v54 = 1.0 + v53
-    v55 = v25 * v54
-    v56 = v4 * v55
-    v57 = v1 * v56
-    v58 = -n
-    v59 = a > c
-    v60 = xp.where(v59, a, 2.0 * c)
-    v61 = v60 - c
-    v62 = v61 / c
-    v63 = xp.log1p(v62)
-    v64 = xp.where(v59, 0.5 * c, a)
-    v65 = xp.where(v59, v63, 0.0)
-    v66 = v58 * v65
-    v67 = xp.expm1(v66)
-    v68 = -v67
-    v69 = v57 * v68
-    return v69
+from ...._programs.expressions._runtime.physics.slip import gained_share
+from ...._programs.expressions._runtime.physics.slip import power_gain
+from ...._programs.expressions._runtime.physics.slip import stick_force
+from ...._programs.expressions.normal.power_law import depth as normal_depth
+from ...._programs.expressions.normal.power_law import force as normal_force
+from ...._programs.expressions.normal.power_law import pressure as normal_pressure
+from ...._programs.expressions.normal.power_law import radius_from_force as normal_radius_from_force
+from ...._programs.expressions.normal.power_law import slope as normal_slope
 
 
 def tangential_force(xp, a, c, A, n, E_star, mu):
-    v0 = 3.5449077018110318 * E_star
-    v1 = v0 * n
-    v2 = v1 * A
-    v3 = n + 1.0
-    v4 = v2 / v3
-    v5 = v4 * a
-    v6 = a ** n
-    v7 = v5 * v6
-    v8 = n / 2.0
-    v9 = v8 + 0.5
-    v10 = v9 < 1.0
-    v11 = xp.where(v10, v9, 0.5 * 1.0)
-    v12 = v11 + 1.0
-    v13 = v11 * v12
-    v14 = v11 + 0.5
-    v15 = v11 + 1.5
-    v16 = v14 * v15
-    v17 = v13 / v16
-    v18 = xp.where(v10, 2.0 * 1.0, v9)
-    v19 = v18 + 0.75
-    v20 = v18 + 0.5
-    v21 = v18 + 1.5
-    v22 = v20 * v21
-    v23 = v19 / v22
-    v24 = 1.0 - v23
-    v25 = xp.where(v10, v17, v24)
-    v26 = v9 + 1.75
-    v27 = xp.sqrt(v26)
-    v28 = v25 * v27
-    v29 = v26 * v26
-    v30 = 1.0 / v29
-    v31 = 0.01524698625788054 * v30
-    v32 = v31 + 0.5334320651111477
-    v33 = v32 * v30
-    v34 = v33 + 2.250488865813539
-    v35 = v34 * v30
-    v36 = v35 + 2.8612106440066865
-    v37 = v36 * v30
-    v38 = v37 + 1.3794681629043655
-    v39 = v38 * v30
-    v40 = v39 + 0.2596058532893223
-    v41 = v40 * v30
-    v42 = v41 + 0.015624999999999823
-    v43 = 3.278794792785737 * v30
-    v44 = v43 + 49.328555418276075
-    v45 = v44 * v30
-    v46 = v45 + 167.28648538571198
-    v47 = v46 * v30
-    v48 = v47 + 195.37226190335065
-    v49 = v48 * v30
-    v50 = v49 + 90.69722535867314
-    v51 = v50 * v30
-    v52 = v51 + 16.763212110504565
-    v53 = v52 * v30
-    v54 = v53 + 1.0
-    v55 = v42 / v54
-    v56 = v30 * v55
-    v57 = 1.0 + v56
-    v58 = v28 * v57
-    v59 = v7 * v58
-    v60 = mu * v59
-    v61 = -v3
-    v62 = a > c
-    v63 = xp.where(v62, a, 2.0 * c)
-    v64 = v63 - c
-    v65 = v64 / c
-    v66 = xp.log1p(v65)
-    v67 = xp.where(v62, 0.5 * c, a)
-    v68 = xp.where(v62, v66, 0.0)
-    v69 = v61 * v68
-    v70 = xp.expm1(v69)
-    v71 = -v70
-    v72 = v60 * v71
-    return v72
+    return mu * normal_force(xp, a, A, n, E_star) * gained_share(xp, c, a, n + 1.0)
+
+
+def traction(xp, r, a, c, A, n, E_star, mu):
+    v1 = r < c
+    v5 = E_star / 3.141592653589793 * normal_slope(xp, a, A, n)
+    v9 = normal_pressure(xp, xp.where(v1, 2.0 * c, r), a, A, n, E_star)
+    return mu * xp.where(v1, v5 * power_gain(xp, xp.where(v1, r, 0.5 * c), c, a, n), v9)
+
+
+def tangential_displacement(xp, a, c, A, n, E_star, G_star, mu):
+    return mu * (E_star / G_star) * normal_depth(xp, a, A, n) * gained_share(xp, c, a, n)
+
+
+def stick_radius(xp, F_x, a, A, n, E_star, mu):
+    v5 = stick_force(xp, normal_force(xp, a, A, n, E_star), F_x, mu)
+    return xp.where((F_x == 0.0) & (a >= 0.0), a, normal_radius_from_force(xp, v5, A, n, E_star))
+
+
+def full_slip_displacement(xp, a, A, n, E_star, G_star, mu):
+    return mu * (E_star / G_star) * normal_depth(xp, a, A, n)

@@ -1,606 +1,83 @@
 """Formulas of axicontact.tangential.truncated_cone over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
-
-
-def full_slip_displacement(xp, a, theta, b, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = xp.tan(theta)
-    v3 = v2 * a
-    v4 = a - b
-    v5 = a + b
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = v7 / b
-    v9 = xp.arctan(v8)
-    v10 = v3 * v9
-    v11 = v1 * v10
-    return v11
-
-
-def stick_radius(xp, F_x, a, theta, b, E_star, mu):
-    v0 = F_x == 0.0
-    v1 = a >= 0.0
-    v2 = v0 & v1
-    v3 = xp.tan(theta)
-    v4 = E_star * v3
-    v5 = a ** 2.0
-    v6 = a - b
-    v7 = a + b
-    v8 = v6 * v7
-    v9 = xp.sqrt(v8)
-    v10 = v9 / b
-    v11 = xp.arctan(v10)
-    v12 = v5 * v11
-    v13 = b * v9
-    v14 = v12 + v13
-    v15 = v4 * v14
-    v16 = F_x / mu
-    v17 = v15 - v16
-    v18 = xp.absolute(v17)
-    v19 = 2e-16 * v15
-    v20 = v18 <= v19
-    v21 = xp.where(v20, v18, 0.5 * v19)
-    v22 = xp.where(v20, 2.0 * v19, v18)
-    v23 = xp.where(v20, 0.0, v17)
-    v24 = v23 >= 0.0
-    v25 = xp.where(v24, v23, xp.nan)
-    v26 = b * 1.4142135623730951
-    v27 = v26 ** 2.0
-    v28 = b / b
-    v29 = xp.arctan(v28)
-    v30 = v27 * v29
-    v31 = b * b
-    v32 = v30 + v31
-    v33 = v4 * v32
-    v34 = v25 / v33
-    v35 = xp.log(v34)
-    v36 = v35 - (-0.2510287548037454)
-    v37 = (-2.75) * v36
-    v38 = v35 - (-0.49265831981054176)
-    v39 = (-1.375) * v38
-    v40 = xp.maximum(v37, v39)
-    v41 = v37 - v39
-    v42 = xp.absolute(v41)
-    v43 = -v42
-    v44 = xp.exp(v43)
-    v45 = xp.log1p(v44)
-    v46 = v40 + v45
-    v47 = v46 / (-2.75)
-    v48 = xp.exp(v47)
-    v49 = 1.0 + v48
-    v50 = 1.0 / v49
-    v51 = 1.0 - v50
-    v52 = 7.204481 * v51
-    v53 = v52 + (-25.89697)
-    v54 = v53 * v51
-    v55 = v54 + 34.2219
-    v56 = v55 * v51
-    v57 = v56 + (-19.76727)
-    v58 = v57 * v51
-    v59 = v58 + 4.536442
-    v60 = v59 * v51
-    v61 = v60 + (-0.3986471)
-    v62 = v61 * v51
-    v63 = v62 + 0.100541
-    v64 = v63 * v51
-    v65 = v64 + 0.9995205
-    v66 = v48 * v65
-    v67 = xp.where(v25 > 0.0, v25, 1.0)
-    v68 = xp.minimum(v66, xp.inf)
-    for _ in range(6):
-        v70 = v68 * v68
-        v71 = 1.0 + v70
-        v72 = xp.sqrt(v71)
-        v73 = b * v72
-        v74 = v73 ** 2.0
-        v75 = b * v68
-        v76 = v75 / b
-        v77 = xp.arctan(v76)
-        v78 = v74 * v77
-        v79 = b * v75
-        v80 = v78 + v79
-        v81 = v4 * v80
-        v82 = 2.0 * E_star
-        v83 = v82 * v75
-        v84 = v83 * v75
-        v85 = v3 * v77
-        v86 = b * v3
-        v87 = v86 / v75
-        v88 = v85 + v87
-        v89 = v84 * v88
-        v90 = v89 / v81
-        v91 = xp.log(v67 / v81)
-        v92 = v91 / 1.0
-        v93 = v91 / 2.0
-        v94 = xp.minimum(xp.maximum(v91 / v90, xp.minimum(v92, v93)), xp.maximum(v92, v93))
-        v95 = xp.where(v81 < xp.inf, v94, 0.0)
-        v68 = xp.minimum(v68 * xp.exp(v95), xp.inf)
-    v97 = xp.where(v25 > 0.0, v68, 0.0 * v25)
-    v98 = v97 * v97
-    v99 = 1.0 + v98
-    v100 = xp.sqrt(v99)
-    v101 = b * v100
-    v102 = xp.where(v2, a, v101)
-    return v102
-
-
-def tangential_displacement(xp, a, c, theta, b, E_star, G_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, theta, b, E_star, G_star, mu)
-    v1 = E_star / G_star
-    v2 = mu * v1
-    v3 = xp.tan(theta)
-    v4 = v3 * c
-    v5 = c - b
-    v6 = c + b
-    v7 = v5 * v6
-    v8 = xp.sqrt(v7)
-    v9 = v8 / b
-    v10 = xp.arctan(v9)
-    v11 = v4 * v10
-    v12 = v3 * a
-    v13 = a - b
-    v14 = a + b
-    v15 = v13 * v14
-    v16 = xp.sqrt(v15)
-    v17 = v16 / b
-    v18 = xp.arctan(v17)
-    v19 = v12 * v18
-    v20 = 0.25 * v19
-    v21 = v11 >= v20
-    v22 = xp.where(v21, v11, 2.0 * v20)
-    v23 = v22 >= v20
-    v24 = xp.maximum(b, c)
-    v25 = a > v24
-    v26 = v23 & v25
-    v27 = xp.where(v25, a, 2.0 * v24)
-    v28 = v27 - v24
-    v29 = v27 + v24
-    v30 = v28 * v29
-    v31 = v27 - b
-    v32 = xp.maximum(v31, 0.0)
-    v33 = v27 + b
-    v34 = v32 * v33
-    v35 = xp.sqrt(v34)
-    v36 = v24 - b
-    v37 = xp.maximum(v36, 0.0)
-    v38 = v24 + b
-    v39 = v37 * v38
-    v40 = xp.sqrt(v39)
-    v41 = v35 + v40
-    v42 = v30 / v41
-    v43 = xp.where(v25, 0.5 * v24, a)
-    v44 = xp.where(v25, v42, 0.0)
-    v45 = xp.where(v25, a, 2.0 * v24)
-    v46 = v45 - v24
-    v47 = v45 + v24
-    v48 = v46 * v47
-    v49 = v45 - 0.0
-    v50 = xp.maximum(v49, 0.0)
-    v51 = v45 + 0.0
-    v52 = v50 * v51
-    v53 = xp.sqrt(v52)
-    v54 = v24 - 0.0
-    v55 = xp.maximum(v54, 0.0)
-    v56 = v24 + 0.0
-    v57 = v55 * v56
-    v58 = xp.sqrt(v57)
-    v59 = v53 + v58
-    v60 = v48 / v59
-    v61 = xp.where(v25, 0.5 * v24, a)
-    v62 = xp.where(v25, v60, 0.0)
-    v63 = v44 + v62
-    v64 = v24 - b
-    v65 = xp.maximum(v64, 0.0)
-    v66 = v24 + b
-    v67 = v65 * v66
-    v68 = xp.sqrt(v67)
-    v69 = v24 - 0.0
-    v70 = xp.maximum(v69, 0.0)
-    v71 = v24 + 0.0
-    v72 = v70 * v71
-    v73 = xp.sqrt(v72)
-    v74 = v68 + v73
-    v75 = v63 / v74
-    v76 = xp.log1p(v75)
-    v77 = xp.where(v26, v76, 0.0)
-    v78 = nodes * v77
-    v79 = xp.cosh(v78)
-    v80 = v68 * v79
-    v81 = xp.sinh(v78)
-    v82 = v73 * v81
-    v83 = v80 + v82
-    v84 = v83 / b
-    v85 = xp.arctan(v84)
-    v86 = v3 * v85
-    v87 = b * v3
-    v88 = v87 / v83
-    v89 = v86 + v88
-    v90 = b * b
-    v91 = v83 * v83
-    v92 = v90 + v91
-    v93 = xp.sqrt(v92)
-    v94 = v83 / v93
-    v95 = v89 * v94
-    v96 = v93 ** 1.0
-    v97 = v95 * v96
-    v98 = v77 * xp.sum(weights * v97, axis=0)
-    v99 = xp.where(v26, v98, 0.0)
-    v100 = xp.where(v21, 0.5 * v20, v11)
-    v101 = v19 - v100
-    v102 = xp.where(v21, v99, v101)
-    v103 = v2 * v102
-    return v103
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.slip import gap
+from ...._programs.expressions._runtime.physics.slip import stick_force
+from ...._programs.expressions.normal.truncated_cone import depth as normal_depth
+from ...._programs.expressions.normal.truncated_cone import force as normal_force
+from ...._programs.expressions.normal.truncated_cone import pressure as normal_pressure
+from ...._programs.expressions.normal.truncated_cone import radius_from_force as normal_radius_from_force
+from ...._programs.expressions.normal.truncated_cone import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import nodes_along
 
 
 def tangential_force(xp, a, c, theta, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, theta, b, E_star, mu)
-    v1 = xp.tan(theta)
-    v2 = E_star * v1
-    v3 = c ** 2.0
-    v4 = c - b
-    v5 = c + b
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = v7 / b
-    v9 = xp.arctan(v8)
-    v10 = v3 * v9
-    v11 = b * v7
-    v12 = v10 + v11
-    v13 = v2 * v12
-    v14 = a ** 2.0
-    v15 = a - b
-    v16 = a + b
-    v17 = v15 * v16
-    v18 = xp.sqrt(v17)
-    v19 = v18 / b
-    v20 = xp.arctan(v19)
-    v21 = v14 * v20
-    v22 = b * v18
-    v23 = v21 + v22
-    v24 = v2 * v23
-    v25 = 0.25 * v24
-    v26 = v13 >= v25
-    v27 = xp.where(v26, v13, 2.0 * v25)
-    v28 = 2.0 * E_star
-    v29 = v27 >= v25
-    v30 = xp.maximum(b, c)
-    v31 = a > v30
-    v32 = v29 & v31
-    v33 = xp.where(v31, a, 2.0 * v30)
-    v34 = v33 - v30
-    v35 = v33 + v30
-    v36 = v34 * v35
-    v37 = v33 - b
-    v38 = xp.maximum(v37, 0.0)
-    v39 = v33 + b
-    v40 = v38 * v39
-    v41 = xp.sqrt(v40)
-    v42 = v30 - b
-    v43 = xp.maximum(v42, 0.0)
-    v44 = v30 + b
-    v45 = v43 * v44
-    v46 = xp.sqrt(v45)
-    v47 = v41 + v46
-    v48 = v36 / v47
-    v49 = xp.where(v31, 0.5 * v30, a)
-    v50 = xp.where(v31, v48, 0.0)
-    v51 = xp.where(v31, a, 2.0 * v30)
-    v52 = v51 - v30
-    v53 = v51 + v30
-    v54 = v52 * v53
-    v55 = v51 - 0.0
-    v56 = xp.maximum(v55, 0.0)
-    v57 = v51 + 0.0
-    v58 = v56 * v57
-    v59 = xp.sqrt(v58)
-    v60 = v30 - 0.0
-    v61 = xp.maximum(v60, 0.0)
-    v62 = v30 + 0.0
-    v63 = v61 * v62
-    v64 = xp.sqrt(v63)
-    v65 = v59 + v64
-    v66 = v54 / v65
-    v67 = xp.where(v31, 0.5 * v30, a)
-    v68 = xp.where(v31, v66, 0.0)
-    v69 = v50 + v68
-    v70 = v30 - b
-    v71 = xp.maximum(v70, 0.0)
-    v72 = v30 + b
-    v73 = v71 * v72
-    v74 = xp.sqrt(v73)
-    v75 = v30 - 0.0
-    v76 = xp.maximum(v75, 0.0)
-    v77 = v30 + 0.0
-    v78 = v76 * v77
-    v79 = xp.sqrt(v78)
-    v80 = v74 + v79
-    v81 = v69 / v80
-    v82 = xp.log1p(v81)
-    v83 = xp.where(v32, v82, 0.0)
-    v84 = nodes * v83
-    v85 = xp.cosh(v84)
-    v86 = v74 * v85
-    v87 = xp.sinh(v84)
-    v88 = v79 * v87
-    v89 = v86 + v88
-    v90 = v89 / b
-    v91 = xp.arctan(v90)
-    v92 = v1 * v91
-    v93 = b * v1
-    v94 = v93 / v89
-    v95 = v92 + v94
-    v96 = b * b
-    v97 = v89 * v89
-    v98 = v96 + v97
-    v99 = xp.sqrt(v98)
-    v100 = v89 / v99
-    v101 = v95 * v100
-    v102 = v99 ** 2.0
-    v103 = v101 * v102
-    v104 = v83 * xp.sum(weights * v103, axis=0)
-    v105 = xp.where(v32, v104, 0.0)
-    v106 = v28 * v105
-    v107 = xp.where(v26, 0.5 * v25, v13)
-    v108 = v24 - v107
-    v109 = xp.where(v26, v106, v108)
-    v110 = mu * v109
-    return v110
+    v22, v23 = nodes_along(xp, 1, a, c, theta, b, E_star, mu)
+    v1 = normal_force(xp, c, theta, b, E_star)
+    v2 = normal_force(xp, a, theta, b, E_star)
+    v3 = 0.25 * v2
+    v4 = v1 >= v3
+    v8 = xp.maximum(b, c)
+    v10 = (xp.where(v4, v1, 2.0 * v3) >= v3) & (a > v8)
+    v12 = difference_root(xp, v8, b)
+    v15 = difference_root(xp, v8, 0.0)
+    v16 = gap(xp, a, v8, difference_root(xp, a, 0.0), v15)
+    v20 = xp.log1p((gap(xp, a, v8, difference_root(xp, a, b), v12) + v16) / (v12 + v15))
+    v21 = xp.where(v10, v20, 0.0)
+    v24 = v22 * v21
+    v30 = v12 * xp.cosh(v24) + v15 * xp.sinh(v24)
+    v33 = xp.sqrt(b * b + v30 * v30)
+    v38 = normal_slope_beyond(xp, v33, v30, theta, b) * (v30 / v33) * v33 ** 2.0
+    v41 = 2.0 * E_star * xp.where(v10, v21 * xp.sum(v23 * v38, axis=0), 0.0)
+    return mu * xp.where(v4, v41, v2 - xp.where(v4, 0.5 * v3, v1))
 
 
 def traction(xp, r, a, c, theta, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, r, a, c, theta, b, E_star, mu)
-    v1 = r < c
-    v2 = c >= b
-    v3 = xp.where(v2, c, 2.0 * b)
-    v4 = r < v3
-    v5 = xp.where(v4, r, 0.5 * v3)
-    v6 = v5 == b
-    v7 = v3 > b
-    v8 = v6 & v7
-    v9 = E_star / 3.141592653589793
-    v10 = xp.nextafter(b, xp.inf)
-    v11 = xp.where(v6, v10, v5)
-    v12 = xp.maximum(v11, b)
-    v13 = v3 > v12
-    v14 = xp.where(v13, v3, 2.0 * v12)
-    v15 = v11 < b
-    v16 = xp.where(v15, v11, 0.5 * b)
-    v17 = v14 - b
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v14 + b
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = xp.where(v15, 2.0 * b, v11)
-    v23 = v14 - v22
-    v24 = xp.maximum(v23, 0.0)
-    v25 = v14 + v22
-    v26 = v24 * v25
-    v27 = xp.sqrt(v26)
-    v28 = xp.where(v15, v21, v27)
-    v29 = v11 - b
-    v30 = xp.absolute(v29)
-    v31 = v11 + b
-    v32 = v30 * v31
-    v33 = xp.sqrt(v32)
-    v34 = v28 / v33
-    v35 = xp.arcsinh(v34)
-    v36 = nodes * v35
-    v37 = xp.tan(theta)
-    v38 = v14 - b
-    v39 = xp.maximum(v38, 0.0)
-    v40 = v14 + b
-    v41 = v39 * v40
-    v42 = xp.sqrt(v41)
-    v43 = -v36
-    v44 = xp.exp(v43)
-    v45 = xp.where(v15, v11, 0.5 * b)
-    v46 = xp.where(v15, 2.0 * b, v11)
-    v47 = xp.where(v15, 0.0, 1.0)
-    v48 = 2.0 * v47
-    v49 = 1.0 - v48
-    v50 = v35 - v36
-    v51 = (-2.0) * v50
-    v52 = xp.expm1(v51)
-    v53 = v49 * v52
-    v54 = v48 - v53
-    v55 = v44 * v54
-    v56 = (-2.0) * v35
-    v57 = xp.expm1(v56)
-    v58 = v49 * v57
-    v59 = v48 - v58
-    v60 = v59 > 0.0
-    v61 = xp.where(v60, v59, xp.inf)
-    v62 = v55 / v61
-    v63 = v42 * v62
-    v64 = v63 / b
-    v65 = xp.arctan(v64)
-    v66 = v37 * v65
-    v67 = b * v37
-    v68 = v67 / v63
-    v69 = v66 + v68
-    v70 = v69 * v63
-    v71 = b * b
-    v72 = v63 * v63
-    v73 = v71 + v72
-    v74 = xp.sqrt(v73)
-    v75 = v70 / v74
-    v76 = v35 * xp.sum(weights * v75, axis=0)
-    v77 = xp.where(v13, 0.5 * v12, v3)
-    v78 = xp.where(v13, v76, 0.0)
-    v79 = v9 * v78
-    v80 = xp.where(v8, xp.inf, v79)
-    v81 = xp.where(v4, 2.0 * v3, r)
-    v82 = xp.where(v4, v80, 0.0)
-    v83 = xp.where(v2, 0.5 * b, c)
-    v84 = xp.where(v2, v82, xp.nan)
-    v85 = a >= b
-    v86 = xp.where(v85, a, 2.0 * b)
-    v87 = r < v86
-    v88 = xp.where(v87, r, 0.5 * v86)
-    v89 = v88 == b
-    v90 = v86 > b
-    v91 = v89 & v90
-    v92 = E_star / 3.141592653589793
-    v93 = xp.nextafter(b, xp.inf)
-    v94 = xp.where(v89, v93, v88)
-    v95 = xp.maximum(v94, b)
-    v96 = v86 > v95
-    v97 = xp.where(v96, v86, 2.0 * v95)
-    v98 = v94 < b
-    v99 = xp.where(v98, v94, 0.5 * b)
-    v100 = v97 - b
-    v101 = xp.maximum(v100, 0.0)
-    v102 = v97 + b
-    v103 = v101 * v102
-    v104 = xp.sqrt(v103)
-    v105 = xp.where(v98, 2.0 * b, v94)
-    v106 = v97 - v105
-    v107 = xp.maximum(v106, 0.0)
-    v108 = v97 + v105
-    v109 = v107 * v108
-    v110 = xp.sqrt(v109)
-    v111 = xp.where(v98, v104, v110)
-    v112 = v94 - b
-    v113 = xp.absolute(v112)
-    v114 = v94 + b
-    v115 = v113 * v114
-    v116 = xp.sqrt(v115)
-    v117 = v111 / v116
-    v118 = xp.arcsinh(v117)
-    v119 = nodes * v118
-    v120 = xp.tan(theta)
-    v121 = v97 - b
-    v122 = xp.maximum(v121, 0.0)
-    v123 = v97 + b
-    v124 = v122 * v123
-    v125 = xp.sqrt(v124)
-    v126 = -v119
-    v127 = xp.exp(v126)
-    v128 = xp.where(v98, v94, 0.5 * b)
-    v129 = xp.where(v98, 2.0 * b, v94)
-    v130 = xp.where(v98, 0.0, 1.0)
-    v131 = 2.0 * v130
-    v132 = 1.0 - v131
-    v133 = v118 - v119
-    v134 = (-2.0) * v133
-    v135 = xp.expm1(v134)
-    v136 = v132 * v135
-    v137 = v131 - v136
-    v138 = v127 * v137
-    v139 = (-2.0) * v118
-    v140 = xp.expm1(v139)
-    v141 = v132 * v140
-    v142 = v131 - v141
-    v143 = v142 > 0.0
-    v144 = xp.where(v143, v142, xp.inf)
-    v145 = v138 / v144
-    v146 = v125 * v145
-    v147 = v146 / b
-    v148 = xp.arctan(v147)
-    v149 = v120 * v148
-    v150 = b * v120
-    v151 = v150 / v146
-    v152 = v149 + v151
-    v153 = v152 * v146
-    v154 = b * b
-    v155 = v146 * v146
-    v156 = v154 + v155
-    v157 = xp.sqrt(v156)
-    v158 = v153 / v157
-    v159 = v118 * xp.sum(weights * v158, axis=0)
-    v160 = xp.where(v96, 0.5 * v95, v86)
-    v161 = xp.where(v96, v159, 0.0)
-    v162 = v92 * v161
-    v163 = xp.where(v91, xp.inf, v162)
-    v164 = xp.where(v87, 2.0 * v86, r)
-    v165 = xp.where(v87, v163, 0.0)
-    v166 = xp.where(v85, 0.5 * b, a)
-    v167 = xp.where(v85, v165, xp.nan)
-    v168 = 0.25 * v167
-    v169 = v84 >= v168
-    v170 = v1 & v169
-    v171 = E_star / 3.141592653589793
-    v172 = xp.maximum(b, c)
-    v173 = a > v172
-    v174 = v170 & v173
-    v175 = xp.where(v173, a, 2.0 * v172)
-    v176 = v175 - v172
-    v177 = v175 + v172
-    v178 = v176 * v177
-    v179 = v175 - b
-    v180 = xp.maximum(v179, 0.0)
-    v181 = v175 + b
-    v182 = v180 * v181
-    v183 = xp.sqrt(v182)
-    v184 = v172 - b
-    v185 = xp.maximum(v184, 0.0)
-    v186 = v172 + b
-    v187 = v185 * v186
-    v188 = xp.sqrt(v187)
-    v189 = v183 + v188
-    v190 = v178 / v189
-    v191 = xp.where(v173, 0.5 * v172, a)
-    v192 = xp.where(v173, v190, 0.0)
-    v193 = xp.where(v173, a, 2.0 * v172)
-    v194 = v193 - v172
-    v195 = v193 + v172
-    v196 = v194 * v195
-    v197 = v193 - r
-    v198 = xp.maximum(v197, 0.0)
-    v199 = v193 + r
-    v200 = v198 * v199
-    v201 = xp.sqrt(v200)
-    v202 = v172 - r
-    v203 = xp.maximum(v202, 0.0)
-    v204 = v172 + r
-    v205 = v203 * v204
-    v206 = xp.sqrt(v205)
-    v207 = v201 + v206
-    v208 = v196 / v207
-    v209 = xp.where(v173, 0.5 * v172, a)
-    v210 = xp.where(v173, v208, 0.0)
-    v211 = v192 + v210
-    v212 = v172 - b
-    v213 = xp.maximum(v212, 0.0)
-    v214 = v172 + b
-    v215 = v213 * v214
-    v216 = xp.sqrt(v215)
-    v217 = v172 - r
-    v218 = xp.maximum(v217, 0.0)
-    v219 = v172 + r
-    v220 = v218 * v219
-    v221 = xp.sqrt(v220)
-    v222 = v216 + v221
-    v223 = v211 / v222
-    v224 = xp.log1p(v223)
-    v225 = xp.where(v174, v224, 0.0)
-    v226 = nodes * v225
-    v227 = xp.tan(theta)
-    v228 = xp.cosh(v226)
-    v229 = v216 * v228
-    v230 = xp.sinh(v226)
-    v231 = v221 * v230
-    v232 = v229 + v231
-    v233 = v232 / b
-    v234 = xp.arctan(v233)
-    v235 = v227 * v234
-    v236 = b * v227
-    v237 = v236 / v232
-    v238 = v235 + v237
-    v239 = b * b
-    v240 = v232 * v232
-    v241 = v239 + v240
-    v242 = xp.sqrt(v241)
-    v243 = v232 / v242
-    v244 = v238 * v243
-    v245 = v242 ** 0.0
-    v246 = v244 * v245
-    v247 = v225 * xp.sum(weights * v246, axis=0)
-    v248 = xp.where(v174, v247, 0.0)
-    v249 = v171 * v248
-    v250 = v167 - v84
-    v251 = xp.where(v170, v249, v250)
-    v252 = mu * v251
-    return v252
+    v22, v23 = nodes_along(xp, 1, r, a, c, theta, b, E_star, mu)
+    v2 = normal_pressure(xp, r, c, theta, b, E_star)
+    v3 = normal_pressure(xp, r, a, theta, b, E_star)
+    v6 = (r < c) & (v2 >= 0.25 * v3)
+    v8 = xp.maximum(b, c)
+    v10 = v6 & (a > v8)
+    v12 = difference_root(xp, v8, b)
+    v15 = difference_root(xp, v8, r)
+    v16 = gap(xp, a, v8, difference_root(xp, a, r), v15)
+    v20 = xp.log1p((gap(xp, a, v8, difference_root(xp, a, b), v12) + v16) / (v12 + v15))
+    v21 = xp.where(v10, v20, 0.0)
+    v24 = v22 * v21
+    v30 = v12 * xp.cosh(v24) + v15 * xp.sinh(v24)
+    v33 = xp.sqrt(b * b + v30 * v30)
+    v38 = normal_slope_beyond(xp, v33, v30, theta, b) * (v30 / v33) * v33 ** 0.0
+    v41 = E_star / 3.141592653589793 * xp.where(v10, v21 * xp.sum(v23 * v38, axis=0), 0.0)
+    return mu * xp.where(v6, v41, v3 - v2)
+
+
+def tangential_displacement(xp, a, c, theta, b, E_star, G_star, mu):
+    v23, v24 = nodes_along(xp, 1, a, c, theta, b, E_star, G_star, mu)
+    v3 = normal_depth(xp, c, theta, b)
+    v4 = normal_depth(xp, a, theta, b)
+    v5 = 0.25 * v4
+    v6 = v3 >= v5
+    v9 = xp.maximum(b, c)
+    v11 = (xp.where(v6, v3, 2.0 * v5) >= v5) & (a > v9)
+    v13 = difference_root(xp, v9, b)
+    v16 = difference_root(xp, v9, 0.0)
+    v17 = gap(xp, a, v9, difference_root(xp, a, 0.0), v16)
+    v21 = xp.log1p((gap(xp, a, v9, difference_root(xp, a, b), v13) + v17) / (v13 + v16))
+    v22 = xp.where(v11, v21, 0.0)
+    v25 = v23 * v22
+    v31 = v13 * xp.cosh(v25) + v16 * xp.sinh(v25)
+    v34 = xp.sqrt(b * b + v31 * v31)
+    v39 = normal_slope_beyond(xp, v34, v31, theta, b) * (v31 / v34) * v34 ** 1.0
+    v41 = xp.where(v11, v22 * xp.sum(v24 * v39, axis=0), 0.0)
+    return mu * (E_star / G_star) * xp.where(v6, v41, v4 - xp.where(v6, 0.5 * v5, v3))
+
+
+def stick_radius(xp, F_x, a, theta, b, E_star, mu):
+    v5 = stick_force(xp, normal_force(xp, a, theta, b, E_star), F_x, mu)
+    v7 = xp.where((F_x == 0.0) & (a >= 0.0), a, normal_radius_from_force(xp, v5, theta, b, E_star))
+    return v7
+
+
+def full_slip_displacement(xp, a, theta, b, E_star, G_star, mu):
+    return mu * (E_star / G_star) * normal_depth(xp, a, theta, b)

@@ -1,587 +1,82 @@
 """Formulas of axicontact.tangential.truncated_paraboloid over an array library `xp`."""
 
-from ...._runtime.integrals import nodes_along
-
-
-def full_slip_displacement(xp, a, R, b, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = a - b
-    v3 = a + b
-    v4 = v2 * v3
-    v5 = xp.sqrt(v4)
-    v6 = a * v5
-    v7 = v6 / R
-    v8 = v1 * v7
-    return v8
-
-
-def stick_radius(xp, F_x, a, R, b, E_star, mu):
-    v0 = F_x == 0.0
-    v1 = a >= 0.0
-    v2 = v0 & v1
-    v3 = 2.0 * E_star
-    v4 = 3.0 * R
-    v5 = v3 / v4
-    v6 = a ** 2.0
-    v7 = 2.0 * v6
-    v8 = b ** 2.0
-    v9 = v7 + v8
-    v10 = v5 * v9
-    v11 = a - b
-    v12 = a + b
-    v13 = v11 * v12
-    v14 = xp.sqrt(v13)
-    v15 = v10 * v14
-    v16 = F_x / mu
-    v17 = v15 - v16
-    v18 = xp.absolute(v17)
-    v19 = 2e-16 * v15
-    v20 = v18 <= v19
-    v21 = xp.where(v20, v18, 0.5 * v19)
-    v22 = xp.where(v20, 2.0 * v19, v18)
-    v23 = xp.where(v20, 0.0, v17)
-    v24 = v23 >= 0.0
-    v25 = xp.where(v24, v23, xp.nan)
-    v26 = b * 1.4142135623730951
-    v27 = v26 ** 2.0
-    v28 = 2.0 * v27
-    v29 = v28 + v8
-    v30 = v5 * v29
-    v31 = v30 * b
-    v32 = v25 / v31
-    v33 = xp.log(v32)
-    v34 = v33 - (-0.5108256237659907)
-    v35 = (-1.75) * v34
-    v36 = v33 - (-0.916290731874155)
-    v37 = (-0.5833333333333334) * v36
-    v38 = xp.maximum(v35, v37)
-    v39 = v35 - v37
-    v40 = xp.absolute(v39)
-    v41 = -v40
-    v42 = xp.exp(v41)
-    v43 = xp.log1p(v42)
-    v44 = v38 + v43
-    v45 = v44 / (-1.75)
-    v46 = xp.exp(v45)
-    v47 = 1.0 + v46
-    v48 = 1.0 / v47
-    v49 = 1.0 - v48
-    v50 = 19.09787 * v49
-    v51 = v50 + (-63.48232)
-    v52 = v51 * v49
-    v53 = v52 + 76.63965
-    v54 = v53 * v49
-    v55 = v54 + (-39.30687)
-    v56 = v55 * v49
-    v57 = v56 + 7.512052
-    v58 = v57 * v49
-    v59 = v58 + (-0.7678073)
-    v60 = v59 * v49
-    v61 = v60 + 0.3089073
-    v62 = v61 * v49
-    v63 = v62 + 0.9990587
-    v64 = v46 * v63
-    v65 = xp.where(v25 > 0.0, v25, 1.0)
-    v66 = xp.minimum(v64, xp.inf)
-    for _ in range(6):
-        v68 = v66 * v66
-        v69 = 1.0 + v68
-        v70 = xp.sqrt(v69)
-        v71 = b * v70
-        v72 = v71 ** 2.0
-        v73 = 2.0 * v72
-        v74 = v73 + v8
-        v75 = v5 * v74
-        v76 = b * v66
-        v77 = v75 * v76
-        v78 = v3 * v76
-        v79 = v78 * v76
-        v80 = 2.0 * v76
-        v81 = v80 / R
-        v82 = R * v76
-        v83 = v8 / v82
-        v84 = v81 + v83
-        v85 = v79 * v84
-        v86 = v85 / v77
-        v87 = xp.log(v65 / v77)
-        v88 = v87 / 1.0
-        v89 = v87 / 3.0
-        v90 = xp.minimum(xp.maximum(v87 / v86, xp.minimum(v88, v89)), xp.maximum(v88, v89))
-        v91 = xp.where(v77 < xp.inf, v90, 0.0)
-        v66 = xp.minimum(v66 * xp.exp(v91), xp.inf)
-    v93 = xp.where(v25 > 0.0, v66, 0.0 * v25)
-    v94 = v93 * v93
-    v95 = 1.0 + v94
-    v96 = xp.sqrt(v95)
-    v97 = b * v96
-    v98 = xp.where(v2, a, v97)
-    return v98
-
-
-def tangential_displacement(xp, a, c, R, b, E_star, G_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, R, b, E_star, G_star, mu)
-    v1 = E_star / G_star
-    v2 = mu * v1
-    v3 = c - b
-    v4 = c + b
-    v5 = v3 * v4
-    v6 = xp.sqrt(v5)
-    v7 = c * v6
-    v8 = v7 / R
-    v9 = a - b
-    v10 = a + b
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = a * v12
-    v14 = v13 / R
-    v15 = 0.25 * v14
-    v16 = v8 >= v15
-    v17 = xp.where(v16, v8, 2.0 * v15)
-    v18 = v17 >= v15
-    v19 = xp.maximum(b, c)
-    v20 = a > v19
-    v21 = v18 & v20
-    v22 = xp.where(v20, a, 2.0 * v19)
-    v23 = v22 - v19
-    v24 = v22 + v19
-    v25 = v23 * v24
-    v26 = v22 - b
-    v27 = xp.maximum(v26, 0.0)
-    v28 = v22 + b
-    v29 = v27 * v28
-    v30 = xp.sqrt(v29)
-    v31 = v19 - b
-    v32 = xp.maximum(v31, 0.0)
-    v33 = v19 + b
-    v34 = v32 * v33
-    v35 = xp.sqrt(v34)
-    v36 = v30 + v35
-    v37 = v25 / v36
-    v38 = xp.where(v20, 0.5 * v19, a)
-    v39 = xp.where(v20, v37, 0.0)
-    v40 = xp.where(v20, a, 2.0 * v19)
-    v41 = v40 - v19
-    v42 = v40 + v19
-    v43 = v41 * v42
-    v44 = v40 - 0.0
-    v45 = xp.maximum(v44, 0.0)
-    v46 = v40 + 0.0
-    v47 = v45 * v46
-    v48 = xp.sqrt(v47)
-    v49 = v19 - 0.0
-    v50 = xp.maximum(v49, 0.0)
-    v51 = v19 + 0.0
-    v52 = v50 * v51
-    v53 = xp.sqrt(v52)
-    v54 = v48 + v53
-    v55 = v43 / v54
-    v56 = xp.where(v20, 0.5 * v19, a)
-    v57 = xp.where(v20, v55, 0.0)
-    v58 = v39 + v57
-    v59 = v19 - b
-    v60 = xp.maximum(v59, 0.0)
-    v61 = v19 + b
-    v62 = v60 * v61
-    v63 = xp.sqrt(v62)
-    v64 = v19 - 0.0
-    v65 = xp.maximum(v64, 0.0)
-    v66 = v19 + 0.0
-    v67 = v65 * v66
-    v68 = xp.sqrt(v67)
-    v69 = v63 + v68
-    v70 = v58 / v69
-    v71 = xp.log1p(v70)
-    v72 = xp.where(v21, v71, 0.0)
-    v73 = nodes * v72
-    v74 = xp.cosh(v73)
-    v75 = v63 * v74
-    v76 = xp.sinh(v73)
-    v77 = v68 * v76
-    v78 = v75 + v77
-    v79 = 2.0 * v78
-    v80 = v79 / R
-    v81 = b ** 2.0
-    v82 = R * v78
-    v83 = v81 / v82
-    v84 = v80 + v83
-    v85 = b * b
-    v86 = v78 * v78
-    v87 = v85 + v86
-    v88 = xp.sqrt(v87)
-    v89 = v78 / v88
-    v90 = v84 * v89
-    v91 = v88 ** 1.0
-    v92 = v90 * v91
-    v93 = v72 * xp.sum(weights * v92, axis=0)
-    v94 = xp.where(v21, v93, 0.0)
-    v95 = xp.where(v16, 0.5 * v15, v8)
-    v96 = v14 - v95
-    v97 = xp.where(v16, v94, v96)
-    v98 = v2 * v97
-    return v98
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.slip import gap
+from ...._programs.expressions._runtime.physics.slip import stick_force
+from ...._programs.expressions.normal.truncated_paraboloid import depth as normal_depth
+from ...._programs.expressions.normal.truncated_paraboloid import force as normal_force
+from ...._programs.expressions.normal.truncated_paraboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.truncated_paraboloid import radius_from_force as normal_radius_from_force
+from ...._programs.expressions.normal.truncated_paraboloid import slope_beyond as normal_slope_beyond
+from ...._runtime.steps import nodes_along
 
 
 def tangential_force(xp, a, c, R, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, a, c, R, b, E_star, mu)
-    v1 = 2.0 * E_star
-    v2 = 3.0 * R
-    v3 = v1 / v2
-    v4 = c ** 2.0
-    v5 = 2.0 * v4
-    v6 = b ** 2.0
-    v7 = v5 + v6
-    v8 = v3 * v7
-    v9 = c - b
-    v10 = c + b
-    v11 = v9 * v10
-    v12 = xp.sqrt(v11)
-    v13 = v8 * v12
-    v14 = a ** 2.0
-    v15 = 2.0 * v14
-    v16 = v15 + v6
-    v17 = v3 * v16
-    v18 = a - b
-    v19 = a + b
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = v17 * v21
-    v23 = 0.25 * v22
-    v24 = v13 >= v23
-    v25 = xp.where(v24, v13, 2.0 * v23)
-    v26 = v25 >= v23
-    v27 = xp.maximum(b, c)
-    v28 = a > v27
-    v29 = v26 & v28
-    v30 = xp.where(v28, a, 2.0 * v27)
-    v31 = v30 - v27
-    v32 = v30 + v27
-    v33 = v31 * v32
-    v34 = v30 - b
-    v35 = xp.maximum(v34, 0.0)
-    v36 = v30 + b
-    v37 = v35 * v36
-    v38 = xp.sqrt(v37)
-    v39 = v27 - b
-    v40 = xp.maximum(v39, 0.0)
-    v41 = v27 + b
-    v42 = v40 * v41
-    v43 = xp.sqrt(v42)
-    v44 = v38 + v43
-    v45 = v33 / v44
-    v46 = xp.where(v28, 0.5 * v27, a)
-    v47 = xp.where(v28, v45, 0.0)
-    v48 = xp.where(v28, a, 2.0 * v27)
-    v49 = v48 - v27
-    v50 = v48 + v27
-    v51 = v49 * v50
-    v52 = v48 - 0.0
-    v53 = xp.maximum(v52, 0.0)
-    v54 = v48 + 0.0
-    v55 = v53 * v54
-    v56 = xp.sqrt(v55)
-    v57 = v27 - 0.0
-    v58 = xp.maximum(v57, 0.0)
-    v59 = v27 + 0.0
-    v60 = v58 * v59
-    v61 = xp.sqrt(v60)
-    v62 = v56 + v61
-    v63 = v51 / v62
-    v64 = xp.where(v28, 0.5 * v27, a)
-    v65 = xp.where(v28, v63, 0.0)
-    v66 = v47 + v65
-    v67 = v27 - b
-    v68 = xp.maximum(v67, 0.0)
-    v69 = v27 + b
-    v70 = v68 * v69
-    v71 = xp.sqrt(v70)
-    v72 = v27 - 0.0
-    v73 = xp.maximum(v72, 0.0)
-    v74 = v27 + 0.0
-    v75 = v73 * v74
-    v76 = xp.sqrt(v75)
-    v77 = v71 + v76
-    v78 = v66 / v77
-    v79 = xp.log1p(v78)
-    v80 = xp.where(v29, v79, 0.0)
-    v81 = nodes * v80
-    v82 = xp.cosh(v81)
-    v83 = v71 * v82
-    v84 = xp.sinh(v81)
-    v85 = v76 * v84
-    v86 = v83 + v85
-    v87 = 2.0 * v86
-    v88 = v87 / R
-    v89 = R * v86
-    v90 = v6 / v89
-    v91 = v88 + v90
-    v92 = b * b
-    v93 = v86 * v86
-    v94 = v92 + v93
-    v95 = xp.sqrt(v94)
-    v96 = v86 / v95
-    v97 = v91 * v96
-    v98 = v95 ** 2.0
-    v99 = v97 * v98
-    v100 = v80 * xp.sum(weights * v99, axis=0)
-    v101 = xp.where(v29, v100, 0.0)
-    v102 = v1 * v101
-    v103 = xp.where(v24, 0.5 * v23, v13)
-    v104 = v22 - v103
-    v105 = xp.where(v24, v102, v104)
-    v106 = mu * v105
-    return v106
+    v22, v23 = nodes_along(xp, 1, a, c, R, b, E_star, mu)
+    v1 = normal_force(xp, c, R, b, E_star)
+    v2 = normal_force(xp, a, R, b, E_star)
+    v3 = 0.25 * v2
+    v4 = v1 >= v3
+    v8 = xp.maximum(b, c)
+    v10 = (xp.where(v4, v1, 2.0 * v3) >= v3) & (a > v8)
+    v12 = difference_root(xp, v8, b)
+    v15 = difference_root(xp, v8, 0.0)
+    v16 = gap(xp, a, v8, difference_root(xp, a, 0.0), v15)
+    v20 = xp.log1p((gap(xp, a, v8, difference_root(xp, a, b), v12) + v16) / (v12 + v15))
+    v21 = xp.where(v10, v20, 0.0)
+    v24 = v22 * v21
+    v30 = v12 * xp.cosh(v24) + v15 * xp.sinh(v24)
+    v33 = xp.sqrt(b * b + v30 * v30)
+    v38 = normal_slope_beyond(xp, v33, v30, R, b) * (v30 / v33) * v33 ** 2.0
+    v41 = 2.0 * E_star * xp.where(v10, v21 * xp.sum(v23 * v38, axis=0), 0.0)
+    return mu * xp.where(v4, v41, v2 - xp.where(v4, 0.5 * v3, v1))
 
 
 def traction(xp, r, a, c, R, b, E_star, mu):
-    nodes, weights = nodes_along(xp, 64, r, a, c, R, b, E_star, mu)
-    v1 = r < c
-    v2 = c >= b
-    v3 = xp.where(v2, c, 2.0 * b)
-    v4 = r < v3
-    v5 = xp.where(v4, r, 0.5 * v3)
-    v6 = v5 == b
-    v7 = v3 > b
-    v8 = v6 & v7
-    v9 = E_star / 3.141592653589793
-    v10 = xp.nextafter(b, xp.inf)
-    v11 = xp.where(v6, v10, v5)
-    v12 = xp.maximum(v11, b)
-    v13 = v3 > v12
-    v14 = xp.where(v13, v3, 2.0 * v12)
-    v15 = v11 < b
-    v16 = xp.where(v15, v11, 0.5 * b)
-    v17 = v14 - b
-    v18 = xp.maximum(v17, 0.0)
-    v19 = v14 + b
-    v20 = v18 * v19
-    v21 = xp.sqrt(v20)
-    v22 = xp.where(v15, 2.0 * b, v11)
-    v23 = v14 - v22
-    v24 = xp.maximum(v23, 0.0)
-    v25 = v14 + v22
-    v26 = v24 * v25
-    v27 = xp.sqrt(v26)
-    v28 = xp.where(v15, v21, v27)
-    v29 = v11 - b
-    v30 = xp.absolute(v29)
-    v31 = v11 + b
-    v32 = v30 * v31
-    v33 = xp.sqrt(v32)
-    v34 = v28 / v33
-    v35 = xp.arcsinh(v34)
-    v36 = nodes * v35
-    v37 = v14 - b
-    v38 = xp.maximum(v37, 0.0)
-    v39 = v14 + b
-    v40 = v38 * v39
-    v41 = xp.sqrt(v40)
-    v42 = -v36
-    v43 = xp.exp(v42)
-    v44 = xp.where(v15, v11, 0.5 * b)
-    v45 = xp.where(v15, 2.0 * b, v11)
-    v46 = xp.where(v15, 0.0, 1.0)
-    v47 = 2.0 * v46
-    v48 = 1.0 - v47
-    v49 = v35 - v36
-    v50 = (-2.0) * v49
-    v51 = xp.expm1(v50)
-    v52 = v48 * v51
-    v53 = v47 - v52
-    v54 = v43 * v53
-    v55 = (-2.0) * v35
-    v56 = xp.expm1(v55)
-    v57 = v48 * v56
-    v58 = v47 - v57
-    v59 = v58 > 0.0
-    v60 = xp.where(v59, v58, xp.inf)
-    v61 = v54 / v60
-    v62 = v41 * v61
-    v63 = 2.0 * v62
-    v64 = v63 / R
-    v65 = b ** 2.0
-    v66 = R * v62
-    v67 = v65 / v66
-    v68 = v64 + v67
-    v69 = v68 * v62
-    v70 = b * b
-    v71 = v62 * v62
-    v72 = v70 + v71
-    v73 = xp.sqrt(v72)
-    v74 = v69 / v73
-    v75 = v35 * xp.sum(weights * v74, axis=0)
-    v76 = xp.where(v13, 0.5 * v12, v3)
-    v77 = xp.where(v13, v75, 0.0)
-    v78 = v9 * v77
-    v79 = xp.where(v8, xp.inf, v78)
-    v80 = xp.where(v4, 2.0 * v3, r)
-    v81 = xp.where(v4, v79, 0.0)
-    v82 = xp.where(v2, 0.5 * b, c)
-    v83 = xp.where(v2, v81, xp.nan)
-    v84 = a >= b
-    v85 = xp.where(v84, a, 2.0 * b)
-    v86 = r < v85
-    v87 = xp.where(v86, r, 0.5 * v85)
-    v88 = v87 == b
-    v89 = v85 > b
-    v90 = v88 & v89
-    v91 = E_star / 3.141592653589793
-    v92 = xp.nextafter(b, xp.inf)
-    v93 = xp.where(v88, v92, v87)
-    v94 = xp.maximum(v93, b)
-    v95 = v85 > v94
-    v96 = xp.where(v95, v85, 2.0 * v94)
-    v97 = v93 < b
-    v98 = xp.where(v97, v93, 0.5 * b)
-    v99 = v96 - b
-    v100 = xp.maximum(v99, 0.0)
-    v101 = v96 + b
-    v102 = v100 * v101
-    v103 = xp.sqrt(v102)
-    v104 = xp.where(v97, 2.0 * b, v93)
-    v105 = v96 - v104
-    v106 = xp.maximum(v105, 0.0)
-    v107 = v96 + v104
-    v108 = v106 * v107
-    v109 = xp.sqrt(v108)
-    v110 = xp.where(v97, v103, v109)
-    v111 = v93 - b
-    v112 = xp.absolute(v111)
-    v113 = v93 + b
-    v114 = v112 * v113
-    v115 = xp.sqrt(v114)
-    v116 = v110 / v115
-    v117 = xp.arcsinh(v116)
-    v118 = nodes * v117
-    v119 = v96 - b
-    v120 = xp.maximum(v119, 0.0)
-    v121 = v96 + b
-    v122 = v120 * v121
-    v123 = xp.sqrt(v122)
-    v124 = -v118
-    v125 = xp.exp(v124)
-    v126 = xp.where(v97, v93, 0.5 * b)
-    v127 = xp.where(v97, 2.0 * b, v93)
-    v128 = xp.where(v97, 0.0, 1.0)
-    v129 = 2.0 * v128
-    v130 = 1.0 - v129
-    v131 = v117 - v118
-    v132 = (-2.0) * v131
-    v133 = xp.expm1(v132)
-    v134 = v130 * v133
-    v135 = v129 - v134
-    v136 = v125 * v135
-    v137 = (-2.0) * v117
-    v138 = xp.expm1(v137)
-    v139 = v130 * v138
-    v140 = v129 - v139
-    v141 = v140 > 0.0
-    v142 = xp.where(v141, v140, xp.inf)
-    v143 = v136 / v142
-    v144 = v123 * v143
-    v145 = 2.0 * v144
-    v146 = v145 / R
-    v147 = b ** 2.0
-    v148 = R * v144
-    v149 = v147 / v148
-    v150 = v146 + v149
-    v151 = v150 * v144
-    v152 = b * b
-    v153 = v144 * v144
-    v154 = v152 + v153
-    v155 = xp.sqrt(v154)
-    v156 = v151 / v155
-    v157 = v117 * xp.sum(weights * v156, axis=0)
-    v158 = xp.where(v95, 0.5 * v94, v85)
-    v159 = xp.where(v95, v157, 0.0)
-    v160 = v91 * v159
-    v161 = xp.where(v90, xp.inf, v160)
-    v162 = xp.where(v86, 2.0 * v85, r)
-    v163 = xp.where(v86, v161, 0.0)
-    v164 = xp.where(v84, 0.5 * b, a)
-    v165 = xp.where(v84, v163, xp.nan)
-    v166 = 0.25 * v165
-    v167 = v83 >= v166
-    v168 = v1 & v167
-    v169 = E_star / 3.141592653589793
-    v170 = xp.maximum(b, c)
-    v171 = a > v170
-    v172 = v168 & v171
-    v173 = xp.where(v171, a, 2.0 * v170)
-    v174 = v173 - v170
-    v175 = v173 + v170
-    v176 = v174 * v175
-    v177 = v173 - b
-    v178 = xp.maximum(v177, 0.0)
-    v179 = v173 + b
-    v180 = v178 * v179
-    v181 = xp.sqrt(v180)
-    v182 = v170 - b
-    v183 = xp.maximum(v182, 0.0)
-    v184 = v170 + b
-    v185 = v183 * v184
-    v186 = xp.sqrt(v185)
-    v187 = v181 + v186
-    v188 = v176 / v187
-    v189 = xp.where(v171, 0.5 * v170, a)
-    v190 = xp.where(v171, v188, 0.0)
-    v191 = xp.where(v171, a, 2.0 * v170)
-    v192 = v191 - v170
-    v193 = v191 + v170
-    v194 = v192 * v193
-    v195 = v191 - r
-    v196 = xp.maximum(v195, 0.0)
-    v197 = v191 + r
-    v198 = v196 * v197
-    v199 = xp.sqrt(v198)
-    v200 = v170 - r
-    v201 = xp.maximum(v200, 0.0)
-    v202 = v170 + r
-    v203 = v201 * v202
-    v204 = xp.sqrt(v203)
-    v205 = v199 + v204
-    v206 = v194 / v205
-    v207 = xp.where(v171, 0.5 * v170, a)
-    v208 = xp.where(v171, v206, 0.0)
-    v209 = v190 + v208
-    v210 = v170 - b
-    v211 = xp.maximum(v210, 0.0)
-    v212 = v170 + b
-    v213 = v211 * v212
-    v214 = xp.sqrt(v213)
-    v215 = v170 - r
-    v216 = xp.maximum(v215, 0.0)
-    v217 = v170 + r
-    v218 = v216 * v217
-    v219 = xp.sqrt(v218)
-    v220 = v214 + v219
-    v221 = v209 / v220
-    v222 = xp.log1p(v221)
-    v223 = xp.where(v172, v222, 0.0)
-    v224 = nodes * v223
-    v225 = xp.cosh(v224)
-    v226 = v214 * v225
-    v227 = xp.sinh(v224)
-    v228 = v219 * v227
-    v229 = v226 + v228
-    v230 = 2.0 * v229
-    v231 = v230 / R
-    v232 = b ** 2.0
-    v233 = R * v229
-    v234 = v232 / v233
-    v235 = v231 + v234
-    v236 = b * b
-    v237 = v229 * v229
-    v238 = v236 + v237
-    v239 = xp.sqrt(v238)
-    v240 = v229 / v239
-    v241 = v235 * v240
-    v242 = v239 ** 0.0
-    v243 = v241 * v242
-    v244 = v223 * xp.sum(weights * v243, axis=0)
-    v245 = xp.where(v172, v244, 0.0)
-    v246 = v169 * v245
-    v247 = v165 - v83
-    v248 = xp.where(v168, v246, v247)
-    v249 = mu * v248
-    return v249
+    v22, v23 = nodes_along(xp, 1, r, a, c, R, b, E_star, mu)
+    v2 = normal_pressure(xp, r, c, R, b, E_star)
+    v3 = normal_pressure(xp, r, a, R, b, E_star)
+    v6 = (r < c) & (v2 >= 0.25 * v3)
+    v8 = xp.maximum(b, c)
+    v10 = v6 & (a > v8)
+    v12 = difference_root(xp, v8, b)
+    v15 = difference_root(xp, v8, r)
+    v16 = gap(xp, a, v8, difference_root(xp, a, r), v15)
+    v20 = xp.log1p((gap(xp, a, v8, difference_root(xp, a, b), v12) + v16) / (v12 + v15))
+    v21 = xp.where(v10, v20, 0.0)
+    v24 = v22 * v21
+    v30 = v12 * xp.cosh(v24) + v15 * xp.sinh(v24)
+    v33 = xp.sqrt(b * b + v30 * v30)
+    v38 = normal_slope_beyond(xp, v33, v30, R, b) * (v30 / v33) * v33 ** 0.0
+    v41 = E_star / 3.141592653589793 * xp.where(v10, v21 * xp.sum(v23 * v38, axis=0), 0.0)
+    return mu * xp.where(v6, v41, v3 - v2)
+
+
+def tangential_displacement(xp, a, c, R, b, E_star, G_star, mu):
+    v23, v24 = nodes_along(xp, 1, a, c, R, b, E_star, G_star, mu)
+    v3 = normal_depth(xp, c, R, b)
+    v4 = normal_depth(xp, a, R, b)
+    v5 = 0.25 * v4
+    v6 = v3 >= v5
+    v9 = xp.maximum(b, c)
+    v11 = (xp.where(v6, v3, 2.0 * v5) >= v5) & (a > v9)
+    v13 = difference_root(xp, v9, b)
+    v16 = difference_root(xp, v9, 0.0)
+    v17 = gap(xp, a, v9, difference_root(xp, a, 0.0), v16)
+    v21 = xp.log1p((gap(xp, a, v9, difference_root(xp, a, b), v13) + v17) / (v13 + v16))
+    v22 = xp.where(v11, v21, 0.0)
+    v25 = v23 * v22
+    v31 = v13 * xp.cosh(v25) + v16 * xp.sinh(v25)
+    v34 = xp.sqrt(b * b + v31 * v31)
+    v39 = normal_slope_beyond(xp, v34, v31, R, b) * (v31 / v34) * v34 ** 1.0
+    v41 = xp.where(v11, v22 * xp.sum(v24 * v39, axis=0), 0.0)
+    return mu * (E_star / G_star) * xp.where(v6, v41, v4 - xp.where(v6, 0.5 * v5, v3))
+
+
+def stick_radius(xp, F_x, a, R, b, E_star, mu):
+    v5 = stick_force(xp, normal_force(xp, a, R, b, E_star), F_x, mu)
+    return xp.where((F_x == 0.0) & (a >= 0.0), a, normal_radius_from_force(xp, v5, R, b, E_star))
+
+
+def full_slip_displacement(xp, a, R, b, E_star, G_star, mu):
+    return mu * (E_star / G_star) * normal_depth(xp, a, R, b)

@@ -1,182 +1,64 @@
 """Formulas of axicontact.tangential.wavy_paraboloid over an array library `xp`."""
 
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.slip import gap
+from ...._programs.expressions._runtime.physics.slip import stick_force
+from ...._programs.expressions.normal.wavy_paraboloid import depth as normal_depth
+from ...._programs.expressions.normal.wavy_paraboloid import force as normal_force
+from ...._programs.expressions.normal.wavy_paraboloid import pressure as normal_pressure
+from ...._programs.expressions.normal.wavy_paraboloid import radius_from_force as normal_radius_from_force
+from ...._programs.expressions.normal.wavy_paraboloid import slope as normal_slope
+from ...._runtime.steps import nodes_along
+
+
+def tangential_force(xp, a, c, R, h, wavelength, E_star, mu):
+    v17, v18 = nodes_along(xp, 4, a, c, R, h, wavelength, E_star, mu)
+    v1 = normal_force(xp, c, R, h, wavelength, E_star)
+    v2 = normal_force(xp, a, R, h, wavelength, E_star)
+    v3 = 0.25 * v2
+    v4 = v1 >= v3
+    v11 = difference_root(xp, c, 0.0)
+    v12 = gap(xp, a, c, difference_root(xp, a, 0.0), v11)
+    v15 = (xp.where(v4, v1, 2.0 * v3) >= v3) & (a > c) & (v12 < 256.0 * wavelength)
+    v16 = xp.where(v15, v12, 0.0)
+    v23 = xp.sqrt(0.0 + (v11 + v17 * v16) ** 2.0)
+    v27 = v16 * xp.sum(v18 * (normal_slope(xp, v23, R, h, wavelength) * v23 ** 1.0), axis=0)
+    return mu * xp.where(v4, 2.0 * E_star * v27, v2 - xp.where(v4, 0.5 * v3, v1))
+
+
+def traction(xp, r, a, c, R, h, wavelength, E_star, mu):
+    v17, v18 = nodes_along(xp, 4, r, a, c, R, h, wavelength, E_star, mu)
+    v2 = normal_pressure(xp, r, c, R, h, wavelength, E_star)
+    v3 = normal_pressure(xp, r, a, R, h, wavelength, E_star)
+    v6 = (r < c) & (v2 >= 0.25 * v3)
+    v11 = difference_root(xp, c, r)
+    v12 = gap(xp, a, c, difference_root(xp, a, r), v11)
+    v16 = xp.where(v6 & (a > c) & (v12 < 256.0 * wavelength), v12, 0.0)
+    v24 = xp.sqrt(r * r + (v11 + v17 * v16) ** 2.0)
+    v28 = v16 * xp.sum(v18 * (normal_slope(xp, v24, R, h, wavelength) * v24 ** (-1.0)), axis=0)
+    return mu * xp.where(v6, E_star / 3.141592653589793 * v28, v3 - v2)
+
+
+def tangential_displacement(xp, a, c, R, h, wavelength, E_star, G_star, mu):
+    v18, v19 = nodes_along(xp, 4, a, c, R, h, wavelength, E_star, G_star, mu)
+    v3 = normal_depth(xp, c, R, h, wavelength)
+    v4 = normal_depth(xp, a, R, h, wavelength)
+    v5 = 0.25 * v4
+    v6 = v3 >= v5
+    v12 = difference_root(xp, c, 0.0)
+    v13 = gap(xp, a, c, difference_root(xp, a, 0.0), v12)
+    v16 = (xp.where(v6, v3, 2.0 * v5) >= v5) & (a > c) & (v13 < 256.0 * wavelength)
+    v17 = xp.where(v16, v13, 0.0)
+    v24 = xp.sqrt(0.0 + (v12 + v18 * v17) ** 2.0)
+    v28 = v17 * xp.sum(v19 * (normal_slope(xp, v24, R, h, wavelength) * v24 ** 0.0), axis=0)
+    return mu * (E_star / G_star) * xp.where(v6, v28, v4 - xp.where(v6, 0.5 * v5, v3))
+
+
+def stick_radius(xp, F_x, a, R, h, wavelength, E_star, mu):
+    v5 = stick_force(xp, normal_force(xp, a, R, h, wavelength, E_star), F_x, mu)
+    v6 = normal_radius_from_force(xp, v5, R, h, wavelength, E_star)
+    return xp.where((F_x == 0.0) & (a >= 0.0), a, v6)
+
 
 def full_slip_displacement(xp, a, R, h, wavelength, E_star, G_star, mu):
-    v0 = E_star / G_star
-    v1 = mu * v0
-    v2 = 9.869604401089358 * h
-    v3 = v2 / wavelength
-    v4 = 6.283185307179586 / wavelength
-    v5 = v4 * a
-    v6 = v5 >= 4.0
-    v7 = xp.where(v6, v5, 2.0 * 4.0)
-    v8 = xp.maximum(v7, 4.0)
-    v9 = 4.0 / v8
-    v10 = v9 * v9
-    v11 = 0.0018387596444350194 * v10
-    v12 = v11 + 0.19066450900998982
-    v13 = v12 * v10
-    v14 = v13 + 3.0483894754261476
-    v15 = v14 * v10
-    v16 = v15 + 15.19102558900126
-    v17 = v16 * v10
-    v18 = v17 + 29.808014377479484
-    v19 = v18 * v10
-    v20 = v19 + 24.96788054397516
-    v21 = v20 * v10
-    v22 = v21 + 8.683547237489872
-    v23 = v22 * v10
-    v24 = v23 + 0.9999999999999999
-    v25 = 0.002212005671285288 * v10
-    v26 = v25 + 0.2001974796255756
-    v27 = v26 * v10
-    v28 = v27 + 3.105370848058991
-    v29 = v28 * v10
-    v30 = v29 + 15.312651459874987
-    v31 = v30 * v10
-    v32 = v31 + 29.91423599857526
-    v33 = v32 * v10
-    v34 = v33 + 25.005621881441563
-    v35 = v34 * v10
-    v36 = v35 + 8.687941768739819
-    v37 = v36 * v10
-    v38 = v37 + 1.0
-    v39 = v24 / v38
-    v40 = 0.0004901193629942897 * v10
-    v41 = v40 + 0.06145984139536439
-    v42 = v41 * v10
-    v43 = v42 + 1.0518270059695811
-    v44 = v43 * v10
-    v45 = v44 + 5.781613266959815
-    v46 = v45 * v10
-    v47 = v46 + 13.238613776927886
-    v48 = v47 * v10
-    v49 = v48 + 14.03231295125601
-    v50 = v49 * v10
-    v51 = v50 + 7.053533528650583
-    v52 = v51 * v10
-    v53 = v52 + 1.5864409102245354
-    v54 = v53 * v10
-    v55 = v54 + 0.12499999999999996
-    v56 = 0.010407794628814504 * v10
-    v57 = v56 + 0.6786602978701849
-    v58 = v57 * v10
-    v59 = v58 + 9.714034412080755
-    v60 = v59 * v10
-    v61 = v60 + 49.61872106978687
-    v62 = v61 * v10
-    v63 = v62 + 109.72928508784756
-    v64 = v63 * v10
-    v65 = v64 + 114.25481958955879
-    v66 = v65 * v10
-    v67 = v66 + 56.887289819100324
-    v68 = v67 * v10
-    v69 = v68 + 12.728148375546064
-    v70 = v69 * v10
-    v71 = v70 + 1.0
-    v72 = v55 / v71
-    v73 = -v72
-    v74 = v73 / v8
-    v75 = v39 + v74
-    v76 = xp.sin(v8)
-    v77 = v75 * v76
-    v78 = v74 - v39
-    v79 = xp.cos(v8)
-    v80 = v78 * v79
-    v81 = v77 + v80
-    v82 = 3.141592653589793 * v8
-    v83 = xp.sqrt(v82)
-    v84 = v81 / v83
-    v85 = 0.6366197723675814 / v8
-    v86 = 2.7669174297600505 * v10
-    v87 = v86 + 458.12928011151
-    v88 = v87 * v10
-    v89 = v88 + 12339.040962954072
-    v90 = v89 * v10
-    v91 = v90 + 116086.73672207216
-    v92 = v91 * v10
-    v93 = v92 + 497567.64954748255
-    v94 = v93 * v10
-    v95 = v94 + 1108277.323605407
-    v96 = v95 * v10
-    v97 = v96 + 1381011.961852606
-    v98 = v97 * v10
-    v99 = v98 + 1003773.8758924268
-    v100 = v99 * v10
-    v101 = v100 + 434231.16206495283
-    v102 = v101 * v10
-    v103 = v102 + 112030.50898197992
-    v104 = v103 * v10
-    v105 = v104 + 16935.748731095395
-    v106 = v105 * v10
-    v107 = v106 + 1432.2758652785926
-    v108 = v107 * v10
-    v109 = v108 + 61.134000115506566
-    v110 = v109 * v10
-    v111 = v110 + 0.9999999999999998
-    v112 = 7.180883835408781 * v10
-    v113 = v112 + 701.2388166510722
-    v114 = v113 * v10
-    v115 = v114 + 15685.23245722768
-    v116 = v115 * v10
-    v117 = v116 + 134351.15109003813
-    v118 = v117 * v10
-    v119 = v118 + 545544.5462081418
-    v120 = v119 * v10
-    v121 = v120 + 1175419.8654706934
-    v122 = v121 * v10
-    v123 = v122 + 1434014.3809253315
-    v124 = v123 * v10
-    v125 = v124 + 1028086.753929006
-    v126 = v125 * v10
-    v127 = v126 + 440767.5736243928
-    v128 = v127 * v10
-    v129 = v128 + 113047.1785966793
-    v130 = v129 * v10
-    v131 = v130 + 17023.406316407476
-    v132 = v131 * v10
-    v133 = v132 + 1436.0654902859085
-    v134 = v133 * v10
-    v135 = v134 + 61.19650011550626
-    v136 = v135 * v10
-    v137 = v136 + 1.0
-    v138 = v111 / v137
-    v139 = v85 * v138
-    v140 = v84 + v139
-    v141 = xp.where(v6, 0.5 * 4.0, v5)
-    v142 = xp.minimum(v141, 4.0)
-    v143 = 4.0 - v142
-    v144 = 4.0 + v142
-    v145 = v143 * v144
-    v146 = 8.828323214435029e-27 * v145
-    v147 = v146 + 4.6099020557240325e-24
-    v148 = v147 * v145
-    v149 = v148 + 2.4054615951897063e-21
-    v150 = v149 * v145
-    v151 = v150 + 1.0273396391723168e-18
-    v152 = v151 * v145
-    v153 = v152 + 3.5707244750588535e-16
-    v154 = v153 * v145
-    v155 = v154 + 9.847681544810048e-14
-    v156 = v155 * v145
-    v157 = v156 + 2.088352382583283e-11
-    v158 = v157 * v145
-    v159 = v158 + 3.266281247828758e-09
-    v160 = v159 * v145
-    v161 = v160 + 3.554845442184243e-07
-    v162 = v161 * v145
-    v163 = v162 + 2.4671442647474615e-05
-    v164 = v163 * v145
-    v165 = v164 + 0.0009425048654833265
-    v166 = v165 * v145
-    v167 = v166 + 0.014589391634279988
-    v168 = v167 * v145
-    v169 = v168 + 0.0337536433556216
-    v170 = v142 * v169
-    v171 = xp.where(v6, v140, v170)
-    v172 = v3 * v171
-    v173 = a / R
-    v174 = v172 + v173
-    v175 = a * v174
-    v176 = v1 * v175
-    return v176
+    return mu * (E_star / G_star) * normal_depth(xp, a, R, h, wavelength)

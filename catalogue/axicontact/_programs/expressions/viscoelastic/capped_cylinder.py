@@ -1,219 +1,24 @@
 """Formulas of axicontact.viscoelastic.capped_cylinder over an array library `xp`."""
 
-
-def step_force_kelvin_voigt(xp, t, d, a, R, E, eta):
-    v0 = t > 0.0
-    v1 = xp.where(v0, E, xp.inf)
-    v2 = R * d
-    v3 = xp.sqrt(v2)
-    v4 = xp.minimum(v3, a)
-    v5 = 1.3333333333333333 * v4
-    v6 = a ** 2.0
-    v7 = v6 / R
-    v8 = xp.minimum(d, v7)
-    v9 = v5 * v8
-    v10 = 2.0 * a
-    v11 = a * a
-    v12 = v2 - v11
-    v13 = 134217729.0 * R
-    v14 = v13 - R
-    v15 = v13 - v14
-    v16 = 134217729.0 * d
-    v17 = v16 - d
-    v18 = v16 - v17
-    v19 = v15 * v18
-    v20 = v19 - v2
-    v21 = d - v18
-    v22 = v15 * v21
-    v23 = v20 + v22
-    v24 = R - v15
-    v25 = v24 * v18
-    v26 = v23 + v25
-    v27 = v24 * v21
-    v28 = v26 + v27
-    v29 = 134217729.0 * a
-    v30 = v29 - a
-    v31 = v29 - v30
-    v32 = v31 * v31
-    v33 = v32 - v11
-    v34 = a - v31
-    v35 = v31 * v34
-    v36 = v33 + v35
-    v37 = v34 * v31
-    v38 = v36 + v37
-    v39 = v34 * v34
-    v40 = v38 + v39
-    v41 = v28 - v40
-    v42 = v12 + v41
-    v43 = v42 / R
-    v44 = xp.maximum(v43, 0.0)
-    v45 = v10 * v44
-    v46 = v9 + v45
-    v47 = v1 * v46
-    return v47
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_maxwell
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_power_creep
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_standard_solid
+from ...._programs.expressions.normal.capped_cylinder import force as normal_force
 
 
 def step_force_maxwell(xp, t, d, a, R, E, tau):
-    v0 = -t
-    v1 = v0 / tau
-    v2 = xp.exp(v1)
-    v3 = E * v2
-    v4 = R * d
-    v5 = xp.sqrt(v4)
-    v6 = xp.minimum(v5, a)
-    v7 = 1.3333333333333333 * v6
-    v8 = a ** 2.0
-    v9 = v8 / R
-    v10 = xp.minimum(d, v9)
-    v11 = v7 * v10
-    v12 = 2.0 * a
-    v13 = a * a
-    v14 = v4 - v13
-    v15 = 134217729.0 * R
-    v16 = v15 - R
-    v17 = v15 - v16
-    v18 = 134217729.0 * d
-    v19 = v18 - d
-    v20 = v18 - v19
-    v21 = v17 * v20
-    v22 = v21 - v4
-    v23 = d - v20
-    v24 = v17 * v23
-    v25 = v22 + v24
-    v26 = R - v17
-    v27 = v26 * v20
-    v28 = v25 + v27
-    v29 = v26 * v23
-    v30 = v28 + v29
-    v31 = 134217729.0 * a
-    v32 = v31 - a
-    v33 = v31 - v32
-    v34 = v33 * v33
-    v35 = v34 - v13
-    v36 = a - v33
-    v37 = v33 * v36
-    v38 = v35 + v37
-    v39 = v36 * v33
-    v40 = v38 + v39
-    v41 = v36 * v36
-    v42 = v40 + v41
-    v43 = v30 - v42
-    v44 = v14 + v43
-    v45 = v44 / R
-    v46 = xp.maximum(v45, 0.0)
-    v47 = v12 * v46
-    v48 = v11 + v47
-    v49 = v3 * v48
-    return v49
+    return relaxation_maxwell(xp, t, E, tau) * normal_force(xp, d, a, R, 1.0)
 
 
-def step_force_power_creep(xp, t, d, a, R, E, alpha, t_0):
-    v0 = t_0 / t
-    v1 = v0 ** alpha
-    v2 = E * v1
-    v3 = 3.141592653589793 * alpha
-    v4 = xp.sin(v3)
-    v5 = v2 * v4
-    v6 = v5 / v3
-    v7 = R * d
-    v8 = xp.sqrt(v7)
-    v9 = xp.minimum(v8, a)
-    v10 = 1.3333333333333333 * v9
-    v11 = a ** 2.0
-    v12 = v11 / R
-    v13 = xp.minimum(d, v12)
-    v14 = v10 * v13
-    v15 = 2.0 * a
-    v16 = a * a
-    v17 = v7 - v16
-    v18 = 134217729.0 * R
-    v19 = v18 - R
-    v20 = v18 - v19
-    v21 = 134217729.0 * d
-    v22 = v21 - d
-    v23 = v21 - v22
-    v24 = v20 * v23
-    v25 = v24 - v7
-    v26 = d - v23
-    v27 = v20 * v26
-    v28 = v25 + v27
-    v29 = R - v20
-    v30 = v29 * v23
-    v31 = v28 + v30
-    v32 = v29 * v26
-    v33 = v31 + v32
-    v34 = 134217729.0 * a
-    v35 = v34 - a
-    v36 = v34 - v35
-    v37 = v36 * v36
-    v38 = v37 - v16
-    v39 = a - v36
-    v40 = v36 * v39
-    v41 = v38 + v40
-    v42 = v39 * v36
-    v43 = v41 + v42
-    v44 = v39 * v39
-    v45 = v43 + v44
-    v46 = v33 - v45
-    v47 = v17 + v46
-    v48 = v47 / R
-    v49 = xp.maximum(v48, 0.0)
-    v50 = v15 * v49
-    v51 = v14 + v50
-    v52 = v6 * v51
-    return v52
+def step_force_kelvin_voigt(xp, t, d, a, R, E, eta):
+    v1 = t > 0.0
+    v2 = xp.where(v1, t, 1.0)
+    return xp.where(v1, E, xp.inf) * normal_force(xp, d, a, R, 1.0)
 
 
 def step_force_standard_solid(xp, t, d, a, R, E_inf, E_1, tau):
-    v0 = -t
-    v1 = v0 / tau
-    v2 = xp.exp(v1)
-    v3 = E_1 * v2
-    v4 = E_inf + v3
-    v5 = R * d
-    v6 = xp.sqrt(v5)
-    v7 = xp.minimum(v6, a)
-    v8 = 1.3333333333333333 * v7
-    v9 = a ** 2.0
-    v10 = v9 / R
-    v11 = xp.minimum(d, v10)
-    v12 = v8 * v11
-    v13 = 2.0 * a
-    v14 = a * a
-    v15 = v5 - v14
-    v16 = 134217729.0 * R
-    v17 = v16 - R
-    v18 = v16 - v17
-    v19 = 134217729.0 * d
-    v20 = v19 - d
-    v21 = v19 - v20
-    v22 = v18 * v21
-    v23 = v22 - v5
-    v24 = d - v21
-    v25 = v18 * v24
-    v26 = v23 + v25
-    v27 = R - v18
-    v28 = v27 * v21
-    v29 = v26 + v28
-    v30 = v27 * v24
-    v31 = v29 + v30
-    v32 = 134217729.0 * a
-    v33 = v32 - a
-    v34 = v32 - v33
-    v35 = v34 * v34
-    v36 = v35 - v14
-    v37 = a - v34
-    v38 = v34 * v37
-    v39 = v36 + v38
-    v40 = v37 * v34
-    v41 = v39 + v40
-    v42 = v37 * v37
-    v43 = v41 + v42
-    v44 = v31 - v43
-    v45 = v15 + v44
-    v46 = v45 / R
-    v47 = xp.maximum(v46, 0.0)
-    v48 = v13 * v47
-    v49 = v12 + v48
-    v50 = v4 * v49
-    return v50
+    return relaxation_standard_solid(xp, t, E_inf, E_1, tau) * normal_force(xp, d, a, R, 1.0)
+
+
+def step_force_power_creep(xp, t, d, a, R, E, alpha, t_0):
+    return relaxation_power_creep(xp, t, E, alpha, t_0) * normal_force(xp, d, a, R, 1.0)

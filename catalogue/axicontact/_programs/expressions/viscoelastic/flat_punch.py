@@ -1,62 +1,44 @@
 """Formulas of axicontact.viscoelastic.flat_punch over an array library `xp`."""
 
-
-def ramp_force_kelvin_voigt(xp, t, v, a, E, eta):
-    v0 = t == 0.0
-    v1 = 2.0 * v
-    v2 = v1 * a
-    v3 = v2 * eta
-    v4 = v * t
-    v5 = 2.0 * v4
-    v6 = v5 * a
-    v7 = eta / t
-    v8 = E + v7
-    v9 = v6 * v8
-    v10 = xp.where(v0, v3, v9)
-    return v10
+from ...._programs.expressions._runtime.physics.relaxation import ramp_power_creep
+from ...._programs.expressions._runtime.physics.relaxation import ramp_standard_solid
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_maxwell
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_power_creep
+from ...._programs.expressions._runtime.physics.relaxation import relaxation_standard_solid
+from ...._runtime.steps import fading
 
 
-def step_force_kelvin_voigt(xp, t, d, a, E, eta):
-    v0 = t > 0.0
-    v1 = xp.where(v0, E, xp.inf)
-    v2 = 2.0 * d
-    v3 = v2 * a
-    v4 = v1 * v3
-    return v4
+def ramp_force_maxwell(xp, t, v, a, E, tau):
+    return xp.where(t == 0.0, 0.0, 2.0 * (v * t) * a * (E * fading(xp, t / tau, 1.0)))
 
 
 def step_force_maxwell(xp, t, d, a, E, tau):
-    v0 = -t
-    v1 = v0 / tau
-    v2 = xp.exp(v1)
-    v3 = E * v2
-    v4 = 2.0 * d
-    v5 = v4 * a
-    v6 = v3 * v5
-    return v6
+    return relaxation_maxwell(xp, t, E, tau) * (2.0 * d * a)
 
 
-def step_force_power_creep(xp, t, d, a, E, alpha, t_0):
-    v0 = t_0 / t
-    v1 = v0 ** alpha
-    v2 = E * v1
-    v3 = 3.141592653589793 * alpha
-    v4 = xp.sin(v3)
-    v5 = v2 * v4
-    v6 = v5 / v3
-    v7 = 2.0 * d
-    v8 = v7 * a
-    v9 = v6 * v8
-    return v9
+def ramp_force_kelvin_voigt(xp, t, v, a, E, eta):
+    return xp.where(t == 0.0, 2.0 * v * a * eta, 2.0 * (v * t) * a * (E + eta / t))
+
+
+def step_force_kelvin_voigt(xp, t, d, a, E, eta):
+    v1 = t > 0.0
+    v2 = xp.where(v1, t, 1.0)
+    return xp.where(v1, E, xp.inf) * (2.0 * d * a)
+
+
+def ramp_force_standard_solid(xp, t, v, a, E_inf, E_1, tau):
+    v6 = 2.0 * (v * t) * a * ramp_standard_solid(xp, t, 1.0, E_inf, E_1, tau)
+    return xp.where(t == 0.0, 0.0, v6)
 
 
 def step_force_standard_solid(xp, t, d, a, E_inf, E_1, tau):
-    v0 = -t
-    v1 = v0 / tau
-    v2 = xp.exp(v1)
-    v3 = E_1 * v2
-    v4 = E_inf + v3
-    v5 = 2.0 * d
-    v6 = v5 * a
-    v7 = v4 * v6
+    return relaxation_standard_solid(xp, t, E_inf, E_1, tau) * (2.0 * d * a)
+
+
+def ramp_force_power_creep(xp, t, v, a, E, alpha, t_0):
+    v7 = xp.where(t == 0.0, 0.0, 2.0 * (v * t) * a * ramp_power_creep(xp, t, 1.0, E, alpha, t_0))
     return v7
+
+
+def step_force_power_creep(xp, t, d, a, E, alpha, t_0):
+    return relaxation_power_creep(xp, t, E, alpha, t_0) * (2.0 * d * a)

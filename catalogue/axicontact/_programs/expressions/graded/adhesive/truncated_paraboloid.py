@@ -1,98 +1,51 @@
 """Formulas of axicontact.graded.adhesive.truncated_paraboloid over an array library `xp`."""
 
+from ....._programs.expressions._runtime.graded.displacement import punch_share
+from ....._programs.expressions._runtime.graded.displacement import rim_displacement
+from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction
+from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions._runtime.graded.punch import tension
+from ....._programs.expressions.graded.normal.truncated_paraboloid import depth as graded_normal_depth
+from ....._programs.expressions.graded.normal.truncated_paraboloid import force as graded_normal_force
+from ....._programs.expressions.graded.normal.truncated_paraboloid import pressure as graded_normal_pressure
+from ....._programs.expressions.graded.normal.truncated_paraboloid import rate as graded_normal_rate
+from ....._runtime.steps import radii_along
+from ....._runtime.steps import stable
+
 
 def depth(xp, a, R, b, H, k, dgamma):
-    v0 = a >= b
-    v1 = xp.where(v0, a, 2.0 * b)
-    v2 = v1 * v1
-    v3 = v1 - b
-    v4 = xp.maximum(v3, 0.0)
-    v5 = v1 + b
-    v6 = v4 * v5
-    v7 = xp.sqrt(v6)
-    v8 = v7 / v1
-    v9 = v8 > 0.0
-    v10 = v8 ** k
-    v11 = v8 * v10
-    v12 = xp.where(v9, v11, 0.0)
-    v13 = v2 * v12
-    v14 = 1.0 + k
-    v15 = v13 / v14
-    v16 = 0.0 * b
-    v17 = v15 + v16
-    v18 = v17 / R
-    v19 = xp.where(v0, 0.5 * b, a)
-    v20 = xp.where(v0, v18, xp.nan)
-    v21 = a > 0.0
-    v22 = 6.283185307179586 * dgamma
-    v23 = v22 / H
-    v24 = xp.sqrt(v23)
-    v25 = xp.sqrt(a)
-    v26 = v24 * v25
-    v27 = -k
-    v28 = a ** v27
-    v29 = xp.sqrt(v28)
-    v30 = v26 * v29
-    v31 = xp.where(v21, v30, 0.0)
-    v32 = v20 - v31
-    return v32
+    return graded_normal_depth(xp, a, R, b, k) - retraction(xp, a, H, k, dgamma)
 
 
 def force(xp, a, R, b, H, k, dgamma):
-    v0 = a >= b
-    v1 = xp.where(v0, a, 2.0 * b)
-    v2 = 2.0 * H
-    v3 = 1.0 + k
-    v4 = v2 / v3
-    v5 = v1 * v1
-    v6 = v1 > 0.0
-    v7 = v1 ** k
-    v8 = v1 * v7
-    v9 = xp.where(v6, v8, 0.0)
-    v10 = v5 * v9
-    v11 = v1 - b
-    v12 = xp.maximum(v11, 0.0)
-    v13 = v1 + b
-    v14 = v12 * v13
-    v15 = xp.sqrt(v14)
-    v16 = xp.maximum(v1, b)
-    v17 = v15 / v16
-    v18 = v17 > 0.0
-    v19 = v17 ** k
-    v20 = v17 * v19
-    v21 = xp.where(v18, v20, 0.0)
-    v22 = v10 * v21
-    v23 = 3.0 + k
-    v24 = v17 ** 2.0
-    v25 = v3 * v24
-    v26 = v23 - v25
-    v27 = v22 * v26
-    v28 = v3 * v23
-    v29 = v27 / v28
-    v30 = 0.0 * b
-    v31 = v29 + v30
-    v32 = v31 / R
-    v33 = v4 * v32
-    v34 = xp.where(v0, 0.5 * b, a)
-    v35 = xp.where(v0, v33, xp.nan)
-    v36 = 2.0 * H
-    v37 = 1.0 + k
-    v38 = v36 / v37
-    v39 = a > 0.0
-    v40 = a ** k
-    v41 = a * v40
-    v42 = xp.where(v39, v41, 0.0)
-    v43 = v38 * v42
-    v44 = 6.283185307179586 * dgamma
-    v45 = v44 / H
-    v46 = xp.sqrt(v45)
-    v47 = xp.sqrt(a)
-    v48 = v46 * v47
-    v49 = -k
-    v50 = a ** v49
-    v51 = xp.sqrt(v50)
-    v52 = v48 * v51
-    v53 = xp.where(v39, v52, 0.0)
-    v54 = v43 * v53
-    v55 = v35 - v54
-    return v55
+    v4 = punch_stiffness(xp, a, H, k) * retraction(xp, a, H, k, dgamma)
+    return graded_normal_force(xp, a, R, b, H, k) - v4
+
+
+def pressure(xp, r, a, R, b, H, k, dgamma):
+    return graded_normal_pressure(xp, r, a, R, b, H, k) - tension(xp, r, a, H, k, dgamma)
+
+
+def displacement(xp, r, a, R, b, H, k, dgamma):
+    v4 = r > a
+    v7 = xp.where(v4, 0.5 * a, r)
+    v8 = xp.where(v4, punch_share(xp, xp.where(v4, r, 2.0 * a), a, k), 1.0)
+    return rim_displacement(xp, r, a, b, k) / R - retraction(xp, a, H, k, dgamma) * v8
+
+
+def radius_from_depth(xp, d, R, b, H, k, dgamma):
+
+    def f2(v3):
+        v5 = retraction(xp, v3, H, k, dgamma)
+        v13 = graded_normal_rate(xp, v3, R, b, k) - (1.0 + -1.0 * k) * v5 / (2.0 * v3)
+        return (graded_normal_depth(xp, v3, R, b, k) - v5, v13)
+    return stable(xp, f2, d, radii_along(xp, 'radii_beyond', d, R, b, H, k, dgamma) * b)
+
+
+def radius_from_force(xp, F, R, b, H, k, dgamma):
+
+    def f2(v3):
+        v10 = (3.0 + k) * retraction(xp, v3, H, k, dgamma) / (2.0 * v3)
+        v13 = (graded_normal_rate(xp, v3, R, b, k) - v10) * punch_stiffness(xp, v3, H, k)
+        return (force(xp, v3, R, b, H, k, dgamma), v13)
+    return stable(xp, f2, F, radii_along(xp, 'radii_beyond', F, R, b, H, k, dgamma) * b)

@@ -1,75 +1,65 @@
 """Formulas of axicontact.graded.normal.concave_paraboloid over an array library `xp`."""
 
+from ....._programs.expressions._runtime.graded.displacement import power_sag
+from ....._programs.expressions._runtime.graded.displacement import punch_share
+from ....._programs.expressions._runtime.graded.growth import power_factor
+from ....._programs.expressions._runtime.graded.punch import punch_pressure
+from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions.normal.concave_paraboloid import profile
+
 
 def minimum_depth(xp, a, h, k):
-    v0 = (-2.0) * h
-    v1 = k - 1.0
-    v2 = v0 * v1
-    v3 = k + 1.0
-    v4 = v3 ** 2.0
-    v5 = v2 / v4
-    v6 = 0.0 * a
-    v7 = v5 + v6
-    return v7
+    return -2.0 * h * (k - 1.0) / (k + 1.0) ** 2.0 + 0.0 * a
+
+
+def force(xp, d, a, h, H, k):
+    v2 = minimum_depth(xp, a, h, k) * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v14 = xp.where(v3, 2.0 * d, v2)
+    v13 = punch_stiffness(xp, a, H, k) * (d + h * power_factor(xp, 2.0, k) * (1.0 + k) / (3.0 + k))
+    return xp.where(v3, v13, xp.nan)
 
 
 def pressure(xp, r, d, a, h, H, k):
-    v0 = (-2.0) * h
-    v1 = k - 1.0
-    v2 = v0 * v1
-    v3 = k + 1.0
-    v4 = v3 ** 2.0
-    v5 = v2 / v4
-    v6 = 0.0 * a
-    v7 = v5 + v6
-    v8 = v7 * 0.999999999999999
-    v9 = v8 <= d
-    v10 = xp.where(v9, v8, 0.5 * d)
-    v11 = d - v7
-    v12 = 4.0 * h
-    v13 = r ** 2.0
-    v14 = v12 * v13
-    v15 = a ** 2.0
-    v16 = v15 * v4
-    v17 = v14 / v16
-    v18 = v11 + v17
-    v19 = r < a
-    v20 = xp.where(v19, r, 0.5 * a)
-    v21 = H / 3.141592653589793
-    v22 = a - v20
-    v23 = xp.maximum(v22, 0.0)
-    v24 = a + v20
-    v25 = v23 * v24
-    v26 = xp.sqrt(v25)
-    v27 = v26 ** k
-    v28 = v21 * v27
-    v29 = v28 / v26
-    v30 = xp.where(v19, 2.0 * a, r)
-    v31 = v30 > a
-    v32 = xp.where(v31, v30, 2.0 * a)
-    v33 = xp.where(v31, 0.5 * a, v30)
-    v34 = xp.where(v31, 0.0, xp.inf)
-    v35 = xp.where(v19, v29, v34)
-    v36 = v18 * v35
-    v37 = xp.where(v9, 2.0 * d, v8)
-    v38 = xp.where(v9, v36, xp.nan)
-    return v38
+    v1 = minimum_depth(xp, a, h, k)
+    v2 = v1 * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v14 = d - v1 + 4.0 * h * r ** 2.0 / (a ** 2.0 * (k + 1.0) ** 2.0)
+    v17 = xp.where(v3, 2.0 * d, v2)
+    return xp.where(v3, v14 * punch_pressure(xp, r, a, H, k), xp.nan)
+
+
+def displacement(xp, r, d, a, h, k):
+    v2 = minimum_depth(xp, a, h, k) * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v5 = r > a
+    v6 = xp.where(v5, r, 2.0 * a)
+    v13 = d * punch_share(xp, v6, a, k) + h * power_sag(xp, v6, a, 2.0, k) / a ** 2.0
+    v18 = xp.where(v3, 2.0 * d, v2)
+    v19 = xp.where(v3, xp.where(v5, v13, d - profile(xp, xp.where(v5, 0.5 * a, r), a, h)), xp.nan)
+    return v19
 
 
 def stiffness(xp, a, H, k):
-    v0 = 2.0 * H
-    v1 = 1.0 + k
-    v2 = v0 / v1
-    v3 = a > 0.0
-    v4 = a ** k
-    v5 = a * v4
-    v6 = xp.where(v3, v5, 0.0)
-    v7 = v2 * v6
-    return v7
+    return punch_stiffness(xp, a, H, k)
+
+
+def minimum_force(xp, a, h, H, k):
+    v9 = minimum_depth(xp, a, h, k) + h * power_factor(xp, 2.0, k) * (1.0 + k) / (3.0 + k)
+    return punch_stiffness(xp, a, H, k) * v9
+
+
+def depth_from_force(xp, F, a, h, H, k):
+    v2 = minimum_force(xp, a, h, H, k) * 0.999999999999999
+    v3 = v2 <= F
+    v4 = xp.where(v3, v2, 0.5 * F)
+    v14 = xp.where(v3, 2.0 * F, v2)
+    v13 = F / punch_stiffness(xp, a, H, k) - h * power_factor(xp, 2.0, k) * (1.0 + k) / (3.0 + k)
+    return xp.where(v3, v13, xp.nan)
 
 
 def zero_radius(xp, a, h, k):
-    v0 = 0.0 * a
-    v1 = 0.0 * h
-    v2 = v0 + v1
-    return v2
+    return 0.0 * a + 0.0 * h

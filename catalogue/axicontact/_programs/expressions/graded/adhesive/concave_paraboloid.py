@@ -1,0 +1,3 @@
+"""Formulas of axicontact.graded.adhesive.concave_paraboloid over an array library `xp`."""
+
+from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction

@@ -1,0 +1,88 @@
+"""Formulas of axicontact.graded.adhesive.cone over an array library `xp`."""
+
+from ....._programs.expressions._runtime.graded.displacement import power_displacement
+from ....._programs.expressions._runtime.graded.displacement import punch_share
+from ....._programs.expressions._runtime.graded.growth import power_rate
+from ....._programs.expressions._runtime.graded.punch import graded_retraction as retraction
+from ....._programs.expressions._runtime.graded.punch import punch_stiffness
+from ....._programs.expressions._runtime.graded.punch import tension
+from ....._programs.expressions._runtime.physics.adhesion import growth
+from ....._programs.expressions.graded.normal.cone import depth as graded_normal_depth
+from ....._programs.expressions.graded.normal.cone import force as graded_normal_force
+from ....._programs.expressions.graded.normal.cone import pressure as graded_normal_pressure
+from ....._programs.expressions.graded.normal.cone import radius_from_force as graded_normal_radius_from_force
+
+
+def depth(xp, a, theta, H, k, dgamma):
+    return graded_normal_depth(xp, a, theta, k) - retraction(xp, a, H, k, dgamma)
+
+
+def force(xp, a, theta, H, k, dgamma):
+    v4 = punch_stiffness(xp, a, H, k) * retraction(xp, a, H, k, dgamma)
+    return graded_normal_force(xp, a, theta, H, k) - v4
+
+
+def pressure(xp, r, a, theta, H, k, dgamma):
+    return graded_normal_pressure(xp, r, a, theta, H, k) - tension(xp, r, a, H, k, dgamma)
+
+
+def displacement(xp, r, a, theta, H, k, dgamma):
+    v5 = r > a
+    v8 = xp.where(v5, 0.5 * a, r)
+    v9 = xp.where(v5, punch_share(xp, xp.where(v5, r, 2.0 * a), a, k), 1.0)
+    v3 = power_displacement(xp, r, a, 1.0, k) * xp.tan(theta)
+    return v3 - retraction(xp, a, H, k, dgamma) * v9
+
+
+def radius_from_depth(xp, d, theta, H, k, dgamma):
+    v1 = dgamma > 0.0
+    v9 = (1.0 + -1.0 * k) * xp.sqrt(3.141592653589793 * xp.where(v1, dgamma, 1.0) / (2.0 * H))
+    v18 = (v9 / (power_rate(xp, 1.0, 1.0, k) * xp.tan(theta))) ** (1.0 / (1.0 - (1.0 - k) / 2.0))
+    v19 = xp.where(v1, v18, 0.0)
+    v25 = graded_normal_depth(xp, v19, theta, k) * (1.0 - 2.0 / (1.0 + -1.0 * k))
+    v26 = v25 < 0.0
+    v27 = xp.where(v26, 1.0, v25)
+    v31 = xp.where(v26, 1.0, v25)
+    v32 = xp.where(v26, 1.0 - d / xp.where(v26, v25, -1.0), xp.inf)
+    v33 = xp.absolute(v32)
+    v34 = v33 < 1e-15
+    v35 = xp.where(v34, v33, 0.5 * 1e-15)
+    v36 = xp.where(v34, 2.0 * 1e-15, v33)
+    v37 = xp.where(v34, 0.0, v32)
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v42 = v39 > 0.0
+    v47 = 1.0 / ((1.0 - k) / 2.0)
+    v49 = growth(xp, xp.where(v42, xp.where(v42, v39, 1.0), 1.0), v47 + 0.0)
+    v54 = d >= 0.0
+    v58 = xp.maximum(xp.where(v54, d, 1.0), 0.0) / graded_normal_depth(xp, 1.0, theta, k)
+    v53 = v19 * (1.0 + xp.where(v39 == 0.0, 0.0, v49)) ** v47
+    return xp.where(v38, xp.nan, xp.where(xp.isfinite(v39), v53, xp.where(v54, v58, xp.nan)))
+
+
+def radius_from_force(xp, F, theta, H, k, dgamma):
+    v1 = dgamma > 0.0
+    v8 = (3.0 + k) * xp.sqrt(3.141592653589793 * xp.where(v1, dgamma, 1.0) / (2.0 * H))
+    v17 = (v8 / (power_rate(xp, 1.0, 1.0, k) * xp.tan(theta))) ** (1.0 / (1.0 - (1.0 - k) / 2.0))
+    v18 = xp.where(v1, v17, 0.0)
+    v20 = 2.0 + k
+    v22 = 3.0 + k
+    v25 = graded_normal_force(xp, v18, theta, H, k) * (1.0 - 2.0 * v20 / v22)
+    v26 = v25 < 0.0
+    v27 = xp.where(v26, 1.0, v25)
+    v31 = xp.where(v26, 1.0, v25)
+    v32 = xp.where(v26, 1.0 - F / xp.where(v26, v25, -1.0), xp.inf)
+    v33 = xp.absolute(v32)
+    v34 = v33 < 1e-15
+    v35 = xp.where(v34, v33, 0.5 * 1e-15)
+    v36 = xp.where(v34, 2.0 * 1e-15, v33)
+    v37 = xp.where(v34, 0.0, v32)
+    v38 = v37 < 0.0
+    v39 = xp.where(v38, 1.0, v37)
+    v42 = v39 > 0.0
+    v45 = v22 / 2.0
+    v48 = growth(xp, xp.where(v42, xp.where(v42, v39, 1.0), 1.0), v20 / v45 + 0.0)
+    v54 = F >= 0.0
+    v57 = graded_normal_radius_from_force(xp, xp.maximum(xp.where(v54, F, 1.0), 0.0), theta, H, k)
+    v53 = v18 * (1.0 + xp.where(v39 == 0.0, 0.0, v48)) ** (1.0 / v45)
+    return xp.where(v38, xp.nan, xp.where(xp.isfinite(v39), v53, xp.where(v54, v57, xp.nan)))

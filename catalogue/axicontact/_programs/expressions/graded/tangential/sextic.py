@@ -1,0 +1,40 @@
+"""Formulas of axicontact.graded.tangential.sextic over an array library `xp`."""
+
+from ....._programs.expressions._runtime.graded.growth import power_factor
+from ....._programs.expressions._runtime.graded.growth import power_force
+from ....._programs.expressions._runtime.graded.slip import power_growth
+from ....._programs.expressions._runtime.physics.slip import gained_share
+from ....._programs.expressions._runtime.physics.slip import stick_force
+from ....._programs.expressions.graded.normal.sextic import depth as graded_normal_depth
+from ....._programs.expressions.graded.normal.sextic import force as graded_normal_force
+from ....._programs.expressions.graded.normal.sextic import pressure as graded_normal_pressure
+from ....._programs.expressions.graded.normal.sextic import radius_from_force as graded_normal_radius_from_force
+
+
+def tangential_force(xp, a, c, A, H, k, mu):
+    v2 = 1.0 + k
+    v9 = A * (power_force(xp, a, 6.0, k) * gained_share(xp, c, a, 6.0 + v2))
+    return mu * (2.0 * H / v2) * v9
+
+
+def traction(xp, r, a, c, A, H, k, mu):
+    v1 = r < c
+    v7 = power_growth(xp, xp.minimum(xp.where(v1, r, 0.5 * c), c), c, a, 6.0, k)
+    v10 = H / 3.141592653589793 * (A * (power_factor(xp, 6.0, k) * 6.0 * v7))
+    v14 = mu * xp.where(v1, v10, graded_normal_pressure(xp, xp.where(v1, 2.0 * c, r), a, A, H, k))
+    return v14
+
+
+def tangential_displacement(xp, a, c, A, H, H_x, k, mu):
+    v9 = mu * (H / H_x) * (A * (power_factor(xp, 6.0, k) * a ** 6.0 * gained_share(xp, c, a, 6.0)))
+    return v9
+
+
+def stick_radius(xp, F_x, a, A, H, k, mu):
+    v5 = stick_force(xp, graded_normal_force(xp, a, A, H, k), F_x, mu)
+    v7 = xp.where((F_x == 0.0) & (a >= 0.0), a, graded_normal_radius_from_force(xp, v5, A, H, k))
+    return v7
+
+
+def full_slip_displacement(xp, a, A, H, H_x, k, mu):
+    return mu * (H / H_x) * graded_normal_depth(xp, a, A, k)

@@ -1,0 +1,300 @@
+"""Stresses and displacements of a contact from its eleven numbers, under normal load and under friction.
+
+Tension is positive, z points into the half-space, cylindrical components.  Friction is uncoupled from the pressure:
+the traction is mu p in the direction phi = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from ..interface import Array, Result, numbers
+from .punches import Piece, punch, superposed
+
+
+class Stress(NamedTuple):
+    """Stress of an axisymmetric state, tension positive; each a float or an array."""
+
+    rr: Result
+    tt: Result
+    zz: Result
+    rz: Result
+
+
+class SlidingStress(NamedTuple):
+    """Stress under friction in cylindrical components, tension positive; each a float or an array."""
+
+    rr: Result
+    tt: Result
+    zz: Result
+    rt: Result
+    rz: Result
+    tz: Result
+
+
+class Displacement(NamedTuple):
+    """Displacement away from the axis and into the half-space."""
+
+    r: Result
+    z: Result
+
+
+class SurfaceStress(NamedTuple):
+    """Stress of the surface away from the axis and around it."""
+
+    rr: Result
+    tt: Result
+
+
+class Greatest(NamedTuple):
+    """The greatest value below a contact and the point at which it is."""
+
+    value: Result
+    r: Result
+    z: Result
+
+
+Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
+"""Of the given radius or depth and of the geometry: the contact radius, NaN where there is no contact; the depth by
+which the edge is pressed in beyond g; the pieces of g'."""
+
+
+def eleven(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
+    """The eleven numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
+
+    They are infinite where the pressure is: at the edge of a flat face, a tip, a kink.
+    """
+    r, z, given, *own = np.broadcast_arrays(r, z, given, *geometry.values())
+    size = r.shape
+    r, z, given, *own = (np.ravel(x) for x in (r, z, given, *own))
+    with np.errstate(all="ignore"):
+        radius, edge, pieces = shape(given, **dict(zip(geometry, own, strict=True)))
+        radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
+        total = superposed(r, z, pieces)
+        pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
+        x, y, t = r[pressed], z[pressed], radius[pressed]
+        field = np.array(punch(x, y, t, t - x))
+        rim = np.flatnonzero((x == t) & (y == 0.0))
+        field[:, rim] = np.nan
+        for row in (0, 8, 9):
+            field[row, rim] = np.inf
+        total[:, pressed] += edge[pressed] * field
+        total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
+        total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
+    return total.reshape(-1, *size)
+
+
+def held(d: Result | None) -> dict[str, Result]:
+    """A depth, where it is given."""
+    return {} if d is None else {"d": d}
+
+
+def stress_below(
+    shape: Shape, r: Result, z: Result, given: Result, E_star: Result, nu: Result, **geometry: Result
+) -> Stress:
+    """The stress under the normal load."""
+    found, (nu, E_star) = _found(shape, r, z, given, geometry, nu=nu, E_star=E_star)
+    return Stress(*plain(normal_stress(found, nu, E_star / np.pi)))
+
+
+def displacement_below(
+    shape: Shape, r: Result, z: Result, given: Result, nu: Result, **geometry: Result
+) -> Displacement:
+    """The displacement under the normal load."""
+    found, (nu,) = _found(shape, r, z, given, geometry, nu=nu)
+    return Displacement(*plain(normal_displacement(found, np.asarray(r), np.asarray(z), nu)))
+
+
+def sliding_below(
+    shape: Shape, r: Result, phi: Result, z: Result, given: Result,
+    E_star: Result, nu: Result, mu: Result, inner: Result = None, **geometry: Result,
+) -> SlidingStress:  # fmt: skip
+    """What friction adds, with a zone of stick up to the radius `inner` if there is one."""
+    others = {"phi": phi, "nu": nu, "E_star": E_star, "mu": mu} | ({} if inner is None else {"c": inner})
+    found, (phi, nu, E_star, mu, *inside) = _found(shape, r, z, given, geometry, **others)
+    for c in inside:
+        found = found - _found(shape, r, z, c, geometry, phi=phi)[0]
+    return SlidingStress(*plain(frictional_stress(found, phi, nu, mu * E_star / np.pi)))
+
+
+def _found(
+    shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], **others: Result
+) -> tuple[Array, list[Array]]:
+    """The eleven numbers, and the other arguments, over the shape to which all broadcast."""
+    fields = {"r": r, "z": z, _given(geometry): given}
+    known = [numbers(name, x) for own in (fields, geometry, others) for name, x in own.items()]
+    r, z, given, *own = np.broadcast_arrays(*known)
+    geometry = dict(zip(geometry, own, strict=False))
+    return eleven(shape, r, z, given, geometry), own[len(geometry) :]
+
+
+def _given(geometry: dict[str, Result]) -> str:
+    """What is given of the contact: its depth where the radius is one of the geometry."""
+    return "d" if "a" in geometry else "a"
+
+
+def greatest_below(
+    shape: Shape, measure: Callable[[Stress], Array], given: Result, E_star: Result, nu: Result, **geometry: Result
+) -> Greatest:
+    """The greatest value of a measure below each contact, and where."""
+    known = {_given(geometry): given, "E_star": E_star, "nu": nu, **geometry}
+    own = np.broadcast_arrays(*(numbers(name, x) for name, x in known.items()))
+    rows = []
+    for a, modulus, ratio, *others in zip(*(np.ravel(x).tolist() for x in own), strict=True):
+        rows.append(_greatest_of(shape, measure, a, modulus, ratio, dict(zip(geometry, others, strict=True))))
+    columns = np.array(rows, float).reshape(-1, 3).T
+    return Greatest(*plain([column.reshape(np.shape(own[0])) for column in columns]))
+
+
+def _greatest_of(
+    shape: Shape, measure: Callable[[Stress], Array], given: float, modulus: float, nu: float, known: dict[str, float]
+) -> Greatest:
+    with np.errstate(all="ignore"):
+        radius, edge, pieces = shape(np.array([given]), **{name: np.array([x]) for name, x in known.items()})
+    a = float(np.ravel(radius)[0])
+    if not a > 0.0:
+        return Greatest(0.0 if a == 0.0 else np.nan, np.nan, np.nan)
+    if np.ravel(edge)[0] != 0.0:
+        return Greatest(np.inf, a, 0.0)
+    inner = [(float(np.ravel(p.low)[0]), bool(np.ravel(p.sharp)[0])) for p in pieces]
+    inside = [low for low, _ in inner if low < a]
+    sharp = [low for low, infinite in inner if infinite and low < a]
+    if sharp and nu < 0.5:
+        return Greatest(np.inf, sharp[0], 0.0)
+
+    def value(r: Array, z: Array) -> Array:
+        found = eleven(shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
+        return measure(Stress(*normal_stress(found, nu, modulus / np.pi)))
+
+    return greatest(value, a, [0.0, *inside, a])
+
+
+def plain(values: Sequence[Array]) -> list[Result]:
+    """Floats where the arguments are numbers."""
+    return [value[()] if np.ndim(value) else float(value) for value in values]
+
+
+def normal_stress(found: Array, nu: Array, scale: Array) -> list[Array]:
+    """rr, tt, zz, rz of a pressure whose eleven numbers these are; `scale` is E_star/pi."""
+    mean, half = (found[4] - (1.0 + 2.0 * nu) * found[0]) / 2.0, ((1.0 - 2.0 * nu) * found[2] - found[6]) / 2.0
+    return [scale * x for x in (mean + half, mean - half, -found[8], -found[5])]
+
+
+def normal_displacement(found: Array, r: Array, z: Array, nu: Array) -> list[Array]:
+    """Away from the axis and into the half-space."""
+    outward = (1.0 - 2.0 * nu) * (found[0] + found[2]) - (found[4] + found[6])
+    sunk = np.where(z == 0.0, 0.0, z * found[0]) / (1.0 - nu)
+    return [-r * outward / (2.0 * np.pi * (1.0 - nu)), (2.0 * found[10] + sunk) / np.pi]
+
+
+def frictional_stress(found: Array, phi: Array, nu: Array, scale: Array) -> list[Array]:
+    """What a traction mu p adds, in the order of `SlidingStress`; `scale` is mu E_star/pi."""
+    cos, sin = np.cos(phi), np.sin(phi)
+    mean = found[5] / 2.0 - (1.0 + nu) * found[1]
+    along, across = found[5] / 4.0 - (1.0 - nu / 2.0) * found[1], (2.0 * nu * found[3] + found[7]) / 4.0
+    lengthwise, sideways = (mean + along - across) * cos, (mean - along + across) * cos
+    shear, turned = found[9], found[6] / 2.0
+    parts = (lengthwise, sideways, -found[5] * cos, -(along + across) * sin)
+    return [scale * x for x in (*parts, -(shear + turned) * cos, (shear - turned) * sin)]
+
+
+AnyStress: TypeAlias = Stress | SlidingStress
+
+
+def _components(stress: AnyStress) -> tuple[Array, ...]:
+    """rr, tt, zz, rt, rz, tz as arrays."""
+    if isinstance(stress, SlidingStress):
+        return tuple(map(np.asarray, stress))
+    zero = np.zeros_like(np.asarray(stress.rr, float))
+    return (*map(np.asarray, (stress.rr, stress.tt, stress.zz)), zero, np.asarray(stress.rz), zero)
+
+
+def add(*stresses: AnyStress) -> SlidingStress:
+    """The sum of states: normal load and friction."""
+    parts = zip(*map(_components, stresses), strict=True)
+    return SlidingStress(*plain([sum(own[1:], own[0]) for own in parts]))
+
+
+def hydrostatic(stress: AnyStress) -> Result:
+    """Mean of the three normal stresses [Pa]."""
+    return plain([sum(_components(stress)[:3]) / 3.0])[0]
+
+
+def von_mises(stress: AnyStress) -> Result:
+    """Equivalent stress of von Mises [Pa]."""
+    rr, tt, zz, rt, rz, tz = _components(stress)
+    with np.errstate(invalid="ignore"):  # of two that are infinite
+        normal = (rr - tt) ** 2 + (tt - zz) ** 2 + (zz - rr) ** 2
+    return plain([np.sqrt(normal / 2.0 + 3.0 * (rt**2 + rz**2 + tz**2))])[0]
+
+
+def principal(stress: AnyStress) -> tuple[Result, Result, Result]:
+    """The principal stresses [Pa], the largest first."""
+    rr, tt, zz, rt, rz, tz = np.broadcast_arrays(*_components(stress))
+    rows = [np.stack(row, axis=-1) for row in ((rr, rt, rz), (rt, tt, tz), (rz, tz, zz))]
+    tensor = np.stack(rows, axis=-2)
+    known = np.all(np.isfinite(tensor), axis=(-1, -2))
+    values = np.linalg.eigvalsh(np.where(known[..., None, None], tensor, 0.0))
+    values = np.where(known[..., None], values, np.nan)
+    first, second, third = plain([values[..., 2], values[..., 1], values[..., 0]])
+    return first, second, third
+
+
+def tresca(stress: AnyStress) -> Result:
+    """Difference of the greatest and the least principal stress [Pa], twice the greatest shear."""
+    first, _, third = principal(stress)
+    return first - third
+
+
+def largest_shear(stress: Stress) -> Array:
+    """The greatest shear of an axisymmetric state, by its two principal stresses in the plane and the one around it."""
+    with np.errstate(invalid="ignore"):  # of two that are infinite
+        half = np.hypot((stress.rr - stress.zz) / 2.0, stress.rz)
+        middle = (stress.rr + stress.zz) / 2.0
+        return np.maximum(half, (np.abs(middle - stress.tt) + half) / 2.0)
+
+
+LAYERS, ZOOMS, KEPT, WIDE = 34, 16, 4, 9
+"""Depths of the first grid, each 0.7 times the last one; steps of a zoom, the points that are followed, and the points
+of a grid in each direction."""
+
+
+def greatest(measure: Callable[[Array, Array], Array], a: float, marks: Sequence[float]) -> Greatest:
+    """The greatest value of a measure of (r, z) below a contact of radius a: of a grid that is finer next to the axis,
+    the breaks and the edge (`marks`), and then of ever smaller grids around the best of its points.
+    """
+    steps = a * 0.7 ** np.arange(LAYERS)
+    r = np.unique(np.abs(np.concatenate([[m, *(m + steps), *(m - steps)] for m in marks])))
+    r, z = (x.ravel() for x in np.meshgrid(r[r <= 1.5 * a], np.concatenate([steps, [0.0]])))
+    value = measure(r, z)
+    value = np.where(np.isfinite(value), value, -np.inf)
+    best = Greatest(-np.inf, 0.0, 0.0)
+    for start in _peaks(r, z, value):
+        width = np.array([max(0.4 * z[start], 0.1 * min(abs(r[start] - m) for m in marks)), 0.4 * z[start]])
+        here = Greatest(float(value[start]), float(r[start]), float(z[start]))
+        width = np.maximum(width, 1e-9 * a)
+        for _ in range(ZOOMS):
+            grid = np.linspace(-1.0, 1.0, WIDE)
+            x, y = np.meshgrid(np.abs(here.r + width[0] * grid), np.maximum(here.z + width[1] * grid, 0.0))
+            found = measure(x.ravel(), y.ravel())
+            top = int(np.nanargmax(found))
+            if found[top] > here.value:
+                here = Greatest(float(found[top]), float(x.ravel()[top]), float(y.ravel()[top]))
+            width = width * 0.4
+        best = max(best, here)
+    return best
+
+
+def _peaks(r: Array, z: Array, value: Array) -> list[int]:
+    """The best points of a grid that are not close to a better one."""
+    found: list[int] = []
+    for own in np.argsort(-value):
+        near = any(abs(r[own] - r[o]) + abs(z[own] - z[o]) < 0.8 * (z[own] + z[o]) for o in found)
+        if not near:
+            found.append(int(own))
+        if len(found) == KEPT:
+            break
+    return found

@@ -1,0 +1,391 @@
+"""Concave paraboloid: stresses below the surface.
+
+Concave parabolic face of depth h: the pressure vanishes first at the centre.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, require
+from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.stresses import (
+    Displacement,
+    Greatest,
+    SlidingStress,
+    Stress,
+    SurfaceStress,
+    displacement_below,
+    greatest_below,
+    largest_shear,
+    sliding_below,
+    stress_below,
+    von_mises,
+)
+from ..normal import concave_paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "displacement",
+    "greatest_shear",
+    "greatest_von_mises",
+    "sliding_stress",
+    "stress",
+    "surface_displacement",
+    "surface_stress",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def stress(
+    r: ArrayLike, z: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike, nu: ArrayLike
+) -> Stress:
+    """Stress below the contact.
+
+        zz = -E_star*(S_0 + D_0)/pi
+        rz = -E_star*D_1/pi
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    Stress
+        Named tuple of rr, tt, zz and rz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
+    and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, E_star=E_star, nu=nu)
+    return stress_below(_shape, r, z, d, E_star, nu, a=a, h=h)
+
+
+def displacement(
+    r: ArrayLike, z: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, nu: ArrayLike
+) -> Displacement:
+    """Displacement below the contact.
+
+        z = (2*W + z*S_0/(1 - nu))/pi
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    Displacement
+        Named tuple of r and z [m], away from the axis and into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
+    to the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, nu=nu)
+    return displacement_below(_shape, r, z, d, nu, a=a, h=h)
+
+
+def surface_stress(
+    r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike, nu: ArrayLike
+) -> SurfaceStress:
+    """Stress of the surface.
+
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    SurfaceStress
+        Named tuple of rr and tt [Pa], tension positive.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
+    and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, E_star=E_star, nu=nu)
+    return SurfaceStress(*stress_below(_shape, r, 0.0, d, E_star, nu, a=a, h=h)[:2])
+
+
+def surface_displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, nu: ArrayLike) -> Result:
+    """Displacement of the surface away from the axis.
+
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    float or ndarray
+        Displacement away from the axis [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
+    to the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, nu=nu)
+    return displacement_below(_shape, r, 0.0, d, nu, a=a, h=h).r
+
+
+def sliding_stress(
+    r: ArrayLike,
+    phi: ArrayLike,
+    z: ArrayLike,
+    d: ArrayLike,
+    *,
+    a: ArrayLike,
+    h: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    mu: ArrayLike,
+) -> SlidingStress:
+    """Stress that friction adds where the whole contact slides.
+
+        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
+        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
+        zz = -mu*E_star*D_1*cos(phi)/pi
+        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
+        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
+        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    phi : array_like
+        Angle from the direction of the traction on the half-space [rad].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    SlidingStress
+        Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. The traction mu p does not change the pressure. The whole
+    stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
+    the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, E_star=E_star, nu=nu, mu=mu)
+    return sliding_below(_shape, r, phi, z, d, E_star, nu, mu, a=a, h=h)
+
+
+def greatest_von_mises(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike, nu: ArrayLike) -> Greatest:
+    """The greatest stress of von Mises below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
+    is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
+    to the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, E_star=E_star, nu=nu)
+    return greatest_below(_shape, von_mises, d, E_star, nu, a=a, h=h)
+
+
+def greatest_shear(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike, nu: ArrayLike) -> Greatest:
+    """The greatest shear stress below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
+    is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
+    to the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+    """
+    require(a=a, h=h, E_star=E_star, nu=nu)
+    return greatest_below(_shape, largest_shear, d, E_star, nu, a=a, h=h)
+
+
+def _shape(d: Array, a: Array, h: Array) -> tuple[Array, Array, tuple[Piece, ...]]:
+    """Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."""
+    radius = np.where(d >= normal._minimum_depth(h) * (1.0 - 1e-15), a, np.nan)
+    edge = d - (-2 * h)
+    return radius, edge, (Piece(PLAIN, 0.0, radius, _slope, (a, h)),)
+
+
+def _slope(t: Array, a: Array, h: Array) -> Array:
+    """Rate g'(t) of the depth g(t) of the face."""
+    return -4 * h * t / a**2

@@ -1,0 +1,502 @@
+"""Cone with a rounded tip: stresses below the surface.
+
+Parabolic tip running tangentially into a cone at r = b.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, require
+from .._runtime.subsurface.punches import COSH, PLAIN, Piece
+from .._runtime.subsurface.stresses import (
+    Displacement,
+    Greatest,
+    SlidingStress,
+    Stress,
+    SurfaceStress,
+    displacement_below,
+    greatest_below,
+    held,
+    largest_shear,
+    sliding_below,
+    stress_below,
+    von_mises,
+)
+from ..normal import rounded_cone as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "displacement",
+    "greatest_shear",
+    "greatest_von_mises",
+    "partial_slip_stress",
+    "sliding_stress",
+    "stress",
+    "surface_displacement",
+    "surface_stress",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def stress(
+    r: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> Stress:
+    """Stress below the contact.
+
+        zz = -E_star*(S_0 + D_0)/pi
+        rz = -E_star*D_1/pi
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Stress
+        Named tuple of rr, tt, zz and rz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
+    infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
+    over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu)
+    return stress_below(_shape, r, z, a, E_star, nu, theta=theta, b=b, **held(d))
+
+
+def displacement(
+    r: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    nu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> Displacement:
+    """Displacement below the contact.
+
+        z = (2*W + z*S_0/(1 - nu))/pi
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Displacement
+        Named tuple of r and z [m], away from the axis and into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, nu=nu)
+    return displacement_below(_shape, r, z, a, nu, theta=theta, b=b, **held(d))
+
+
+def surface_stress(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> SurfaceStress:
+    """Stress of the surface.
+
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    SurfaceStress
+        Named tuple of rr and tt [Pa], tension positive.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
+    infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
+    over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu)
+    return SurfaceStress(*stress_below(_shape, r, 0.0, a, E_star, nu, theta=theta, b=b, **held(d))[:2])
+
+
+def surface_displacement(
+    r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Result:
+    """Displacement of the surface away from the axis.
+
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    float or ndarray
+        Displacement away from the axis [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, nu=nu)
+    return displacement_below(_shape, r, 0.0, a, nu, theta=theta, b=b, **held(d)).r
+
+
+def sliding_stress(
+    r: ArrayLike,
+    phi: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    mu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> SlidingStress:
+    """Stress that friction adds where the whole contact slides.
+
+        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
+        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
+        zz = -mu*E_star*D_1*cos(phi)/pi
+        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
+        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
+        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    phi : array_like
+        Angle from the direction of the traction on the half-space [rad].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    SlidingStress
+        Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. The traction mu p does not change the pressure. The whole stress is the `add`
+    of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
+    g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, mu=mu)
+    return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, theta=theta, b=b, **held(d))
+
+
+def partial_slip_stress(
+    r: ArrayLike,
+    phi: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    mu: ArrayLike,
+) -> SlidingStress:
+    """Stress that friction adds where the contact sticks within the radius c.
+
+        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
+        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
+        zz = -mu*E_star*D_1*cos(phi)/pi
+        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
+        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
+        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    phi : array_like
+        Angle from the direction of the traction on the half-space [rad].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    SlidingStress
+        Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. The traction is mu times the difference of the pressures of radii a and c. S_m,
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, mu=mu)
+    return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, theta=theta, b=b)
+
+
+def greatest_von_mises(
+    a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Greatest:
+    """The greatest stress of von Mises below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
+    1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu)
+    return greatest_below(_shape, von_mises, a, E_star, nu, theta=theta, b=b, **held(d))
+
+
+def greatest_shear(
+    a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Greatest:
+    """The greatest shear stress below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
+    1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
+    times g'(t), summed over t.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu)
+    return greatest_below(_shape, largest_shear, a, E_star, nu, theta=theta, b=b, **held(d))
+
+
+def _shape(a: Array, theta: Array, b: Array, d: Array | None = None) -> tuple[Array, Array, tuple[Piece, ...]]:
+    """Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."""
+    depth = normal._depth(a, theta, b)
+    radius = np.where(np.isnan(depth), np.nan, a)
+    edge = 0.0 if d is None else d - depth
+    tip = Piece(PLAIN, 0.0, np.minimum(a, b), normal._slope, (theta, b))
+    beyond = Piece(COSH, b, np.maximum(a, b), normal._slope_beyond, (theta, b), b, 2.0)
+    return radius, edge, (tip, beyond)
