@@ -87,8 +87,9 @@ class Shared:
             own = {name: self._stands_for(value) for name, value in before[path].items() if not name.startswith("__")}
             vars(module).update(BUILTINS | {name: value for name, value in own.items() if value is not None})
         for (path, name), value in STANDING.items():
-            if not callable(value):
-                setattr(self._modules[f"{PLACE}.{path}"], name, value)
+            home = self._modules.get(f"{PLACE}.{path}")  # none with part of the package
+            if home is not None and not callable(value):
+                setattr(home, name, value)
         try:
             yield
         finally:
