@@ -9,13 +9,13 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 import pytest
-from axicontact._runtime.subsurface.punches import COSH, EXP, PLAIN, SINH, TANH, Piece, punch, superposed
-from axicontact.subsurface import SlidingStress, Stress, add, hydrostatic, principal, tresca, von_mises
 from selected import few
 from test_interface import PARAMETERS
 
 from axicontact import subsurface
+from axicontact._runtime.subsurface.punches import COSH, EXP, PLAIN, SINH, TANH, Piece, punch, superposed
 from axicontact.normal import cone, paraboloid, rounded_punch
+from axicontact.subsurface import SlidingStress, Stress, add, hydrostatic, principal, tresca, von_mises
 
 PROFILES = [name for name in subsurface.__all__ if inspect.ismodule(getattr(subsurface, name))]
 FIXED = ("flat_punch", "capped_cylinder", "concave_power", "concave_paraboloid", "concave_quartic")
