@@ -197,6 +197,9 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
         total = _tail(r, z, piece) if variable is EXP else np.zeros((NUMBERS, r.size))
         begin = (alpha + bottom if variable is EXP else lowest)[point] + width * share
+        # a high power takes its digits from the end at which it is large
+        highest = variable.place(piece.high + 0j, b).real[point]
+        begin = np.where((variable is EXP) & (share >= 0.5), highest - width * (1.0 - share), begin)
         # eight nodes are enough for the kernel, and for a slope that is a power
         power = (variable is EXP) | np.isinf(piece.longest)[point]
         for panels in _panels(point, power, begin, left, right, alpha, beta, mirror):
