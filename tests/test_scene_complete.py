@@ -7,7 +7,7 @@ import math
 import pytest
 from scenes import NO_PDF, composed_from, problems
 
-from axiderive.scene.linker import assembled, sources
+from axiderive.scene.linker import module, sources
 
 SHOE = 'profile = "eccentric_punch"\n[parameters]\na = 0.02\n{}[medium]\nE_star = 3e9\n[physics]\nplane = true\n'
 
@@ -102,7 +102,7 @@ def test_a_wrong_rule_does_not_pass(source, right, wrong, monkeypatch):
 
 
 def test_a_load_seen_from_the_wrong_side_does_not_pass(monkeypatch):
-    monkeypatch.setattr(assembled, "LEANING", assembled.LEANING.replace("np.copysign(1.0, x) * e", "e"))
+    monkeypatch.setattr(module, "LEANING", module.LEANING.replace("np.copysign(1.0, x) * e", "e"))
     with pytest.raises(ArithmeticError, match="pressure"):
         composed_from(SHOE.format("e = 0.004\n") + NO_PDF)
 

@@ -68,12 +68,10 @@ def emit(arguments: argparse.Namespace) -> int:
 
 def _plan(scene: Scene, folder: Path) -> list[str]:
     """What would be written, with the defaults filled in."""
-    assert scene.profile is not None
-    names = [*interface.parameters(scene.profile), *scene.kind.material]
-    frozen = ", ".join(f"{n} = {scene.values[n]!r}" for n in names if n in scene.values) or "none"
-    free = ", ".join(n for n in names if n not in scene.values) or "none"
+    frozen = ", ".join(f"{name} = {value!r}" for name, value in scene.frozen.items()) or "none"
+    free = ", ".join(scene.free) or "none"
     return [
-        f"profile     {scene.profile.name}  {scene.profile.subtitle if scene.own else ''}".rstrip(),
+        f"profile     {scene.subject.name}  {scene.subject.subtitle if scene.own else ''}".rstrip(),
         f"physics     {scene.kind.name}",
         f"functions   {', '.join(scene.quantities)}",
         f"frozen      {frozen}",

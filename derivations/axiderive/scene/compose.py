@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,20 +14,17 @@ from .. import notation as nt
 from ..code.plane import document
 from ..exits import USAGE, CommandError
 from . import evidence, interface
-from .contact import Contact, values_of
+from .contact import Contact
 from .evidence import Run, measured, test_text
-from .linker import assembled, sources
-from .linker.assembled import Assembled
+from .linker import module, sources
 from .linker.library import Module, definition
 from .linker.linking import OWN, Wanted
-from .linker.module import head, module_text
 from .page import page_sources
 from .reading import Scene
 from .references import check_values
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
-    from ..expression.profile import OwnProfile
 
 Typesetter = Callable[[Mapping[str, bytes]], None]
 OF_RUNTIME = {
@@ -58,42 +55,36 @@ def composed(request: Scene, answer: Answer | None = None, typeset: Typesetter =
     typeset : callable, optional
         Takes the sources of the page as soon as they are known, for LaTeX to work beside the rest.
     """
-    with nt.extended(request.own.notation if request.own else ()):
+    with nt.extended(request.notation):
         return _Composition(request, answer).result(typeset)
-
-
-def _derived(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational]) -> Answer:
-    # what a scene of the catalogue does not need is not imported for it
-    from ..expression.answer import answered
-
-    return answered(own, values)
 
 
 class _Composition:
     def __init__(self, request: Scene, answer: Answer | None) -> None:
         self.request, self.answer = request, answer
         if request.own is not None:
-            fields = {name for own in interface.functions(request.kind).values() for name in own.fields}
-            if nt.c.name in fields & {p.name for p in request.own.profile.parameters}:
+            # what a scene of the catalogue does not need is not imported for it
+            from ..expression.answer import answered
+
+            own = request.own
+            fields = {name for one in interface.functions(request.kind).values() for name in one.fields}
+            if nt.c.name in fields & {p.name for p in own.profile.parameters}:
                 message = "c is the radius of stick in a tangential contact; give the parameter c another letter"
                 raise CommandError(message, USAGE)
-            given = {p: request.values.get(p.name) for p in request.own.profile.parameters}
-            exact = {p: sp.Rational(v) for p, v in given.items() if v is not None}
-            self.answer = answer or _derived(request.own, exact)
+            exact = {p: sp.Rational(v) for p in own.profile.parameters if (v := request.values.get(p.name)) is not None}
+            self.answer = answer or answered(own, exact)
             self.profile, self.entries = self.answer.profile, self.answer.entries
             self.normal = self.answer.module
         else:
-            assert request.profile is not None
-            self.profile = request.profile
+            self.profile = request.subject
             self.entries = sources.stored_entries(self.profile, request.kind)
             self.normal = sources.stored_module(self.profile.name, self.entries, request.kind)
-        self.parameters = list(interface.parameters(self.profile))
         self._require_reach()
         self.contact = Contact(self.profile, self.entries, self.request)
 
     def _require_reach(self) -> None:
         """Inverses of a contact that is compact up to some radius need that radius, and it needs all values."""
-        free = [p for p in self.parameters if p not in self.request.values]
+        free = [p for p in interface.parameters(self.profile) if p not in self.request.values]
         # all that a viscoelastic contact has is an inverse of the elastic one
         kind, inverses = self.request.kind, set(self.request.quantities)
         wanted = sorted(inverses if kind.law else inverses & interface.INVERSES)
@@ -106,38 +97,25 @@ class _Composition:
 
     def result(self, typeset: Typesetter) -> Result:
         """All files of the request and what is told of them; `typeset` gets the page before the rest is computed."""
-        page: dict[str, bytes] = {}
-        if {"tex", "pdf"} & set(self.request.formats):
-            page = page_sources(
-                self.request, self.profile, self.entries, evidence.stored(self.request, self.profile, self.answer)
-            )
+        request, page = self.request, dict[str, bytes]()
+        if {"tex", "pdf"} & set(request.formats):
+            known = evidence.stored(request, self.profile, self.answer)
+            page = page_sources(request, self.profile, self.entries, known)
             typeset(page)
-        text = self._module()
-        stem = self.request.module.removesuffix(".py")
-        values = check_values(self.contact, self._keywords)
-        run = measured(text, values, self.request, self._free(), self.contact)
-        values, errors = run.values, run.errors
+        text, stem = self._module(), request.module.removesuffix(".py")
+        free = {name: self.contact.all[name] for name in request.free}
+        run = measured(text, check_values(self.contact, free), free, self.contact)
         files: dict[str, bytes] = {}
-        if "python" in self.request.formats:
-            files[self.request.module] = text.encode()
-            files[f"test_{stem}.py"] = test_text(stem, run, self._free(), self._origin()).encode()
-        if "tex" in self.request.formats:
+        if "python" in request.formats:
+            files[request.module] = text.encode()
+            files[f"test_{stem}.py"] = test_text(stem, run, free, self._origin()).encode()
+        if "tex" in request.formats:
             files |= page
-        if "json" in self.request.formats:
-            files["evidence.json"] = _json(
-                evidence.record(
-                    self.request, self.profile, self.answer, self._ordered(self.request.values), values, errors
-                )
-            )
-        if self.request.text:
-            files["scene.toml"] = self.request.text.encode()
+        if "json" in request.formats:
+            files["evidence.json"] = _json(evidence.record(request, self.profile, self.answer, run))
+        if request.text:
+            files["scene.toml"] = request.text.encode()
         return Result(files, tuple(self._lines(run)))
-
-    def _free(self) -> dict[str, float]:
-        """Values for the parameters that stay free, in the order of the interface."""
-        names = self._keywords([*self.parameters, *self.request.kind.material])
-        known, _ = values_of(self.profile, self.request)
-        return {name: known[name] for name in names}
 
     # the module
 
@@ -148,70 +126,43 @@ class _Composition:
             meaning = document.meaning(self.profile, record.symbol)
         return f"{meaning} [{record.unit}]"
 
-    def _keywords(self, names: Sequence[str]) -> tuple[str, ...]:
-        return tuple(name for name in names if name not in self.request.values)
-
     def _module(self) -> str:
         request, kind = self.request, self.request.kind
         modules = sources.library(self.profile, self.entries, self.normal, kind)
-        written, order = assembled.order(self.profile, interface.between(self.profile, kind), kind, request.values)
-        texts = [written] if written else []
-        wanted: list[Wanted] = []
-        above: list[Assembled] = []
-        for quantity in request.quantities:
-            one = self._pull_off(modules) if quantity == interface.PULL_OFF else self._wanted(modules, quantity, texts)
-            if isinstance(one, Wanted):
-                wanted.append(one)
-            else:
-                above.append(one)
-        texts += [one.text for one in above]
-        modules = modules | ({OWN: assembled.module(texts)} if texts else {})
-        constants = {k: (value, self._comment(k)) for k, value in self._ordered(request.values).items()}
-        free = [p for p in (*self.parameters, *self.request.kind.material) if p not in request.values]
-        ends = {p: interface.interval(interface.record(p, self.profile)) for p in free}
-        domains = {
-            p: (low.replace("-inf", "-np.inf"), high.replace("inf", "np.inf")) for p, (low, high) in ends.items()
-        }
+        texts = [module.order(self.profile, interface.between(self.profile, kind), kind, request.values)]
+        wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
+        modules = modules | {OWN: Module(OWN, "\n\n".join(texts))}
+        constants = {name: (value, self._comment(name)) for name, value in request.frozen.items()}
+        domains = {p: interface.interval(interface.record(p, self.profile)) for p in request.free}
         fields = {name for one in wanted for name in one.fields}
-        units = {name: interface.record(name, self.profile).unit for name in {*fields, *free}}
-        title = head(request, self.profile, self.answer, self.contact)
-        return module_text(title, modules, wanted, constants, domains, units, above, order)
+        units = {name: interface.record(name, self.profile).unit for name in {*fields, *request.free}}
+        title = module.head(request, self.profile, self.answer, self.contact)
+        return module.module_text(title, modules, wanted, constants, domains, units)
 
-    def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted | Assembled:
-        """One function of the interface; the text of a new one below it is added to `texts`."""
-        kind, name = self.request.kind, self.profile.name
+    def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted:
+        """One function of the interface; what is written for it is added to `texts`."""
+        kind, name, free = self.request.kind, self.profile.name, self.request.free
+        concave = interface.contact_of(self.profile) == interface.CONCAVE
+        # whether the rules of a number run in arrays, as that of the ring of zero pressure does
+        array = concave and ("n" in interface.parameters(self.profile) or kind.graded) and quantity != "stiffness"
+        if quantity == interface.PULL_OFF:
+            texts.append(module.pull_off(modules, f"{kind.name}.{name}", self.request.keywords, array=array))
+            return Wanted(f"{OWN}:{quantity}", quantity, PULL_OFF_DOC, tuple(free), leading='control="force"')
         function = interface.function(kind, self.profile, quantity)
-        module, private = f"{function.module}.{name}", f"_{function.quantity.function}"
-        key = f"{module}:{private}"
-        if private not in modules[module].definitions:
+        package, private = f"{function.module}.{name}", f"_{function.quantity.function}"
+        key = f"{package}:{private}"
+        if private not in modules[package].definitions:
             # the shape is that of any medium
             key = OF_RUNTIME.get(kind.name, {}).get(quantity, f"normal.{name}:_{quantity}")
-        fields = interface.arguments(function, self.entries)
-        needs = [p for p in definition(modules, key).parameters if p not in fields]
-        doc, keywords = function.doc(name), self._keywords(needs)
-        if not fields:
-            return assembled.number(modules, key, quantity, doc, keywords, array=self._bisected(function.name))
-        if function.leaning:
-            texts.append(assembled.leaning(key, quantity))
+        fields, needs = interface.arguments(function, self.entries), definition(modules, key).parameters
+        if not fields or function.leaning:
+            write = module.leaning(key, quantity) if fields else module.number(modules, key, quantity, array=array)
+            texts.append(write)
             key = f"{OWN}:{quantity}"
-        return Wanted(key, quantity, fields, keywords, doc, function.signed, function.parity)
-
-    def _pull_off(self, modules: Mapping[str, Module]) -> Assembled:
-        parameters = (*self.parameters, *self.request.kind.material)
-        key = f"{self.request.kind.name}.{self.profile.name}"
-        return assembled.pull_off(
-            modules, key, PULL_OFF_DOC, parameters, self._keywords(parameters), array=self._bisected(interface.PULL_OFF)
+        keywords = tuple(p for p in needs if p in free and p not in fields)
+        return Wanted(
+            key, quantity, function.doc(name), keywords, fields, signed=function.signed, parity=function.parity
         )
-
-    def _bisected(self, name: str) -> bool:
-        """Whether the rules of a number run in arrays, as that of the ring of zero pressure does."""
-        concave = interface.contact_of(self.profile) == interface.CONCAVE
-        general = "n" in self.parameters or self.request.kind.graded
-        return concave and general and name != "stiffness"
-
-    def _ordered(self, values: Mapping[str, float]) -> dict[str, float]:
-        order = [*self.parameters, *self.request.kind.material]
-        return {name: values[name] for name in order if name in values}
 
     def _origin(self) -> str:
         """Where the check values come from."""
@@ -219,8 +170,7 @@ class _Composition:
         return "the proved formulas" if tilted else "the integrals that define them"
 
     def _lines(self, run: Run) -> list[str]:
-        errors = run.errors
-        worst = max(errors.items(), key=lambda row: row[1], default=("", 0.0))
+        worst = max(run.errors.items(), key=lambda row: row[1], default=("", 0.0))
         lines, count = [], len(run.values) + 3 * len(run.detached)
         if self.answer is not None and (told := self.answer.told):
             lines.append(f"form      {told}")

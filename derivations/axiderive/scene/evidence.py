@@ -45,7 +45,7 @@ class Run:
     """The states in which a contact with adhesion breaks, by what is held."""
 
 
-def measured(text: str, values: Sequence[Value], request: Scene, free: Mapping[str, float], contact: Contact) -> Run:
+def measured(text: str, values: Sequence[Value], free: Mapping[str, float], contact: Contact) -> Run:
     """Run the text of a module against its check values.
 
     Raises
@@ -53,6 +53,7 @@ def measured(text: str, values: Sequence[Value], request: Scene, free: Mapping[s
     RuleError
         If a value is off by more than any rule may be.
     """
+    request = contact.request
     space: dict[str, Any] = {"__name__": request.module.removesuffix(".py")}
     exec(compile(text, request.module, "exec"), space)  # text of our own making
     errors: dict[str, float] = {}
@@ -118,20 +119,13 @@ def _found(answer: Answer, suffix: str) -> dict[str, Any]:
     }
 
 
-def record(
-    request: Scene,
-    profile: Profile,
-    answer: Answer | None,
-    frozen: Mapping[str, float],
-    values: Sequence[Value],
-    errors: Mapping[str, float],
-) -> dict[str, Any]:
+def record(request: Scene, profile: Profile, answer: Answer | None, run: Run) -> dict[str, Any]:
     """The evidence of a scene."""
     found: dict[str, Any] = {"format": 1, "title": request.title, "profile": profile.name}
     found["pieces"] = [
         {"below": None if p.upper is None else sp.sstr(p.upper), "f": sp.sstr(p.expr)} for p in profile.pieces
     ]
-    found["frozen"] = {name: repr(value) for name, value in frozen.items()}
+    found["frozen"] = {name: repr(value) for name, value in request.frozen.items()}
     if answer is not None:
         found["validity"] = answer.validity.sentence
         found["entries"] = {
@@ -151,8 +145,8 @@ def record(
         ]
     else:
         found["evidence"] = stored(request, profile, answer)
-    found["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in errors.items()}
-    found["check values"] = [v.record() for v in values]
+    found["module against 20-digit quadrature"] = {name: f"{error:.1e}" for name, error in run.errors.items()}
+    found["check values"] = [v.record() for v in run.values]
     return found
 
 

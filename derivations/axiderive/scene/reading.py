@@ -45,6 +45,28 @@ class Scene:
     """Name and value of what the worked example is given at: a, d or F."""
 
     @property
+    def subject(self) -> Profile:
+        """The profile, which a scene that was read without a problem has."""
+        profile = self.profile or (self.own.profile if self.own else None)
+        assert profile is not None
+        return profile
+
+    @property
+    def keywords(self) -> list[str]:
+        """Names of all parameters of its functions, in order: those of the profile, then the material."""
+        return [*interface.parameters(self.subject), *self.kind.material]
+
+    @property
+    def frozen(self) -> dict[str, float]:
+        """Those that have a value."""
+        return {name: self.values[name] for name in self.keywords if name in self.values}
+
+    @property
+    def free(self) -> list[str]:
+        """Those that have none."""
+        return [name for name in self.keywords if name not in self.values]
+
+    @property
     def notation(self) -> tuple[nt.Notation, ...]:
         """The notation of the parameters of an expression; empty for a profile of the catalogue."""
         return self.own.notation if self.own else ()

@@ -7,7 +7,7 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -76,18 +76,15 @@ class Value:
         }
 
 
-def check_values(contact: Contact, keywords: Callable[[Sequence[str]], tuple[str, ...]]) -> list[Value]:
-    """A few values of every function that is wanted, `pull_off` left out."""
+def check_values(contact: Contact, free: Mapping[str, float]) -> list[Value]:
+    """A few values of every function that is wanted, `pull_off` left out; `free` are passed by keyword."""
     profile, kind = contact.profile, contact.request.kind
-    rows = _rules(contact)
-    parameters = [*interface.parameters(profile), *kind.material]
-    free = tuple((k, contact.all[k]) for k in keywords(parameters))
-    found = []
+    rows, found = _rules(contact), []
     with mp.workdps(DIGITS + (STRIPS if kind.system.pool.strip else GUARD)):
         for name in contact.request.quantities:
             if name != interface.PULL_OFF:
                 calls = rows(interface.function(kind, profile, name))
-                found += [Value(name, fields, free, float(wanted)) for fields, wanted in calls]
+                found += [Value(name, fields, tuple(free.items()), float(wanted)) for fields, wanted in calls]
     return found
 
 

@@ -86,8 +86,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
         text.problem("want", "at", message)
         return
-    needs = [*(p.name for p in profile.parameters), *scene.kind.material]
-    free = [name for name in needs if name not in scene.values]
+    free = scene.free
     if free and not text.problems:
         text.problem("want", "at", f"a worked example needs values of all parameters; freeze {', '.join(free)} too")
         return

@@ -41,13 +41,16 @@ WRITTEN = {*SHARED.values(), "_bare", "_elementwise", "_require", "_DOMAINS", "_
 
 @dataclass(frozen=True)
 class Wanted:
-    """A function of the interface: the private function behind it, its name, fields, keywords and docstring."""
+    """A function of the interface: what stands behind it, its name, docstring and keywords."""
 
     key: str
     name: str
-    fields: tuple[str, ...]
-    keywords: tuple[str, ...]
     doc: str
+    keywords: tuple[str, ...]
+    fields: tuple[str, ...] = ()
+    """What it takes in arrays; without any it is written for the scene and has one result."""
+    leading: str = ""
+    """Arguments in front of the keywords where there are no fields."""
     signed: bool = False
     """Whether a field may be negative."""
     parity: str = ""
@@ -57,18 +60,18 @@ class Wanted:
 class Linker:
     """The reachable definitions with the parameters that are left to each one, and the names they get.
 
-    Of the `frozen` parameters no line needs to ask whether those that are `positive` are above zero; `roots` are
-    wanted for themselves, with names of their own.
+    Of the `frozen` parameters no line needs to ask whether those that are `positive` are above zero.  What is written
+    for the scene is there for itself.
     """
 
     def __init__(
-        self, modules: Mapping[str, Module], wanted: Sequence[Wanted], frozen: frozenset[str],
-        positive: frozenset[str] = frozenset(), roots: Sequence[str] = (),
-    ) -> None:  # fmt: skip
-        self.wanted, self.frozen, self.roots = wanted, frozen, roots
-        self.program = Program(modules, [*(w.key for w in wanted), *roots], frozenset(SHARED))
+        self, modules: Mapping[str, Module], wanted: Sequence[Wanted], frozen: frozenset[str], positive: frozenset[str]
+    ) -> None:
+        self.wanted, self.frozen = wanted, frozen
+        written = [f"{OWN}:{name}" for name in modules[OWN].definitions]
+        self.program = Program(modules, [*(w.key for w in wanted), *written], frozenset(SHARED))
         bind(self.program, frozen, positive)
-        self.merged = {w.key for w in wanted if self._merged(w)}
+        self.merged = {w.key for w in wanted if w.fields and self._merged(w)}
         names = [*self.program.trees]
         inline(self.program, frozen)
         functions = self.program.functions
@@ -88,11 +91,10 @@ class Linker:
             for node in trees.values() for name in references(node)
         )  # fmt: skip
         plain = parameters(trees[wanted.key]) == [*wanted.fields] and not handed_on
-        return plain and not shadowed and wanted.key not in self.roots
+        return plain and not shadowed
 
     def _named(self, keys: Sequence[str]) -> dict[str, str]:
-        names = {w.key: w.name for w in self.wanted if w.key in self.merged}
-        names |= {key: key.partition(":")[2] for key in self.roots if key.startswith(f"{OWN}:")}
+        names = {w.key: w.name for w in self.wanted if w.key in self.merged or not w.fields}
         taken = {w.name for w in self.wanted} | self.frozen | WRITTEN
         for key in keys:
             if key not in names:

@@ -5,18 +5,20 @@ from __future__ import annotations
 import ast
 import re
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ... import __version__
+from ... import notation as nt
 from ...code.python import NODE_COUNTS
-from ...profiles.profile import Profile
+from ...code.text import python
+from ...profiles.profile import Profile, Rule
+from .. import interface
 from ..contact import Contact, worked
 from ..reading import Scene
-from .assembled import REQUIRE_ORDER, Assembled
-from .library import Module, parameters, references
+from .library import Module, definition, parameters, references
 from .linking import OWN, Linker, Wanted
-from .written import documented
+from .written import documented, marks
 
 if TYPE_CHECKING:
     from ...expression.answer import Answer
@@ -113,8 +115,6 @@ def module_text(
     constants: Mapping[str, tuple[float, str]],
     domains: Mapping[str, tuple[str, str]],
     units: Mapping[str, str],
-    above: Sequence[Assembled] = (),
-    order: tuple[str, ...] = (),
 ) -> str:
     """The module.
 
@@ -123,47 +123,32 @@ def module_text(
     head : str
         Docstring of the module.
     modules : mapping
-        The library by name of module.
+        The library by name of module, with that of what is written for the scene.
     wanted : sequence of Wanted
-        The functions of the interface, in order.
+        The functions of the interface, in order; those without fields come last.
     constants : mapping
         Values of the frozen parameters and what they are; those that nothing needs are left out.
     domains : mapping
         Open interval of each parameter that is left free.
     units : mapping
         Units of all fields and parameters.
-    above : sequence of Assembled
-        The functions of the interface that are written for the scene.
-    order : sequence of str
-        Arguments of the check of the rules between parameters, empty if there is none.
     """
+    wanted = sorted(wanted, key=lambda one: not one.fields)
     frozen, positive = frozenset(constants), frozenset(name for name, (value, _) in constants.items() if value > 0.0)
-    roots = (*(one.key for one in above), *([f"{OWN}:{REQUIRE_ORDER}"] if order else []))
-    linker = Linker(modules, wanted, frozen, positive, roots)
-    left, counts = [name for name in order if name not in frozen], _counts(linker)
-    public = []
-    for one in wanted:
-        options = [*(["least=-np.inf"] if one.signed else []), *(["vanishing=True"] if _vanishes(one) else [])]
-        decorator = f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise"
-        if one.key in linker.merged:
-            text = linker.text(one.key, one.doc)
-        else:
-            text = _wrapper(linker, one, left)
-        mirrored = f"@_{one.parity}\n" if one.parity else ""
-        public.append(f"{mirrored}{decorator}\n{text}")
-    public += [_assembled(linker, one, left) for one in above]
-    hidden = {*linker.merged, *(one.key for one in above)}
+    linker, fielded = Linker(modules, wanted, frozen, positive), [one for one in wanted if one.fields]
+    counts = _counts(linker)  # numbers of the trees, which are texts once they are written
+    hidden = {*linker.merged, *(one.key for one in wanted if not one.fields)}
     private = [linker.text(key) for key in linker.program.functions if key not in hidden]
     values = [linker.text(key) for key in _constants(linker)]
-    body = "\n\n\n".join([*public, *private])
+    body = "\n\n\n".join([*(_public(linker, one) for one in wanted), *private])
     if "_integral(" in body:
         body += f"\n\n\n{INTEGRAL}"
     if "_NODES[" in body:
         values.append(_nodes(modules["_runtime.nodes"], counts))
-    free = sorted({k for taken in (*(w.keywords for w in wanted), *(a.keywords for a in above)) for k in taken})
+    free = sorted({name for one in wanted for name in one.keywords})
     if free:
-        rows = "".join(f'    "{name}": ({domains[name][0]}, {domains[name][1]}),\n' for name in free)
-        values.append("_DOMAINS = {\n" + rows + "}")
+        ends = {name: ", ".join(domains[name]).replace("inf", "np.inf") for name in free}
+        values.append("\n".join(["_DOMAINS = {", *(f'    "{name}": ({both}),' for name, both in ends.items()), "}"]))
         body = f"{REQUIRE}\n\n\n{body}"
     given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
     if given:
@@ -172,7 +157,7 @@ def module_text(
     for parity, text in (("odd", ODD), ("even", EVEN)):
         if any(one.parity == parity for one in wanted):
             body = f"{text}\n\n\n{body}"
-    body = f"{_core(wanted)}\n\n\n{body}" if wanted else body
+    body = f"{_core(fielded)}\n\n\n{body}" if fielded else body
     body = f"{BARE}\n\n\n{body}" if given else body
     shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
@@ -196,28 +181,30 @@ def _core(wanted: Sequence[Wanted]) -> str:
     )
 
 
-def _checks(keywords: Sequence[str], left: Sequence[str]) -> list[str]:
-    """What a public function asks of its keywords first: their domains, and the order of those `left` to them alone."""
-    if not keywords:
+def _public(linker: Linker, one: Wanted) -> str:
+    """A function of the interface, by itself or in front of a private one that takes more than its fields."""
+    options = ["least=-np.inf"] * one.signed + ["vanishing=True"] * bool(one.fields and _vanishes(one))
+    above = [f"@_{one.parity}"] if one.parity else []
+    above.append(f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise")
+    if one.key in linker.merged:
+        return "\n".join([*above, linker.text(one.key, one.doc)])
+    tree = linker.program.trees[one.key]
+    given = [*one.fields, *filter(None, [one.leading]), *(["*", *one.keywords] if one.keywords else [])]
+    head = [f"def {one.name}({', '.join(given)}):", *documented(one.doc), *_checks(linker, one)]
+    if not one.fields:
+        return linker.text(one.key, head=[*marks(tree, linker.names), *head])
+    call = f"{linker.names[one.key]}({', '.join(parameters(tree))})"
+    return "\n".join([*above, *head, f"    return {call}"])
+
+
+def _checks(linker: Linker, one: Wanted) -> list[str]:
+    """What a function asks of its keywords first: their domains, and the order of those that are left to them alone."""
+    if not one.keywords:
         return []
-    found = [f"    _require({', '.join(f'{k}={k}' for k in keywords)})"]
-    return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*keywords} else found
-
-
-def _wrapper(linker: Linker, one: Wanted, left: Sequence[str]) -> str:
-    """A public function in front of a private one that takes more than the fields."""
-    passed = parameters(linker.program.trees[one.key])
-    signature = ", ".join([*one.fields, *(["*", *one.keywords] if one.keywords else [])])
-    call = f"{linker.names[one.key]}({', '.join(passed)})"
-    head = f"def {one.name}({signature}):"
-    return "\n".join([head, *documented(one.doc), *_checks(one.keywords, left), f"    return {call}"])
-
-
-def _assembled(linker: Linker, own: Assembled, left: Sequence[str]) -> str:
-    """The linked function with its docstring and the check of what stays free."""
-    signature = ", ".join(part for part in (own.leading, *(["*", *own.keywords] if own.keywords else [])) if part)
-    head = [*own.decorators, f"def {own.name}({signature}):", *documented(own.doc), *_checks(own.keywords, left)]
-    return linker.text(own.key, head=head)
+    order = linker.program.trees.get(f"{OWN}:{REQUIRE_ORDER}")
+    left = parameters(order) if order else []
+    found = [f"    _require({', '.join(f'{k}={k}' for k in one.keywords)})"]
+    return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*one.keywords} else found
 
 
 def _constants(linker: Linker) -> list[str]:
@@ -265,3 +252,113 @@ def _imports(text: str) -> str:
     lines = ["from collections import namedtuple", *lines] if "namedtuple(" in text else lines
     lines = [*(["import math"] if re.search(r"\bmath\.", text) else []), *lines]
     return "\n".join([*lines, *([""] if lines else []), "import numpy as np"])
+
+
+SILENT = '@np.errstate(all="ignore")\n'
+NUMBER = """from .{module} import {private}
+
+{silent}def {name}({parameters}):
+    return {value}
+"""
+GROWING = """from ._runtime.physics.adhesion import XI, PullOff
+from .{module} import _pull_off_radius, {force}, {depth}
+
+{silent}def pull_off(control, {parameters}):
+    if control not in XI:
+        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
+    a = {radius_of}
+    force = {force_of}
+    depth = {depth_of}
+    return PullOff({state})
+"""
+PEELING = """from ._runtime.physics.adhesion import PullOff
+from .{module} import {force}, {depth}
+
+{silent}def pull_off(control, {parameters}):
+    if control not in ("force", "depth"):
+        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
+    return PullOff(a, {force_of}, {depth_of})
+"""
+LEANING = """from .{module} import {private}
+
+def {name}(x, P, a, e):
+    # from the other side of the middle the load is seen at -e
+    value = {private}(np.abs(x), P, a, np.copysign(1.0, x) * e)
+    return np.where(P >= 0.0, value, np.nan)
+"""
+ORDER = """def _require_order({names}):
+    if not {relation}:
+        given = f"{given}"
+        reason = "{reason}"
+        raise ValueError(f"{{given}}: {shown} is violated; {{reason}}")
+"""
+WAVES = "from ._runtime.graded.waves import steepest_waves\n\n"
+PLAIN = frozenset(["_runtime.physics.adhesion", "_runtime.interface"])
+"""Modules of the runtime that have nothing but formulas for the state of pull-off."""
+REQUIRE_ORDER = "_require_order"
+
+
+def _call(modules: Mapping[str, Module], key: str) -> str:
+    own = definition(modules, key)
+    return f"{own.name}({', '.join(own.parameters)})"
+
+
+def _float(value: str, *, array: bool) -> str:
+    return f"float(np.squeeze({value}))" if array else f"float({value})"
+
+
+def number(modules: Mapping[str, Module], key: str, name: str, *, array: bool) -> str:
+    """A result without fields; `array` where its rules give an array of one."""
+    own = definition(modules, key)
+    return NUMBER.format(
+        module=own.module.name, private=own.name, name=name, parameters=", ".join(own.parameters),
+        value=_float(_call(modules, key), array=array), silent=SILENT if array else "",
+    )  # fmt: skip
+
+
+def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str], *, array: bool) -> str:
+    """The state at which the contact breaks, which has no fields and three results."""
+    found, three = modules[key], ("radius", "force", "depth")
+    names = {name: own if (own := f"_pull_off_{name}") in found.definitions else f"_{name}" for name in three}
+    growing = names["radius"] in found.definitions
+    called = {
+        f"{name}_of": _call(modules, f"{key}:{own}") for name, own in names.items() if growing or name != "radius"
+    }
+    if not growing:
+        called = {name: _float(value, array=array) for name, value in called.items()}
+    elif {source.partition(":")[0] for source in found.imported.values()} <= PLAIN:
+        called["state"] = "float(a), float(force), float(depth)"
+    else:
+        called["radius_of"] = f"np.ravel({called['radius_of']})"
+        called["state"] = "*(float(np.squeeze(x)) for x in (a, force, depth))"
+    return (GROWING if growing else PEELING).format(
+        module=key, parameters=", ".join(parameters), silent=SILENT if growing or array else "", **names, **called
+    )
+
+
+def leaning(key: str, name: str) -> str:
+    """A field under a load on either side of the middle."""
+    module, _, private = key.partition(":")
+    return LEANING.format(module=module, private=private, name=name)
+
+
+def order(profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen: Iterable[str]) -> str:
+    """The check of the rules between parameters of which some are free; empty if none is."""
+    left = {name: symbol for name, symbol in interface.parameters(profile).items() if name not in set(frozen)}
+    for rule in rules:
+        symbols = rule.left.free_symbols | rule.right.free_symbols
+        waves = kind.graded and nt.wavelength in symbols
+        names = [name for name, symbol in interface.parameters(profile).items() if symbol in symbols]
+        names += ["k"] if kind.graded and (waves or nt.k in symbols) else []
+        if not ({*names} & ({*left} | ({"k"} - {*frozen}))):
+            continue
+        relation = f"{python(rule.left)} {'<' if rule.strict else '<='} {python(rule.right)}"
+        relation = "steepest_waves(k) * R * h <= wavelength**2" if waves else relation
+        given = ", ".join(f"{name} = {{{name}!r}}" for name in names)
+        text = ORDER.format(
+            names=", ".join(names), relation=relation, given=given,
+            shown=relation.replace("np.", "").replace("{", "").replace("}", ""), reason=rule.reason,
+        )  # fmt: skip
+        # profiles have one rule at most between their parameters
+        return (WAVES if waves else "") + text
+    return ""

@@ -134,8 +134,12 @@ def function_text(head: Sequence[str], node: ast.FunctionDef, names: Mapping[str
 
 def function_head(name: str, node: ast.FunctionDef, names: Mapping[str, str]) -> list[str]:
     """Decorators and the line of `def`."""
-    marks = [f"@{written(mark, names)}" for mark in node.decorator_list]
-    return [*marks, *fit(f"def {name}({written(node.args, names)}):", 0)]
+    return [*marks(node, names), *fit(f"def {name}({written(node.args, names)}):", 0)]
+
+
+def marks(node: ast.stmt, names: Mapping[str, str]) -> list[str]:
+    """The decorators of a function."""
+    return [f"@{written(mark, names)}" for mark in node.decorator_list] if isinstance(node, ast.FunctionDef) else []
 
 
 def documented(doc: str) -> list[str]:
