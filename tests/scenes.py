@@ -12,6 +12,7 @@ import pytest
 
 from axiderive.scene import reading, text
 from axiderive.scene.compose import Result, composed
+from axiderive.scene.linker import sources
 from axiderive.scene.text import SceneError
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -40,6 +41,21 @@ def run_plainly(result: Result, folder: Path) -> str:
         path.write_bytes(content)
     command = [sys.executable, "-W", "error", "test_scene.py"]
     return subprocess.run(command, cwd=folder, env={}, capture_output=True, text=True, check=True).stdout
+
+
+def exchanged(monkeypatch: pytest.MonkeyPatch, path: str, right: str, wrong: str) -> None:
+    """Another line in a stored module of the catalogue, by the path of its file."""
+    stored = sources.stored
+
+    def changed(own: str) -> str | None:
+        found = stored(own)
+        if own != path:
+            return found
+        assert found is not None
+        assert right in found
+        return found.replace(right, wrong)
+
+    monkeypatch.setattr(sources, "stored", changed)
 
 
 def titles(page: bytes) -> list[str]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 
 import pytest
-from scenes import NO_PDF, composed_from, problems
+from scenes import NO_PDF, composed_from, exchanged, problems
 
 from axiderive.scene.linker import module, sources
 
@@ -89,14 +90,9 @@ def test_numbers_without_fields_are_functions():
     ],
 )
 def test_a_wrong_rule_does_not_pass(source, right, wrong, monkeypatch):
-    stored = sources.stored_module
-
-    def changed(*given: object) -> str:
-        text = stored(*given)
-        assert right in text
-        return text.replace(right, wrong)
-
-    monkeypatch.setattr(sources, "stored_module", changed)
+    name = re.search(r'(?:kind|profile) *= *"(\w+)"', source)[1]
+    package = "plane" if "plane = true" in source else "loads" if "loads = true" in source else "normal"
+    exchanged(monkeypatch, f"{package}/{name}.py", right, wrong)
     with pytest.raises(ArithmeticError, match="instead of"):
         composed_from(source + NO_PDF)
 

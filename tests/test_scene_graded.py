@@ -6,9 +6,7 @@ import json
 import math
 
 import pytest
-from scenes import NO_PDF, composed_from, problems, run_plainly, titles
-
-from axiderive.scene.linker import sources
+from scenes import NO_PDF, composed_from, exchanged, problems, run_plainly, titles
 
 GRADED = 'profile = "{}"\n[medium]\nkind = "power_law"\n{}\n[physics]\n{} = true\n'
 FAST = ("cone", "truncated_cone")
@@ -75,14 +73,7 @@ def test_radii_under_tension_are_found_again(profile, k):
     ],
 )
 def test_a_wrong_rule_does_not_pass(kind, right, wrong, monkeypatch):
-    graded = sources._graded
-
-    def changed(profile, systems):
-        found, name = graded(profile, systems), f"{systems[-1].name}.cone"
-        assert right in found[name]
-        return found | {name: found[name].replace(right, wrong)}
-
-    monkeypatch.setattr(sources, "_graded", changed)
+    exchanged(monkeypatch, f"graded/{kind}/cone.py", right, wrong)
     with pytest.raises(ArithmeticError, match="instead of"):
         composed_from(GRADED.format("cone", "", kind) + NO_PDF)
 

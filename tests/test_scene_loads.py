@@ -5,10 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from scenes import NO_PDF, composed_from, problems, run_plainly, titles
-
-from axiderive.scene.interface import KINDS
-from axiderive.scene.linker import sources
+from scenes import NO_PDF, composed_from, exchanged, problems, run_plainly, titles
 
 LOADS = 'profile = "{}"\n{}[physics]\nloads = true\n'
 WORST = 1e-14
@@ -45,10 +42,7 @@ def test_frozen_values_are_folded_in():
     ],
 )
 def test_a_wrong_rule_does_not_pass(load, right, wrong, monkeypatch):
-    kind = KINDS["loads"]
-    module = sources.stored_module(load, sources.stored_entries(kind.system.pool.load(load), kind), kind)
-    assert right in module
-    monkeypatch.setattr(sources, "stored_module", lambda *given: module.replace(right, wrong))
+    exchanged(monkeypatch, f"loads/{load}.py", right, wrong)
     with pytest.raises(ArithmeticError, match="instead of"):
         composed_from(LOADS.format(load, "") + NO_PDF)
 

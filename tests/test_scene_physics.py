@@ -7,10 +7,9 @@ import json
 import math
 
 import pytest
-from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, run_plainly, titles
+from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, exchanged, run_plainly, titles
 
 from axiderive.exits import CommandError
-from axiderive.scene.linker import sources
 
 
 @pytest.mark.parametrize(
@@ -96,11 +95,7 @@ def test_viscoelastic_scenes_agree_with_the_convolution(profile, law):
 
 
 def test_a_wrong_relaxation_does_not_pass(monkeypatch):
-    module = sources.stored("viscoelastic/cone.py")
-    assert module is not None
-    monkeypatch.setattr(
-        sources, "_viscoelastic", lambda name: module.replace("ramp_maxwell(t, 2.0", "ramp_maxwell(t, 1.0")
-    )
+    exchanged(monkeypatch, "viscoelastic/cone.py", "ramp_maxwell(t, 2.0", "ramp_maxwell(t, 1.0")
     with pytest.raises(ArithmeticError, match="ramp_force"):
         composed_from('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell" }' + NO_PDF)
 

@@ -7,11 +7,9 @@ import math
 
 import numpy as np
 import pytest
-from scenes import NO_PDF, composed_from, run_plainly, titles
+from scenes import NO_PDF, composed_from, exchanged, run_plainly, titles
 
 from axiderive.profiles.plane import load
-from axiderive.scene.interface import KINDS
-from axiderive.scene.linker import sources
 
 PLANE = 'profile = "{}"\n{}[physics]\nplane = true\n'
 FAST = ("wedge", "truncated_wedge", "flat_punch", "concave_quartic")
@@ -65,8 +63,6 @@ def test_frozen_values_are_folded_in_and_fields_have_two_sides():
     ],
 )
 def test_a_wrong_rule_does_not_pass(right, wrong, monkeypatch):
-    module = sources.stored_module("wedge", {}, KINDS["plane"])
-    assert right in module
-    monkeypatch.setattr(sources, "stored_module", lambda *given: module.replace(right, wrong))
+    exchanged(monkeypatch, "plane/wedge.py", right, wrong)
     with pytest.raises(ArithmeticError, match="instead of"):
         composed_from(PLANE.format("wedge", "") + NO_PDF)

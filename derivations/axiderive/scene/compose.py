@@ -74,11 +74,9 @@ class _Composition:
             exact = {p: sp.Rational(v) for p in own.profile.parameters if (v := request.values.get(p.name)) is not None}
             self.answer = answer or answered(own, exact)
             self.profile, self.entries = self.answer.profile, self.answer.entries
-            self.normal = self.answer.module
         else:
             self.profile = request.subject
             self.entries = sources.stored_entries(self.profile, request.kind)
-            self.normal = sources.stored_module(self.profile.name, self.entries, request.kind)
         self._require_reach()
         self.contact = Contact(self.profile, self.entries, self.request)
 
@@ -128,10 +126,10 @@ class _Composition:
 
     def _module(self) -> str:
         request, kind = self.request, self.request.kind
-        modules = sources.library(self.profile, self.entries, self.normal, kind)
+        modules: dict[str, Module] = sources.Library(self.entries, self.answer.module if self.answer else "")
         texts = [module.order(self.profile, interface.between(self.profile, kind), kind, request.values)]
         wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
-        modules = modules | {OWN: Module(OWN, "\n\n".join(texts))}
+        modules[OWN] = Module(OWN, "\n\n".join(texts))
         constants = {name: (value, self._comment(name)) for name, value in request.frozen.items()}
         domains = {p: interface.interval(interface.record(p, self.profile)) for p in request.free}
         fields = {name for one in wanted for name in one.fields}

@@ -182,6 +182,12 @@ def _viscoelastic(kind: Kind, law: Law, contact: str) -> dict[str, Function]:
     return {function.name: function for function in found}
 
 
+def ramps(profile: Profile) -> bool:
+    """Whether the force under a ramp of the depth is known: that on the elastic half-space is a power of the depth."""
+    base, _ = profile.pieces[0].expr.as_independent(nt.r, as_Add=False)[1].as_base_exp()
+    return not profile.breaks and (profile.pieces[0].expr == 0 or (profile.compact and bool(base == nt.r)))
+
+
 def record(name: str, profile: Profile | None = None) -> nt.Notation:
     """The notation of a parameter by its name in the functions."""
     own = parameters(profile) if profile is not None else {}

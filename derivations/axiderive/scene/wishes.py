@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from .. import notation as nt
 from ..profiles.pools import ROUND
 from . import interface
-from .linker.sources import ramps
 from .medium import given, kind_of
 from .text import SceneText, near
 
@@ -34,7 +33,7 @@ def want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
     contact = interface.contact_of(scene.profile) if scene.profile else "compact"
     known = available(scene.kind, contact)
-    if scene.kind.law and not ramps(scene.profile):
+    if scene.kind.law and not (scene.profile and interface.ramps(scene.profile)):
         known.remove("ramp_force")
     default = [name for name in scene.kind.physics.wanted if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them

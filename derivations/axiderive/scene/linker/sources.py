@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import ast
 import json
-from collections import ChainMap
-from collections.abc import Mapping, Sequence
-from functools import cache
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ... import profiles
 from ...abel.reduce import NotReducibleError
 from ...code.graded.families import family
 from ...code.module import PLACE, RUNTIME
@@ -18,18 +15,13 @@ from ...code.python import NODE_COUNTS
 from ...code.systems import alone, superposed
 from ...code.tables import kernels_source, nodes_source
 from ...entry import Entry
-from ...notation import r
-from ...physics import normal as plain
-from ...physics import viscoelastic as creeping
-from ...physics.medium import GRADED
 from ...physics.systems import BY_NAME, System
 from ...profiles.profile import Profile
 from ...store.index import NoCatalogueError, package
 from ...store.records import read_entry
-from ..interface import NORMAL, Kind
+from ..interface import Kind
 from .library import Module
 
-CREEPING = BY_NAME["viscoelastic"]
 FOR_SCENES = "over_profile"
 """A module of the run time that scenes alone have."""
 SHORTER = {"functions": ("rational", "beside"), "special": ("dawson",), "shapes/arcs": ("arc_strips",)}
@@ -40,19 +32,17 @@ class _Runtime(dict[str, Module]):
     """The modules of the runtime by name, each parsed when it is asked for: a scene needs a third of them."""
 
     def __missing__(self, name: str) -> Module:
-        path = f"{name.replace('.', '/')}.py"
-        if path == f"{PLACE}/nodes.py":
-            found = Module(name, nodes_source(NODE_COUNTS))
-        elif path == f"{PLACE}/kernels.py":
-            found = _polynomials(Module(name, stored(path) or kernels_source()))
-        else:
-            file = path.removeprefix(f"{PLACE}/").removesuffix(".py")
-            folder = Path(__file__).with_name("runtime") if file == FOR_SCENES else RUNTIME
-            if not path.startswith(f"{PLACE}/") or not (folder / f"{file}.py").is_file():
-                raise KeyError(name)
-            found = Module(name, (folder / f"{file}.py").read_text())
-            for own in SHORTER.get(file, ()):
-                found.definitions[own] = self[f"{PLACE}.{FOR_SCENES}"].definitions[own]
+        file = name.removeprefix(f"{PLACE}.").replace(".", "/")
+        match file:
+            case "nodes":
+                found = Module(name, nodes_source(NODE_COUNTS))
+            case "kernels":
+                found = _polynomials(Module(name, stored(f"{PLACE}/kernels.py") or kernels_source()))
+            case _:
+                folder = Path(__file__).with_name("runtime") if file == FOR_SCENES else RUNTIME
+                found = Module(name, (folder / f"{file}.py").read_text())
+        for own in SHORTER.get(file, ()):
+            found.definitions[own] = self[f"{PLACE}.{FOR_SCENES}"].definitions[own]
         return self.setdefault(name, found)
 
 
@@ -94,36 +84,6 @@ def evidence(name: str) -> dict[str, Any] | None:
     return record
 
 
-def stored_module(name: str, entries: Mapping[str, Entry], kind: Kind) -> str:
-    """The text of the normal module of a profile of the catalogue, of the plane one, or of that of a pressure."""
-    return stored(f"{kind.plain.name}/{name}.py") or alone(kind.plain, entries).source()
-
-
-def _parameters(module: Module) -> dict[str, list[str]]:
-    """What each function of a module takes."""
-    return {name: own.parameters for name, own in module.definitions.items()}
-
-
-@cache
-def _viscoelastic(name: str) -> str:
-    """The viscoelastic module of a profile of the catalogue."""
-    text = stored(f"viscoelastic/{name}.py")
-    if text is None:
-        profile = profiles.load(name)
-        entries = stored_entries(profile, NORMAL)
-        normal = Module(name, stored_module(name, entries, NORMAL))
-        text = superposed(CREEPING, creeping.derive(profile), entries, _parameters(normal)).source()
-    return text
-
-
-def ramps(profile: Profile | None) -> bool:
-    """Whether the force under a ramp of the depth is known: that on the elastic half-space is a power of the depth."""
-    if profile is None or profile.name in profiles.NAMES:
-        return profile is not None and "def _ramp_force" in _viscoelastic(profile.name)
-    power = profile.pieces[0].expr.as_independent(r, as_Add=False)[1]
-    return not profile.breaks and bool(power.as_base_exp()[0] == r)
-
-
 def graded_refusal(profile: Profile) -> str:
     """Why no module of a profile is emitted for a graded half-space; empty if one is."""
     try:
@@ -136,45 +96,40 @@ def graded_refusal(profile: Profile) -> str:
     return ""
 
 
-def _graded(profile: Profile, systems: Sequence[System]) -> dict[str, str]:
-    """The modules of a contact on the graded half-space, those of the catalogue where they are stored."""
-    names = {own: f"{own.name}.{profile.name}" for own in systems}
-    found = {name: text for name in names.values() if (text := stored(f"{name.replace('.', '/')}.py"))}
-    if len(found) == len(names):
-        return found
-    pressed = plain.derive(profile, GRADED)
-    base, *above = systems
-    normal = alone(base, pressed)
-    found = {names[base]: normal.source()}
-    for own in above:
-        entries = own.derive(profile, pressed)
-        found[names[own]] = superposed(own, entries, pressed, normal.parameters, interface=False).source()
-    return found
-
-
-def library(profile: Profile, entries: Mapping[str, Entry], normal: str, wanted: Kind) -> ChainMap[str, Module]:
-    """All modules that the functions of one kind of contact on one profile can reach.
+class Library(dict[str, Module]):
+    """All modules that the functions of a scene can reach, each made when it is asked for.
 
     Parameters
     ----------
-    profile, entries : Profile, mapping
-        The profile and its entries of normal contact.
+    entries : mapping
+        The entries of normal contact of a profile.
     normal : str
-        Text of its normal module, or of that of the plane contact or the prescribed pressure.
-    wanted : Kind
-        The kind of contact.
+        The text of its module; empty for a profile of the catalogue.
     """
-    system, first = wanted.system, f"{wanted.plain.name}.{profile.name}"
-    below = Module(first, normal)
-    modules = ChainMap({first: below}, RUN_TIME)
-    if wanted.graded:
-        texts = _graded(profile, [own for own in (system.base, system) if own])
-    elif system.base is None:
-        return modules
-    elif wanted.law and profile.name in profiles.NAMES:
-        texts = {f"{system.name}.{profile.name}": _viscoelastic(profile.name)}
-    else:
-        own = {} if wanted.law else system.derive(profile, entries)
-        above = superposed(system, own, entries, _parameters(below), interface=False)
-        texts = {f"{system.name}.{profile.name}": above.source()}
-    return modules | {key: Module(key, text) for key, text in texts.items()}
+
+    def __init__(self, entries: Mapping[str, Entry], normal: str) -> None:
+        super().__init__()
+        self.entries, self.normal = entries, normal
+        self.profile = next(iter(entries.values())).profile
+
+    def __missing__(self, name: str) -> Module:
+        if name.startswith(PLACE):
+            return RUN_TIME[name]
+        return self.setdefault(name, Module(name, self._text(BY_NAME[name.rpartition(".")[0]])))
+
+    def _text(self, system: System) -> str:
+        """The module of a system as the catalogue has it, or written: by itself, or what it adds to the one below."""
+        known, below, graded = not self.normal, system.base, system.medium.graded
+        if known and (text := stored(f"{system.name.replace('.', '/')}/{self.profile.name}.py")):
+            return text
+        if below is None:
+            return self.normal if self.normal and not graded else alone(system, self._entries(system)).source()
+        plain, found = self._entries(below), self[f"{below.name}.{self.profile.name}"].definitions
+        parameters = {name: own.parameters for name, own in found.items()}
+        # a law takes from the normal contact what its functions say
+        own = {} if system.physics.laws else system.derive(self.profile, plain)
+        return superposed(system, own, plain, parameters, interface=False).source()
+
+    def _entries(self, system: System) -> Mapping[str, Entry]:
+        """Those of normal contact on the half-space of a system."""
+        return system.derive(self.profile) if system.medium.graded else self.entries
