@@ -18,7 +18,7 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "peak", "complete", "adhesive", "detachment", "tangential", "viscoelastic",
+    "certificate", "frame", "compact", "peak", "complete", "adhesive", "detachment", "superposed", "viscoelastic",
     "plane", "plane_threshold", "tilted", "loads", "materials", "statement", "identity", "functions", "tower",
     "elements", "domain", "graded", "special",
 )  # fmt: skip

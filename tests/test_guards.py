@@ -760,20 +760,8 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         "the depth of a smaller contact is not shown to be greater",
     ),
     # tangential contact
-    "tangential.Tangential._difference: self._require_places(entry, self.normal.entry(source))": (
+    "superposed.Superposed.show: require_regions(entry, tuple(wanted))": (
         lambda: only("rounded_cone.tan", "F", 0),
-        ONCE,
-    ),
-    "tangential.Tangential._require_places: require_regions(entry, tuple(wanted))": (
-        lambda: only("rounded_cone.tan", "F", 0),
-        ONCE,
-    ),
-    "tangential.Tangential.traction: self._require_places(entry, source)": (
-        lambda: only("paraboloid.tan", "tau", 0),
-        ONCE,
-    ),
-    "tangential.Tangential.stick_radius: require_regions(entry, (chain,))": (
-        lambda: regions("paraboloid.tan", "c", (a, nt.c)),
         ONCE,
     ),
     # viscoelastic contact

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from ..notation import E_star
 from ..profiles.pools import ROUND, Pool
 
 if TYPE_CHECKING:
@@ -41,6 +42,49 @@ class Wording:
     subject: str = ""
     """Problem with whose entries the printed rules are compared: roots where an equation is solved, no integrals in
     fields."""
+    spread: tuple[tuple[str, ...], ...] = ()
+    """The rules that stand in front of the book, by lines of one or two."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What holds for every profile, as LaTeX in g, F_N, p and w, with the words behind it and the range of a field."""
+
+    tex: str
+    remark: str = ""
+    where: str = ""
+
+
+OWN = sp.Symbol("own", real=True)
+"""The formula of an entry in a statement about it."""
+DEPTH, FORCE, PRESSURE = map(sp.Function, ("g", "F", "p"))
+"""Depth and force of the contact that is superposed, of a radius; its pressure of a place and a radius, 0 outside."""
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A step of a proof: something vanishes in every region of an entry, or in some."""
+
+    label: str
+    zero: sp.Expr
+    """In `OWN`, and in depth, force and pressure of the contact that is superposed."""
+    where: tuple[sp.Expr, sp.Expr] | None = None
+    """In regions in which the first length lies below the second."""
+    at: tuple[sp.Symbol, sp.Expr] | None = None
+    """A length, and the next smaller one with which it meets; 0 below all of them."""
+    given: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    """What stands for an argument of the entry."""
+
+
+@dataclass(frozen=True)
+class Proof:
+    """Why the formulas of an entry are right."""
+
+    over: str
+    """Suffix of the entry of the contact below on which it rests, and whose regions it has."""
+    shown: tuple[Shown, ...]
+    within: sp.Symbol | None = None
+    """A further length of its regions, anywhere below the contact radius and above a flat face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +123,31 @@ class Physics:
     """By the names of stored records: of a contact that grows, with a fixed edge, under a leaning load."""
     wanted: tuple[str, ...] = ()
     """Functions that a scene gets if it asks for none."""
+    definitions: Callable[[Profile, Medium], dict[str, sp.Expr]] | None = None
+    """What each of its quantities is, in `DEPTH`, `FORCE` and `PRESSURE` of the contact that it superposes."""
+    compared: str = ""
+    """What these definitions are called where formulas are compared with them."""
+    proofs: Callable[[Profile, Medium], dict[str, Proof]] | None = None
+    """Why its formulas are those of the definitions, on a medium of the prover."""
+    rules: Callable[[Medium, Callable[[sp.Expr], str]], dict[str, Rule]] = lambda medium, printer: {}
+    """The rules in print by quantity, with what prints an expression."""
+    noted: str = ""
+    """Behind the title of its rules in front of the book."""
 
     def parameters(self, medium: Medium) -> tuple[sp.Symbol, ...]:
         """What its functions take of the material on a medium."""
         return (*medium.moduli, *((medium.shear,) if self.shear else ()), *self.material)
+
+    def taken(self, definition: sp.Expr, medium: Medium) -> tuple[sp.Symbol, ...]:
+        """What a quantity with this definition takes of the material: forces and pressures hold the modulus."""
+        elastic = definition.has(FORCE, PRESSURE)
+        known = definition.free_symbols | ({medium.modulus} if elastic else set()) | {*medium.moduli[1:]}
+        shear = (medium.shear,) if self.shear else ()
+        ordered = (medium.modulus, *shear, *medium.moduli[1:], *self.material)
+        return tuple(symbol for symbol in ordered if symbol in known)
+
+    @property
+    def drawn(self) -> tuple[sp.Symbol, ...]:
+        """What checks draw of the material; the modulus of the homogeneous half-space is drawn with every point."""
+        moduli = (s for medium in self.wording for s in (medium.modulus, *((medium.shear,) if self.shear else ())))
+        return (*self.material, *(symbol for symbol in moduli if symbol != E_star))

@@ -6,7 +6,7 @@ mu; the rule is stated once and every profile and medium follows.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -14,7 +14,7 @@ from ..abel.form import insert
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import F, F_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
-from . import Physics, Wording, normal
+from . import DEPTH, FORCE, OWN, PRESSURE, Physics, Proof, Rule, Shown, Wording, normal
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 GROUP = "tan"
@@ -37,6 +37,65 @@ QUANTITIES = {
 }  # fmt: skip
 
 REFERENCES = {"F": ("(11.78)",), "tau": ("(11.79)",), "u": ("(11.80)",), "c": ("(11.78)",), "us": ("(11.80)",)}
+
+
+def definitions(profile: Profile, medium: Medium) -> dict[str, sp.Expr]:
+    """(11.78) to (11.80): mu times the difference of two normal contacts; g and u with the ratio of the moduli."""
+    ratio = mu * medium.modulus / medium.shear
+    force = mu * (FORCE(a) - FORCE(c))
+    return {
+        "F": force,
+        "tau": mu * (PRESSURE(r, a) - PRESSURE(r, c)),
+        "u": ratio * (DEPTH(a) - DEPTH(c)),
+        "c": sp.Eq(force, F_x),
+        "us": ratio * (DEPTH(a) - DEPTH(_floor(profile))),
+    }
+
+
+def proofs(profile: Profile, medium: Medium) -> dict[str, Proof]:
+    """The differences in every region, the inverse put in, and where full slip begins."""
+    ratio = mu * medium.modulus / medium.shear
+    g, F_, p = DEPTH, FORCE, PRESSURE
+    lost = mu * (F_(a) - F_(c))
+    sliding, stuck = (c, r), (r, c)
+    return {
+        "F": Proof("F", (Shown(f"F = {mu} (F(a) - F(c))", OWN - lost),), c),
+        "u": Proof("d", (Shown(f"u = {ratio} (d(a) - d(c))", OWN - ratio * (g(a) - g(c))),), c),
+        "tau": Proof(
+            "p",
+            (
+                Shown("tau = mu p(r; a) for c < r < a", OWN - mu * p(r, a), sliding),
+                Shown("tau = mu (p(r; a) - p(r; c)) for r < c", OWN - mu * (p(r, a) - p(r, c)), stuck),
+                Shown("tau is continuous at r = c", OWN - mu * p(r, a), at=(c, r)),
+            ),
+            c,
+        ),
+        "c": Proof("F", (Shown("c(F(a), F_x = mu (F(a) - F(c))) = c", OWN - c, given={F_x: lost}),), c),
+        "us": Proof(
+            "d",
+            (
+                Shown(f"u at full slip = {ratio} g(a)", OWN - ratio * g(a)),
+                Shown("g -> 0 where the contact begins", g(a), at=(a, _floor(profile))),
+            ),
+        ),
+    }
+
+
+def rules(medium: Medium, printer: Callable[[sp.Expr], str]) -> dict[str, Rule]:
+    """The rules in print."""
+    ratio = printer(mu * medium.modulus / medium.shear)
+    return {
+        "F": Rule(r"F_x=\mu\,\bigl[F_{\mathrm N}(a)-F_{\mathrm N}(c)\bigr]"),
+        "tau": Rule(r"\tau(r)=\mu\,\bigl[p(r;a)-p(r;c)\bigr]", "with $p(r;c)=0$ for $r>c$"),
+        "u": Rule(rf"u={ratio}\,\bigl[g(a)-g(c)\bigr]"),
+        "c": Rule(r"F_{\mathrm N}(c)=F_{\mathrm N}(a)-\frac{F_x}{\mu}", "solved for $c$"),
+        "us": Rule(rf"u_{{\mathrm s}}={ratio}\,g(a)"),
+    }
+
+
+def _floor(profile: Profile) -> sp.Expr:
+    """The least radius of the contact and of the zone of stick."""
+    return profile.breaks[0] if profile.truncated else sp.S.Zero
 
 
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
@@ -66,20 +125,17 @@ def derive(
     partial = _pairs(force)
     slip = tuple(Case(chain, mu * (outer - inner)) for chain, outer, inner in partial)
     sliding = tuple(Case(chain, ratio * (outer - inner)) for chain, outer, inner in _pairs(depth))
-    floor = profile.breaks[0] if profile.truncated else sp.S.Zero
     onset = tuple(Case(case.chain, ratio * case.expr) for case in depth.cases)
     equations = tuple(Case(case.chain, sp.Eq(case.expr, F_x)) for case in slip)
     inverse = _closed_stick_radius(plain["aF"], force)
-    difference = mu * (sp.Function("F")(a) - sp.Function("F")(c))
-    out: dict[str, tuple[Status, tuple[Case, ...], sp.Expr]] = {
-        "F": (force.status, slip, difference),
-        "tau": (pressure.status, _traction(pressure), mu * (sp.Function("p")(r, a) - sp.Function("p")(r, c))),
-        "u": (depth.status, sliding, ratio * (sp.Function("g")(a) - sp.Function("g")(c))),
-        "c": ("closed" if inverse else "root", inverse or equations, sp.Eq(difference, F_x)),
-        "us": (depth.status, onset, ratio * (sp.Function("g")(a) - sp.Function("g")(floor))),
+    out: dict[str, tuple[Status, tuple[Case, ...]]] = {
+        "F": (force.status, slip),
+        "tau": (pressure.status, _traction(pressure)),
+        "u": (depth.status, sliding),
+        "c": ("closed" if inverse else "root", inverse or equations),
+        "us": (depth.status, onset),
     }
-    modulus = {"F": (medium.modulus,), "tau": (medium.modulus,), "c": (medium.modulus,)}
-    both = (medium.modulus, medium.shear)
+    defined = definitions(profile, medium)
     return {
         suffix: Entry(
             key=medium.key(profile.name, medium.group, GROUP, suffix),
@@ -87,11 +143,11 @@ def derive(
             quantity=QUANTITIES[suffix],
             status=status,
             cases=cases,
-            definition=definition,
-            parameters=(*profile.parameters, *modulus.get(suffix, both), *medium.moduli[1:], mu),
+            definition=defined[suffix],
+            parameters=(*profile.parameters, *PHYSICS.taken(defined[suffix], medium)),
             references=REFERENCES[suffix],
         )
-        for suffix, (status, cases, definition) in out.items()
+        for suffix, (status, cases) in out.items()
     }
 
 
@@ -143,6 +199,7 @@ def _closed_stick_radius(radius: Entry, force: Entry) -> tuple[Case, ...] | None
     return (Case((*floor, c, a), expr),)
 
 
+SPREAD = (("F",), ("c",), ("tau",), ("u", "us"))
 PHYSICS = Physics(
     "tangential",
     {
@@ -157,6 +214,7 @@ PHYSICS = Physics(
             button="friction",
             by_rule=("F", "u", "us", "tau"),
             subject="truncated_paraboloid.tan",
+            spread=SPREAD,
         ),
         GRADED: Wording(
             place=6,
@@ -166,6 +224,7 @@ PHYSICS = Physics(
             searched="FGM functionally graded gradient friction partial slip Cattaneo Mindlin",
             by_rule=("F", "u", "us", "tau", "c"),
             subject="paraboloid.fgm.tan",
+            spread=SPREAD,
         ),
     },
     derive,
@@ -179,4 +238,9 @@ PHYSICS = Physics(
     runtime=("physics.slip",),
     quantities={"tangential": QUANTITIES},
     wanted=("depth", "force", "tangential_force", "traction", "stick_radius"),
+    definitions=definitions,
+    compared="mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)",
+    proofs=proofs,
+    rules=rules,
+    noted=r"constant $F_{\mathrm N}$; the contact sticks for $r<c$ and slips outside",
 )

@@ -14,9 +14,7 @@ from typing import Any
 from ..abel.form import Chain
 from ..entry import Entry
 from ..notation import F, d
-from ..physics import Physics, normal
-from ..physics import adhesive as adhering
-from ..physics import tangential as slipping
+from ..physics import normal
 from ..physics.medium import HOMOGENEOUS, Medium
 from ..physics.systems import of
 from ..profiles.loads import Load
@@ -24,7 +22,7 @@ from ..profiles.profile import Profile
 from . import frame
 from .algebra.domain import NotProvedError
 from .frame import Frames
-from .rules import adhesive, detachment, graded, loads, materials, peak, tangential, viscoelastic
+from .rules import adhesive, detachment, graded, loads, materials, peak, superposed, viscoelastic
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
@@ -53,13 +51,6 @@ COMPLETE: dict[str, Rule] = {
     "rz": (("p",), Complete.zero_radius),
     "dmin": (("p",), Complete.minimum_depth),
     "Fmin": (("F", "dmin"), Complete.minimum_force),
-}
-
-
-Above = tuple[Callable[[Any, dict[str, Entry]], Any], dict[str, Rule], Callable[[Profile, Medium], Frames]]
-ABOVE: dict[Physics, Above] = {
-    adhering.PHYSICS: (adhesive.Adhesive, adhesive.RULES, frame.adhering),
-    slipping.PHYSICS: (tangential.Tangential, tangential.RULES, frame.slipping),
 }
 
 
@@ -168,9 +159,15 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         rules = viscoelastic.rules(entries, plain.entries)
         frames = frame.relaxing(profile)
         return Prover(entries, frames, rules, lambda: viscoelastic.Viscoelastic(plain.built(), found), plain)
-    above = ABOVE[physics] if profile.compact else (detachment.Detachment, detachment.RULES, frame.peeling)
-    statements, rules, stated = above
-    return Prover(entries, stated(profile, medium), rules, lambda: statements(plain.built(), found), plain)
+    if physics.proofs:
+        proofs = physics.proofs(profile, graded.MEDIUM if medium.graded else medium)
+        frames, shown = frame.superposed(physics, profile, medium), superposed.rules(proofs)
+        return Prover(entries, frames, shown, lambda: superposed.Superposed(plain.built(), found, proofs), plain)
+    if profile.compact:
+        frames = frame.adhering(profile, medium)
+        return Prover(entries, frames, adhesive.RULES, lambda: adhesive.Adhesive(plain.built(), found), plain)
+    frames = frame.peeling(profile, medium)
+    return Prover(entries, frames, detachment.RULES, lambda: detachment.Detachment(plain.built(), found), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

@@ -18,12 +18,10 @@ from ..notation import (
     F,
     G_star,
     H,
-    H_x,
     L,
     N,
     P,
     a,
-    c,
     c_0,
     coefficients,
     d,
@@ -32,7 +30,6 @@ from ..notation import (
     h_N,
     j,
     k,
-    mu,
     nu,
     nu_1,
     nu_2,
@@ -51,7 +48,7 @@ from ..notation import (
     young_1,
     young_2,
 )
-from ..physics import adhesive, detachment, loads, materials, normal, tangential, viscoelastic
+from ..physics import Physics, adhesive, detachment, loads, materials, normal, viscoelastic
 from ..physics.medium import Medium
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
@@ -257,27 +254,16 @@ def peeling(profile: Profile, medium: Medium) -> Frames:
     }  # fmt: skip
 
 
-def slipping(profile: Profile, medium: Medium) -> Frames:
-    """Partial slip: mu times the difference of two normal contacts, (11.78)-(11.80)."""
-    along = G_star if medium.k == 0 else H_x
-    ratio = mu * medium.modulus / along
-    floor = profile.breaks[0] if profile.truncated else sp.S.Zero
-    force = mu * (F_(a) - F_(c))
-    definitions = {
-        "F": force,
-        "tau": mu * (p_(r, a) - p_(r, c)),
-        "u": ratio * (g_(a) - g_(c)),
-        "c": sp.Eq(force, tangential.QUANTITIES["F"].symbol),
-        "us": ratio * (g_(a) - g_(floor)),
-    }
-    exponent = (medium.k,) if medium.k != 0 else ()
+def superposed(physics: Physics, profile: Profile, medium: Medium) -> Frames:
+    """A contact above another one, as its physics defines it."""
+    assert physics.definitions is not None
+    (quantities,) = physics.quantities.values()
     return {
         suffix: Frame(
-            medium.key(profile.name, medium.group, tangential.GROUP, suffix), profile, tangential.QUANTITIES[suffix],
-            definition,
-            (*profile.parameters, medium.modulus, *((along,) if suffix in ("u", "us") else ()), *exponent, mu),
+            medium.key(profile.name, medium.group, physics.group, suffix), profile, quantities[suffix],
+            definition, (*profile.parameters, *physics.taken(definition, medium)),
         )
-        for suffix, definition in definitions.items()
+        for suffix, definition in physics.definitions(profile, medium).items()
     }  # fmt: skip
 
 
