@@ -6,12 +6,13 @@ from collections.abc import Mapping
 
 from ..abel import masters
 from ..entry import COMPACT, COMPLETE, FOUR, Entry
-from ..physics import adhesive, complete, normal, tangential, viscoelastic
-from ..physics.medium import HOMOGENEOUS
-from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..physics import complete, normal
+from ..physics.medium import GRADED, HOMOGENEOUS
+from ..physics.systems import SYSTEMS
 from ..print.box import width
 from ..print.formula import MASTER_NAMES, Printer
 from ..print.shorthand import with_kappa
+from ..profiles.pools import ROUND, STRIPS
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
@@ -81,21 +82,16 @@ def _name(master: type[masters.Master]) -> str:
     return MASTER_NAMES[master] + "(x)"
 
 
-QUANTITIES = (
-    ("Normal contact", "", (COMPACT, COMPLETE)),
-    ("Adhesive contact; graded: .fgm.adh", "adh.", (adhesive.QUANTITIES,)),
-    ("Tangential contact; graded: .fgm.tan", "tan.", (tangential.QUANTITIES,)),
-    ("Viscoelastic half-space", "vis.", (viscoelastic.QUANTITIES,)),
-    ("Plane contact", "", (PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC)),
-)
-
-
 def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
     """What the end of a key means, by kind of contact, in the words of the rows; without the four laws spelled out."""
     found = []
-    for title, group, tables in QUANTITIES:
-        ends: dict[str, str] = {}
-        for q in (q for table in tables for q in table.values()):
+    for own in SYSTEMS:
+        physics, ends = own.physics, dict[str, str]()
+        if own.medium.graded or own.pool not in (ROUND, STRIPS):
+            continue
+        group = f"{own.group}." if own.group else ""
+        title = own.heading + (f"; graded: .{GRADED.group}.{own.group}" if group and GRADED in physics.wording else "")
+        for q in (q for table in physics.quantities.values() for q in table.values()):
             suffix = q.suffix.partition("_")[0] + "_..." if "_" in q.suffix else q.suffix
             words, small = q.heading
             ends.setdefault(f"{group}{suffix}", f"{words}, {small}" if small else words)

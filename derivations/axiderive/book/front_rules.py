@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..entry import COMPACT
-from ..physics import adhesive, normal, tangential, viscoelastic
+from ..physics import normal, viscoelastic
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
-from ..physics.systems import BY_NAME
+from ..physics.systems import BY_NAME, SYSTEMS
 from ..print.formula import Printer
 from ..rows import laws, rules
 from ..rows.row import Kind
@@ -36,19 +36,13 @@ class RuleRow:
 Line = tuple[RuleRow, ...]
 Section = tuple[str, str, Sequence[Line]]
 """Title, note and lines of one kind of contact; a line holds one rule or two."""
-QUANTITIES = {"normal": COMPACT, "adhesive": adhesive.QUANTITIES, "tangential": tangential.QUANTITIES}
-FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
-TANGENTIAL = (("F",), ("c",), ("tau",), ("u", "us"))
-JKR = r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$"
-SLIP = r"constant $F_{\mathrm N}$; the contact sticks for $r<c$ and slips outside"
 
 
 def homogeneous() -> list[Section]:
     """The left page."""
     return [
         ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
-        ("Adhesive contact", JKR, _lines("adhesive", (*FIELDS, ("ac", "am"), *PULLED))),
-        ("Tangential contact", SLIP, _lines("tangential", TANGENTIAL)),
+        *_superposed(HOMOGENEOUS),
         (
             "Viscoelastic half-space",
             r"while the contact grows; laws on page \pageref{part:laws}",
@@ -62,14 +56,22 @@ def graded() -> list[Section]:
     integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
     return [
         ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
-        ("Adhesive contact", JKR, _lines("graded.adhesive", (*FIELDS, ("ac",), ("am",), *PULLED))),
-        ("Tangential contact", SLIP, _lines("graded.tangential", TANGENTIAL)),
+        *_superposed(GRADED),
     ]
 
 
 def rule_rows() -> list[RuleRow]:
     """All rules of the spread."""
     return [one for page in (homogeneous(), graded()) for _, _, lines in page for line in lines for one in line]
+
+
+def _superposed(medium: Medium) -> list[Section]:
+    """What stands above the normal contact, as each physics says it."""
+    return [
+        (BY_NAME[own.physics.name].heading, own.physics.noted, _lines(own.name, own.said.spread))
+        for own in SYSTEMS
+        if own.medium is medium and own.said.spread
+    ]
 
 
 def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
@@ -79,7 +81,8 @@ def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
 def _rule(system: str, suffix: str) -> RuleRow:
     found = rules.rule(BY_NAME[system], suffix)
     assert found is not None
-    label, small = QUANTITIES[system.rpartition(".")[2]][suffix].heading
+    quantities, *_ = BY_NAME[system].physics.quantities.values()
+    label, small = quantities[suffix].heading
     small = f"${found.where}$" if found.where else small
     return RuleRow(system, suffix, label, small, found.tex, found.remark)
 

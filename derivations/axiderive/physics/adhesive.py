@@ -209,6 +209,7 @@ def _derive(profile: Profile, medium: Medium, plain: Mapping[str, Entry] | None 
     return derive(profile, medium, plain) if profile.compact else detachment.derive(profile, medium)
 
 
+FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
 PHYSICS = Physics(
     "adhesive",
     {
@@ -221,6 +222,7 @@ PHYSICS = Physics(
             button="adhesion",
             by_rule=("Dl", *FOUR),
             subject="truncated_paraboloid.adh",
+            spread=(*FIELDS, ("ac", "am"), *PULLED),
         ),
         GRADED: Wording(
             place=5,
@@ -230,6 +232,7 @@ PHYSICS = Physics(
             searched="FGM functionally graded gradient adhesion JKR pull-off",
             by_rule=("Dl", *FOUR),
             subject="paraboloid.fgm.adh",
+            spread=(*FIELDS, ("ac",), ("am",), *PULLED),
         ),
     },
     _derive,
@@ -242,4 +245,5 @@ PHYSICS = Physics(
     runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
     quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
     wanted=("depth", "force", "pressure", "displacement", "pull_off"),
+    noted=r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$",
 )

@@ -6,26 +6,13 @@ a rule is read back against every profile it is printed for.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
-from .. import notation as nt
 from ..notation import a, a_c, dgamma, r, retraction, u
-from ..physics import adhesive, normal, tangential
+from ..physics import Rule, adhesive, normal
 from ..physics.medium import Medium
 from ..physics.systems import System
 from ..print.formula import Printer
-
-
-@dataclass(frozen=True)
-class Rule:
-    """A rule as LaTeX, with the words behind it and the range of a field."""
-
-    tex: str
-    remark: str = ""
-    where: str = ""
-
 
 ADH = r"_{\mathrm{adh}}"
 INSIDE, OUTSIDE = r"r\le a", r"r\ge a"
@@ -60,22 +47,6 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
     return found
 
 
-def sliding_ratio(medium: Medium) -> str:
-    """Tangential displacement over the depth of the normal contact that slides or grows."""
-    return Printer()(nt.mu * medium.modulus / medium.shear)
-
-
-def _tangential(medium: Medium) -> dict[str, Rule]:
-    ratio = sliding_ratio(medium)
-    return {
-        "F": Rule(r"F_x=\mu\,\bigl[F_{\mathrm N}(a)-F_{\mathrm N}(c)\bigr]"),
-        "tau": Rule(r"\tau(r)=\mu\,\bigl[p(r;a)-p(r;c)\bigr]", "with $p(r;c)=0$ for $r>c$"),
-        "u": Rule(rf"u={ratio}\,\bigl[g(a)-g(c)\bigr]"),
-        "c": Rule(r"F_{\mathrm N}(c)=F_{\mathrm N}(a)-\frac{F_x}{\mu}", "solved for $c$"),
-        "us": Rule(rf"u_{{\mathrm s}}={ratio}\,g(a)"),
-    }
-
-
 def _normal(medium: Medium) -> dict[str, Rule]:
     """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
     if not medium.graded:
@@ -99,10 +70,12 @@ def _normal(medium: Medium) -> dict[str, Rule]:
     }
 
 
-RULES = {normal.PHYSICS: _normal, adhesive.PHYSICS: _adhesive, tangential.PHYSICS: _tangential}
+RULES = {normal.PHYSICS: _normal, adhesive.PHYSICS: _adhesive}
+"""Rules that are made with more than what prints an expression; those of other physics are stated in their files."""
 
 
 def rule(system: System, suffix: str) -> Rule | None:
     """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
-    found = RULES.get(system.physics)
-    return found(system.medium).get(suffix) if found else None
+    own = RULES.get(system.physics)
+    found = own(system.medium) if own else system.physics.rules(system.medium, Printer())
+    return found.get(suffix)
