@@ -175,10 +175,10 @@ def test_the_guides_name_files_and_tables_that_are_there():
     text = (root / "CONTRIBUTING.md").read_text() + (root / "docs" / "architecture.md").read_text()
     named = set(re.findall(r"`((?:\w+/)+\w+\.py)`", text))
     places = (ENGINE, root, root / "catalogue", root / "catalogue" / "axicontact")
-    assert len(named) > 40
+    assert len(named) > 30
     assert not [name for name in named if not any((place / name).is_file() for place in places)]
     tables = re.findall(
         r"`([A-Z_]{4,})`(?:,\s| and\s|\s)*(?:`[A-Z_]+`(?:,\s| and\s|\s))*of\s+`((?:\w+/)+\w+\.py)`", text
     )
-    assert len(tables) > 9
+    assert len(tables) > 4
     assert not [(t, name) for t, name in tables if not re.search(rf"^{t}\b", (ENGINE / name).read_text(), re.MULTILINE)]
