@@ -22,7 +22,7 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.sampling import Point, points
 from ..oracle.shape import Number, Values, number, numeric_symbols, shape
-from ..physics import Physics, adhesive, normal, tangential
+from ..physics import Physics, normal
 from ..profiles.profile import Profile
 
 Entries = Mapping[str, Entry]
@@ -34,12 +34,6 @@ EXPONENTS = tuple(sp.Rational(x) for x in ("-7/10", "-3/10", "1/5", "3/5", "1/2"
 """Exponents of grading; every sixth point gets a random one."""
 MANY = 6
 """Cases above which one point for each is enough."""
-FIELDS = {
-    normal.PHYSICS: (nt.H,),
-    adhesive.PHYSICS: (nt.dgamma, nt.H),
-    tangential.PHYSICS: (nt.mu, nt.G_star, nt.H, nt.H_x),
-}
-"""What is drawn of the material."""
 
 
 Outcome = Literal["passed", "failed", "not available"]
@@ -141,7 +135,7 @@ class Comparison:
         pulled = self.physics.tension and (quantity.inverts or quantity.control)
         by_depth = (pulled or suffix in ("k", "pm", "Dl")) and "d" in self.entries
         source = self.entries["d" if by_depth else quantity.inverts or suffix]
-        material = () if plain else FIELDS[self.physics]
+        material = () if plain else self.physics.drawn
         fields = (*source.quantity.arguments, *material, *self.profile.free_depth)
         # an unevaluated integral next to a border takes long; the closed formulas get the extreme points
         tame = graded and (quantity.place == "inside" or any(case.expr.has(sp.Integral) for case in entry.cases))

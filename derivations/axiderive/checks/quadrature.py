@@ -6,8 +6,6 @@ at a chosen contact radius, the entry must lead back to it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import mpmath as mp
 import sympy as sp
 
@@ -18,7 +16,7 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number
-from ..physics import Physics, adhesive, normal, tangential
+from ..physics import normal
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import rings, viscoelastic
@@ -47,11 +45,12 @@ def check(own: Comparison, suffix: str) -> Evidence:
     nested = graded and quantity.place == "inside" and not _sum_of_powers(own.profile)
     working = min(own.digits, NESTED) if nested else own.digits
     drawn = own.drawn(suffix, 1 if nested else own.points)
-    _, rule, more = COMPARED[own.physics]
+    rule, more = (_superposed, 20) if own.physics.definitions else (_adhesive if own.physics.tension else _pressed, 0)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
-    more = ILL if suffix == "c" else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
+    ill = quantity.symbol == nt.c
+    more = ILL if ill else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
     rows: Rows = []
-    with mp.workdps(working + GUARD + (ILL if suffix == "c" else 0)):
+    with mp.workdps(working + GUARD + (ILL if ill else 0)):
         for point in drawn:
             here = HalfSpace(own.profile, point.values, working + more, graded)
             rows.append((point.values, rule(here, own, suffix, here.at(nt.a), working)))
@@ -95,7 +94,7 @@ def _compared(own: Comparison, suffix: str) -> str:
         return "round trip: the stick radius whose tangential force is known by quadrature"
     if quantity.inverts:
         return f"round trip: {quantity.symbol} of the contact whose {quantity.inverts} is known by quadrature"
-    return COMPARED[own.physics][0]
+    return own.physics.compared
 
 
 def _pressed(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
@@ -138,12 +137,15 @@ def _adhesive(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: 
     return residual(formula_value(entry, values, digits), here.adhesive(suffix, a))
 
 
-def _slipping(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
-    entry = own.entries[suffix]
-    if suffix != "c":
-        return residual(formula_value(entry, here.values, digits), here.tangential(suffix, a))
-    known = {**here.values, nt.F_x: here.tangential("F", a), nt.F: here.force(a)}
-    return residual(_radius(entry, nt.c, known, digits), here.at(nt.c))
+def _superposed(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits: int) -> Number:
+    """What superposes normal contacts, as its physics defines it."""
+    entry, quantity = own.entries[suffix], own.entries[suffix].quantity
+    assert own.physics.definitions is not None
+    stated = own.physics.definitions(here.profile, here.medium)
+    if not quantity.inverts:
+        return residual(formula_value(entry, here.values, digits), here.defined(stated[suffix]))
+    known = {**here.values, quantity.arguments[0]: here.defined(stated[quantity.inverts]), nt.F: here.force(a)}
+    return residual(_radius(entry, quantity.symbol, known, digits), here.at(quantity.symbol))
 
 
 def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Number:
@@ -151,13 +153,3 @@ def _radius(entry: Entry, unknown: sp.Symbol, known: Values, digits: int) -> Num
     if entry.status == "closed":
         return evaluate(case.expr, {s: x for s, x in known.items() if s != unknown}, digits)
     return root(case, unknown, known, digits, largest if largest is None else largest.subs(nt.a, unknown))
-
-
-COMPARED: dict[Physics, tuple[str, Callable[[HalfSpace, Comparison, str, Number, int], Number], int]] = {
-    normal.PHYSICS: ("mpmath quadrature of the definition", _pressed, 0),
-    adhesive.PHYSICS: ("mpmath quadrature of the contact that is short of its depth by Dl, (11.63)", _adhesive, 0),
-    tangential.PHYSICS: (
-        "mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)", _slipping, 20,
-    ),
-}  # fmt: skip
-"""What stands against an entry, the relative difference from it, and the digits that this takes more."""

@@ -205,11 +205,14 @@ class Example:
 
     def defined(self, entry: Entry, at: Values) -> sp.Float:
         """A pressure or displacement on a graded half-space without closed form, by quadrature."""
-        half_space = HalfSpace(self.profile, at, DIGITS, graded=True)
-        rules = {"normal": half_space.normal, "adhesive": half_space.adhesive, "tangential": half_space.tangential}
+        here, physics = HalfSpace(self.profile, at, DIGITS, graded=True), self.system.physics
         with mp.workdps(2 * DIGITS):
             a = mp.mpf(str(sp.N(at[nt.a], 2 * DIGITS)))
-            return sp.Float(str(mp.re(rules[self.system.physics.name](entry.suffix, a))), 2 * DIGITS)
+            if physics.definitions:
+                found = here.defined(physics.definitions(self.profile, here.medium)[entry.suffix])
+            else:
+                found = (here.adhesive if physics.tension else here.normal)(entry.suffix, a)
+            return sp.Float(str(mp.re(found)), 2 * DIGITS)
 
     def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> sp.Float:
         """The unknown that solves the equation of an entry, to 30 digits; searched from its drawn value."""

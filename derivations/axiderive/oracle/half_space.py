@@ -1,8 +1,8 @@
-"""Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, tangential.
+"""Contact on the homogeneous or the graded half-space as its definitions say: normal, adhesive, superposed.
 
 Adhesion is not derived here by the formulas of the engine but as the normal
 contact with the free depth g(a) - Dl, with Dl from the balance of energies
-(11.63); partial slip as the difference of two normal contacts.
+(11.63); what else superposes normal contacts by the definitions of its physics.
 
 The compliances come from the equations of equilibrium alone.  Under a load of
 wave number 1 the state at a depth of one homogeneous body is exp(A z) times
@@ -18,12 +18,16 @@ force (11.33) is the integral of such pressures over all wave numbers.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mpmath as mp
+import sympy as sp
 
 from .. import notation as nt
+from ..physics import DEPTH, FORCE, PRESSURE
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
+from .evaluate import evaluated
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
 
@@ -135,23 +139,45 @@ class HalfSpace:
         own_rate = depth_rate if control == "depth" else force_rate
         return (own_rate * a / (power * lost(a))) ** 2
 
-    def tangential(self, suffix: str, a: Number) -> Number:
-        """mu times the difference of two normal contacts; u0 with the ratio of the moduli, (11.78)-(11.80)."""
-        mu = self.at(nt.mu)
-        ratio = mu * self.modulus / self.at(nt.H_x if self.graded else nt.G_star)
-        if suffix == "us":  # a flat tip slips at once: its normal contact needs no depth
-            return ratio * self.depth(a)
-        c = self.at(nt.c)
-        if suffix == "F":
-            return mu * (self.force(a) - self.force(c))
-        if suffix == "u":
-            return ratio * (self.depth(a) - self.depth(c))
-        r = self.at(nt.r)
-        stuck = self.pressure(r, c) if r < c else mp.mpf(0)
-        return mu * (self.pressure(r, a) - stuck)
+    @property
+    def medium(self) -> Medium:
+        """The half-space, as the physics on it are stated for it."""
+        return GRADED if self.graded else HOMOGENEOUS
+
+    def defined(self, expr: sp.Expr) -> Number:
+        """The value of a definition in depth, force and pressure of radii; integrals over them by quadrature."""
+        known, stand_ins = {**self.values}, dict[sp.Expr, sp.Symbol]()
+        for integral in expr.atoms(sp.Integral):
+            stand_ins[integral] = sp.Dummy(real=True)
+            known[stand_ins[integral]] = self._integrated(integral)
+        rest = expr.xreplace(stand_ins)
+        called = {own: sp.Dummy(real=True) for name in (DEPTH, FORCE, PRESSURE) for own in rest.atoms(name)}
+        known |= {stand_in: self._called(own) for own, stand_in in called.items()}
+        return evaluated(rest.xreplace(called), known)
+
+    def _integrated(self, integral: sp.Integral) -> Number:
+        """By the double exponential rule, in stretches that end at the breaks of the profile."""
+        ((variable, *ends),) = integral.limits
+        low, high = map(self.defined, ends)
+        breaks = sorted(x for x in map(self.at, self.profile.breaks) if low < x < high)
+        return mp.quad(
+            lambda x: replace(self, values={**self.values, variable: x}).defined(integral.function),
+            [low, *breaks, high],
+        )
+
+    def _called(self, called: sp.Expr) -> Number:
+        """The depth, the force or a pressure; a contact no greater than the flat face has no depth, none is outside."""
+        *places, radius = (evaluated(x, self.values) for x in called.args)
+        if called.func == DEPTH:
+            flat = self.at(self.profile.breaks[0]) if self.profile.truncated else mp.mpf(0)
+            return self.depth(radius) if radius > flat else mp.mpf(0)
+        if called.func == FORCE:
+            return self.force(radius)
+        (place,) = places
+        return self.pressure(place, radius) if place < radius else mp.mpf(0)
 
 
-DEPTH = 1.5
+FAR = 1.5
 """Depth at which the displacements are set to zero, per digit wanted."""
 
 
@@ -161,7 +187,7 @@ def body_compliance(modulus: str, E: Number, nu: Number, digits: int) -> Number:
     A pressure moves the surface by twice its share of 1/E*.  Shears along and across a wave, of all directions alike,
     move it by twice its share of 1/G* at the mean.
     """
-    depth = DEPTH * digits
+    depth = FAR * digits
     with mp.workdps(digits + int(depth) + 20):
         shear = E / (2 * (1 + nu))
         first = 2 * shear * nu / (1 - 2 * nu)
@@ -196,7 +222,7 @@ Pair = tuple[Number, Number]
 
 def surface_compliance(k: Number, nu: Number, digits: int) -> Number:
     """c for E = z**k, -1 < k < 1, k != 0 and nu < 1/2, to about `digits` digits."""
-    depth = mp.mpf(DEPTH) * digits
+    depth = mp.mpf(FAR) * digits
     with mp.workdps(digits + int(depth) + 20):
         k, nu = mp.mpf(k), mp.mpf(nu)
         shear, first = 1 / (2 * (1 + nu)), nu / ((1 + nu) * (1 - 2 * nu))

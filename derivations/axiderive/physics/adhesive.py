@@ -245,5 +245,6 @@ PHYSICS = Physics(
     runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
     quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
     wanted=("depth", "force", "pressure", "displacement", "pull_off"),
+    compared="mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
     noted=r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$",
 )

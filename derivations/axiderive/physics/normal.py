@@ -404,4 +404,5 @@ PHYSICS = Physics(
     runtime=("physics.unknowns",),
     quantities={"compact": COMPACT, "complete": COMPLETE},
     wanted=("depth", "force", "pressure", "displacement"),
+    compared="mpmath quadrature of the definition",
 )

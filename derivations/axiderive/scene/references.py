@@ -136,8 +136,11 @@ class _Radius:
 
     def rows(self, function: Function) -> Rows:
         """Calls of a function with their results."""
-        shear = self.contact.request.kind.physics.shear and function.kind == self.contact.request.kind
-        return self.slipping(function) if shear else self.pressed(function)
+        kind = self.contact.request.kind
+        stated = kind.physics.definitions
+        if stated is None or function.kind != kind:
+            return self.pressed(function)
+        return self.superposed(function, stated(self.contact.profile, kind.system.medium))
 
     def pressed(self, function: Function) -> Rows:
         """Normal contact, with or without adhesion."""
@@ -177,23 +180,18 @@ class _Radius:
         here, end = contact.load(source, self.a, COARSE), contact.end()
         return all(contact.load(source, float(x), COARSE) > here for x in self.a * FURTHER if x < end)
 
-    def slipping(self, function: Function) -> Rows:
-        """Partial slip: mu times the difference of two normal contacts."""
-        a, contact = self.a, self.contact
+    def superposed(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
+        """What superposes normal contacts, by the definitions of its physics; a field on both sides of c."""
+        a, contact, quantity = self.a, self.contact, function.quantity
         floor = float(contact.given()[contact.profile.breaks[0]]) if contact.profile.truncated else 0.0
-        c = short(floor + STICK * (a - floor))
-
-        def slip(suffix: str, r: float = 0.0) -> Any:
-            return contact.half_space(c=c, r=r).tangential(suffix, mp.mpf(a))
-
-        match function.name:
-            case "traction":
-                return [((r, a, c), slip("tau", r)) for r in (0.5 * c, 0.5 * (a + c))]
-            case "stick_radius":
-                return [((float(slip("F")), a), mp.mpf(c))]
-            case "full_slip_displacement":
-                return [((a,), slip("us"))]
-        return [((a, c), slip(function.quantity.suffix))]
+        c, rows = short(floor + STICK * (a - floor)), Rows()
+        for r in (0.5 * c, 0.5 * (a + c)) if nt.r in quantity.arguments else (0.0,):
+            here = contact.half_space(a=a, c=c, r=r)
+            known = {nt.r: r, nt.a: a, nt.c: c}
+            fields = (known.get(s) or float(here.defined(stated[quantity.inverts])) for s in quantity.arguments)
+            found = here.at(quantity.symbol) if quantity.inverts else here.defined(stated[quantity.suffix])
+            rows.append((tuple(fields), found))
+        return rows
 
 
 class Edged:
