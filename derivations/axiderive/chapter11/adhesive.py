@@ -24,26 +24,6 @@ def retraction(a: Any, dgamma: Any, foundation: Any) -> Any:
     return mp.sqrt(2 * mp.pi * a * dgamma / foundation)
 
 
-def spring_stiffness(foundation: Any, dx: Any) -> Any:
-    """Stiffness (force over length) of one spring of width dx; `foundation` is a stiffness per length."""
-    return foundation * dx
-
-
-def foundation_modulus(x: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
-    """Stiffness of the foundation per length at x, a force over the square of a length."""
-    return h_N * E_star * (abs(x) / c0) ** k
-
-
-def retraction_printed(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
-    """The retraction as printed, which has the dimension of a length to the power 3/2."""
-    return mp.sqrt(2 * mp.pi * a * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
-
-
-def retraction_corrected(a: Any, dgamma: Any, h_N: Any, E_star: Any, c0: Any, k: Any) -> Any:
-    """The retraction, a length, from the constants of the medium."""
-    return mp.sqrt(2 * mp.pi * dgamma * c0**k * a ** (1 - k) / (E_star * h_N))
-
-
 def spring_energy(g: PowerSum, d: Any, a: Any, H: Any, k: Any = ZERO) -> Any:
     """H int x**k (d - g)**2 dx over (0, a), each product of powers integrated."""
     terms = ((d, ZERO), *((-c, n) for c, n in g.terms))
@@ -58,8 +38,7 @@ def _rates(g: PowerSum, a: Any, dgamma: Any, dx: Any, dl: Any, H: Any, k: Any) -
 
 
 @equation(30, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
-def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The derivatives of both energies by a, times dx, beside the two sides."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star, dgamma = draw.power_sum(), draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
     dx, dl = draw.length(), draw.length()
     rates, sides = _rates(g, a, dgamma, dx, dl, E_star, ZERO), formula(a, dx, dgamma, E_star, dl)
@@ -67,8 +46,7 @@ def check_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(31, retraction, "JKR force of the paraboloid, its minimum, stationary energy of random powers")
-def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The paraboloid: force of Johnson, Kendall and Roberts, its minimum -3/2 pi dgamma R, and a stationary energy."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     R, E_star, dgamma = draw.length(), draw.stress(5, 50), draw.quantity(-1, 1)
     a = draw.length()
     known = 4 * E_star * a**3 / (3 * R) - mp.sqrt(8 * mp.pi * E_star * dgamma * a**3)
@@ -82,9 +60,8 @@ def check_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield _is_stationary(draw.power_sum(), a, dgamma, formula(a, dgamma, E_star), E_star, ZERO)
 
 
-@equation(62, spring_stiffness, "the springs under a flat punch add up to (11.46)")
-def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The springs under a flat punch add up to its stiffness (11.46)."""
+@equation(62, lambda foundation, dx: foundation * dx, "the springs under a flat punch add up to (11.46)")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, m = draw.length(), medium(draw)
     dx = draw.length()
     total = panels(lambda x: formula(m.foundation(x), dx) / dx, -a, a, (ZERO,))
@@ -92,8 +69,7 @@ def check_spring_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(63, energy_balance, "rates of the surface energy and of the elastic energy at fixed depth")
-def check_graded_energy_balance(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The derivatives of both energies by a, times dx, beside the two sides."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     dx, dl = draw.length(), draw.length()
     rates, sides = _rates(g, a, dgamma, dx, dl, m.H, m.k), formula(a, dx, dgamma, m.foundation(a), dl)
@@ -107,15 +83,17 @@ def _is_stationary(g: PowerSum, a: Any, dgamma: Any, dl: Any, H: Any, k: Any) ->
 
 
 @equation(64, retraction, "stationary energy of random powers")
-def check_graded_retraction(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The retraction, rescaled until the springs release what the surface takes up, beside the formula."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     yield _is_stationary(g, a, dgamma, formula(a, dgamma, m.foundation(a)), m.H, m.k)
 
 
-@equation(65, foundation_modulus, "value at c0; force of the springs against the closed pressure over the area")
-def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Stiffness per length at c0, and the force of the springs against the closed pressure over the area."""
+@equation(
+    65,
+    lambda x, h_N, E_star, c0, k: h_N * E_star * (abs(x) / c0) ** k,
+    "value at c0; force of the springs against the closed pressure over the area",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.power_sum(), draw.length(), medium(draw)
     yield Residual(m.h_N * m.E0 / (1 - m.nu**2), formula(-m.c0, m.h_N, m.E_star, m.c0, m.k), STRESS)
 
@@ -127,15 +105,14 @@ def check_foundation_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]
 
 @equation(
     66,
-    retraction_printed,
+    lambda a, dgamma, h_N, E_star, c0, k: mp.sqrt(2 * mp.pi * a * dgamma * c0**k * a ** (1 - k) / (E_star * h_N)),
     "(11.65) put into (11.64); stationary energy of random powers; limit k = 0 against (11.31)",
-    corrected=retraction_corrected,
+    corrected=lambda a, dgamma, h_N, E_star, c0, k: mp.sqrt(2 * mp.pi * dgamma * c0**k * a ** (1 - k) / (E_star * h_N)),
     printed_form="dl = sqrt(2 pi a dgamma c0^k a^(1-k) / (E* h_N))",
     right_form="dl = sqrt(2 pi dgamma c0^k a^(1-k) / (E* h_N))",
     reason="The power a^(1-k) holds the factor a already: as printed, dl is not in metres and misses (11.31) for k = 0",
 )
-def check_retraction_of_rigid(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """(11.64) with c_N put in, the balance of both energies, and (11.31) for k = 0, each beside the formula."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, dgamma, m = draw.power_sum(), draw.length(), draw.quantity(-1, 1), medium(draw)
     constants = (m.h_N, m.E_star, m.c0, m.k)
     yield Residual(retraction(a, dgamma, m.foundation(a)), formula(a, dgamma, *constants), LENGTH)

@@ -114,8 +114,6 @@ FORCE = Dimension(0, 1)
 STRESS = Dimension(-2, 1)
 STIFFNESS = Dimension(-1, 1)
 ENERGY = Dimension(1, 1)
-FOUNDATION = Dimension(-2, 1)
-"""Stiffness per length of a Winkler foundation."""
 
 Formula = Callable[..., Any]
 """The right side of an equation; several sides of one equation come as a tuple."""

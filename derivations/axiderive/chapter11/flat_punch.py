@@ -13,11 +13,6 @@ from .quadrature import across, around, rings, singular, total_force, weighted
 HALF = mp.mpf(1) / 2
 
 
-def punch_pressure(r: Any, a: Any, p0: Any) -> Any:
-    """Pressure at r < a, equal to p0 at the centre and infinite at the edge."""
-    return p0 * (1 - r**2 / a**2) ** (-mp.mpf(1) / 2)
-
-
 def superposition(p: Callable[[Any], Any], r: Any, a: Any, E_star: Any, edge: Any) -> Any:
     """(11.2) in polar coordinates around the point: the area element s ds dphi cancels the distance."""
     return 1 / (mp.pi * E_star) * around(lambda s, phi: p(_radius(r, s, phi)), r, a, upper=edge)
@@ -46,22 +41,6 @@ def displacement_around(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
     return 1 / (mp.pi * E_star) * p0 * a * around(integrand, r, a, upper=-HALF)
 
 
-def inner_integral(alpha: Any, beta: Any) -> Any:
-    """A pure number: the integral along the ray from A to the edge, alpha**2 = a**2 - r**2, beta = r cos(phi)."""
-    return mp.pi / 2 - mp.atan(beta / alpha)
-
-
-def punch_depth(a: Any, p0: Any, E_star: Any) -> Any:
-    """The depth (a length) to which p0 presses every point of the circle."""
-    return mp.pi * p0 * a / E_star
-
-
-def pressure_across(s: Any, phi: Any, r: Any, a: Any, p0: Any) -> Any:
-    """Pressure at the distance s from a point A at r > a, phi measured from the direction of the centre."""
-    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
-    return p0 * a * (alpha_squared + 2 * beta * s - s**2) ** (-mp.mpf(1) / 2)
-
-
 def displacement_across(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
     """Displacement of the surface (a length) at r > a, the double integral across the disc by quadrature."""
 
@@ -69,41 +48,6 @@ def displacement_across(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
         return (a**2 - r**2 + 2 * r * mp.cos(phi) * s - s**2) ** (-mp.mpf(1) / 2)
 
     return 1 / (mp.pi * E_star) * p0 * a * across(integrand, r, a, -HALF)
-
-
-def chord_ends(s: Any, alpha_squared: Any, beta: Any) -> Any:
-    """An area that is zero where the ray from A crosses the edge of the disc at the distance s."""
-    return alpha_squared + 2 * beta * s - s**2
-
-
-def chord_integral() -> Any:
-    """The pure number pi, whatever chord through the disc the integral runs along."""
-    return mp.pi
-
-
-def outside_from_pressure(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
-    """Displacement of the surface (a length) at r >= a, from the pressure p0 at the centre."""
-    return 2 / E_star * p0 * a * mp.asin(a / r)
-
-
-def outside_from_depth(r: Any, a: Any, d: Any) -> Any:
-    """Displacement of the surface (a length) at r >= a, from the depth d of the punch."""
-    return 2 / mp.pi * d * mp.asin(a / r)
-
-
-def punch_force(a: Any, p0: Any) -> Any:
-    """Force that p0 at the centre and the radius a amount to."""
-    return 2 * mp.pi * p0 * a**2
-
-
-def punch_stiffness(a: Any, E_star: Any) -> Any:
-    """Force over depth of a punch of radius a."""
-    return 2 * a * E_star
-
-
-def pressure_from_depth(r: Any, a: Any, d: Any, E_star: Any) -> Any:
-    """Pressure at r < a under a punch pressed in by d."""
-    return 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2)
 
 
 def _disc(draw: Draw) -> tuple[Any, Any, Any]:
@@ -123,9 +67,12 @@ def _sunk(r: Any, a: Any, p0: Any, E_star: Any) -> Any:
     return rings(lambda t: p0 / mp.sqrt(1 - t**2 / a**2), r, a, E_star)
 
 
-@equation(1, punch_pressure, "two points of the loaded circle sink equally, by ring kernels")
-def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacements of two random points inside, by ring kernels, beside each other; p0 beside the value at r = 0."""
+@equation(
+    1,
+    lambda r, a, p0: p0 * (1 - r**2 / a**2) ** (-mp.mpf(1) / 2),
+    "two points of the loaded circle sink equally, by ring kernels",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     inner, outer = (rings(lambda t: formula(t, a, p0), _inside(draw, a), a, E_star) for _ in range(2))
     yield Residual(inner, outer, LENGTH)
@@ -133,8 +80,7 @@ def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(2, superposition, "Hertz and uniform pressure with known displacement; a smooth pressure by ring kernels")
-def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Closed displacements (Hertz; uniform, at the centre) and ring kernels (smooth) beside the double integral."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, near = _inside(draw, a), a * mp.mpf(10) ** -30
     hertz = mp.pi * p0 * (2 * a**2 - r**2) / (4 * a * E_star)
@@ -148,8 +94,7 @@ def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(3, pressure_around, "pressure at a point given by coordinates; the three lines agree")
-def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.1) at a point with Cartesian coordinates beside each of the three lines in s and phi."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     r, phi = _inside(draw, a), draw.number(0, 6.28)
     s = draw.number(0.1, 0.9) * (a - r)
@@ -159,16 +104,18 @@ def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(4, displacement_around, "double integral around A against ring kernels, r < a")
-def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r < a by ring kernels beside the double integral around the point."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r = _inside(draw, a)
     yield Residual(_sunk(r, a, p0, E_star), formula(r, a, p0, E_star), LENGTH)
 
 
-@equation(5, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
-def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Tanh-sinh quadrature between 0 and the positive root beside the closed form."""
+@equation(
+    5,
+    lambda alpha, beta: mp.pi / 2 - mp.atan(beta / alpha),
+    "inner integral by tanh-sinh quadrature, beta of both signs",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     alpha, beta = draw.length(), draw.sign() * draw.length()
     with mp.workdps(3 * mp.mp.dps):  # an error of the root counts with its square root
         end, other = mp.sqrt(alpha**2 + beta**2) - beta, mp.sqrt(alpha**2 + beta**2) + beta
@@ -176,17 +123,21 @@ def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(alpha, beta), NUMBER)
 
 
-@equation(6, punch_depth, "displacement by ring kernels at the centre and at two radii")
-def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacements by ring kernels, at the centre and at two radii inside, beside the one depth."""
+@equation(
+    6, lambda a, p0, E_star: mp.pi * p0 * a / E_star, "displacement by ring kernels at the centre and at two radii"
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     for r in (mp.mpf(0), _inside(draw, a), draw.number(0.8, 0.95) * a):
         yield Residual(_sunk(r, a, p0, E_star), formula(a, p0, E_star), LENGTH)
 
 
-@equation(7, pressure_across, "pressure at a point given by coordinates, A outside")
-def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.1) at a point known from the centre beside the form that sees it from A outside."""
+@equation(
+    7,
+    lambda s, phi, r, a, p0: p0 * a * (a**2 - r**2 + 2 * (r * mp.cos(phi)) * s - s**2) ** (-mp.mpf(1) / 2),
+    "pressure at a point given by coordinates, A outside",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     r, radius, angle = _outside(draw, a), draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
     x, y = r - radius * mp.cos(angle), radius * mp.sin(angle)
@@ -195,16 +146,18 @@ def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(8, displacement_across, "double integral across the disc against ring kernels, r > a")
-def check_displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r > a by ring kernels beside the formula; serves (11.11) as well."""
+def _displacement_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r = _outside(draw, a)
     yield Residual(_sunk(r, a, p0, E_star), formula(r, a, p0, E_star), LENGTH)
 
 
-@equation(9, chord_ends, "a point of the circle t = a given by coordinates is a root")
-def check_chord_ends(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Zero beside the polynomial at a point of the edge with Cartesian coordinates, measured by r**2."""
+@equation(
+    9,
+    lambda s, alpha_squared, beta: alpha_squared + 2 * beta * s - s**2,
+    "a point of the circle t = a given by coordinates is a root",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a = draw.length()
     r, angle = _outside(draw, a), draw.number(0, 6.28)
     x, y = r - a * mp.cos(angle), a * mp.sin(angle)
@@ -212,9 +165,8 @@ def check_chord_ends(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(0, on_circle, AREA, scale=r**2)
 
 
-@equation(10, chord_integral, "inner integral by Gauss-Jacobi quadrature")
-def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Gauss-Jacobi quadrature between both ends of a random chord beside pi."""
+@equation(10, lambda: mp.pi, "inner integral by Gauss-Jacobi quadrature")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a = draw.length()
     r = _outside(draw, a)
     beta = r * mp.cos(draw.number(0.1, 0.9) * mp.asin(a / r))
@@ -223,41 +175,46 @@ def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(), NUMBER)
 
 
-@equation(11, outside_from_pressure, "displacement by ring kernels, r > a, and continuity at r = a")
-def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement by ring kernels beside the arcsine at r > a, and the depth of the centre beside it at r = a."""
-    yield from check_displacement_across(draw, formula)
+@equation(
+    11,
+    lambda r, a, p0, E_star: 2 / E_star * p0 * a * mp.asin(a / r),
+    "displacement by ring kernels, r > a, and continuity at r = a",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    yield from _displacement_across(draw, formula)
     a, p0, E_star = _disc(draw)
     yield Residual(_sunk(mp.mpf(0), a, p0, E_star), formula(a, a, p0, E_star), LENGTH)
 
 
-@equation(12, outside_from_depth, "displacement by ring kernels, r > a, with d by ring kernels")
-def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement by ring kernels beside the arcsine at r > a, and d beside it at r = a; d is by ring kernels too."""
+@equation(
+    12, lambda r, a, d: 2 / mp.pi * d * mp.asin(a / r), "displacement by ring kernels, r > a, with d by ring kernels"
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, d = _outside(draw, a), _sunk(mp.mpf(0), a, p0, E_star)
     yield Residual(_sunk(r, a, p0, E_star), formula(r, a, d), LENGTH)
     yield Residual(d, formula(a, a, d), LENGTH)
 
 
-@equation(13, punch_force, "pressure (11.1) integrated over the area")
-def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The integral of the pressure (11.1) over the area beside the closed force."""
+@equation(13, lambda a, p0: 2 * mp.pi * p0 * a**2, "pressure (11.1) integrated over the area")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, _ = _disc(draw)
     yield Residual(total_force(lambda r: p0 * (1 - r**2 / a**2) ** -HALF, a), formula(a, p0), FORCE)
 
 
-@equation(14, punch_stiffness, "force by quadrature over depth by ring kernels")
-def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The integral of the pressure over the area, divided by the depth of ring kernels, beside 2 a E*."""
+@equation(14, lambda a, E_star: 2 * a * E_star, "force by quadrature over depth by ring kernels")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     force = total_force(lambda r: p0 / mp.sqrt(1 - r**2 / a**2), a)
     yield Residual(force / _sunk(mp.mpf(0), a, p0, E_star), formula(a, E_star), STIFFNESS)
 
 
-@equation(15, pressure_from_depth, "pressure (11.1) with p0 replaced by d of ring kernels")
-def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.1) beside the form in d, where d comes from p0 by ring kernels."""
+@equation(
+    15,
+    lambda r, a, d, E_star: 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2),
+    "pressure (11.1) with p0 replaced by d of ring kernels",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star = _disc(draw)
     r, d = _inside(draw, a), _sunk(mp.mpf(0), a, p0, E_star)
     yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), formula(r, a, d, E_star), STRESS)

@@ -30,11 +30,6 @@ Function = Callable[[Any], Any]
 ZERO, HALF = mp.mpf(0), mp.mpf(1) / 2
 
 
-def increment(p: Any, s: Any, ds: Any, dphi: Any, E_star: Any) -> tuple[Any, Any]:
-    """Displacement of A (a length) by the pressure p on the area s ds dphi at the distance s, in two forms."""
-    return p * s * ds * dphi / (mp.pi * E_star * s), 1 / (mp.pi * E_star) * p * ds * dphi
-
-
 def chords(p: Function, r: Any, a: Any, E_star: Any, edge: Any) -> Any:
     """(11.101): every chord through A from end to end, s < 0 on the far side of A."""
 
@@ -48,22 +43,6 @@ def chords(p: Function, r: Any, a: Any, E_star: Any, edge: Any) -> Any:
         return 1 / E_star * weighted(load, middle - half, middle + half, edge, edge)
 
     return 1 / mp.pi * half_turn(chord, mp.acosh(a / r))
-
-
-def coordinates_printed(rho: Any, xi: Any, r: Any, half: int) -> tuple[Any, Any]:
-    """Distance s and angle phi of B as printed: on the far half of the chord for either value of `half`."""
-    del half  # the printed form knows the far half of the chord only
-    return mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)
-
-
-def coordinates_corrected(rho: Any, xi: Any, r: Any, half: int) -> tuple[Any, Any]:
-    """Distance s and angle phi of B on the far half of the chord (`half` = 1) or on the half with A on it (-1)."""
-    return half * mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)
-
-
-def coordinate_slopes(rho: Any, xi: Any, r: Any) -> tuple[Any, Any]:
-    """ds/drho, a pure number, and dphi/dxi, one over a length."""
-    return rho / mp.sqrt(rho**2 - xi**2), 1 / mp.sqrt(r**2 - xi**2)
 
 
 def chord_displacement(p: Function, xi: Any, a: Any, E_star: Any, edge: Any) -> tuple[Any, Any]:
@@ -87,25 +66,9 @@ def _abel(slope: Function, xi: Any, breaks: tuple[Any, ...]) -> Any:
     return panels(lambda rho: slope(rho) / mp.sqrt(xi**2 - rho**2), ZERO, xi, breaks)
 
 
-def inversion_printed(w: Function, slope: Function, xi: Any, breaks: tuple[Any, ...] = ()) -> Any:
-    """w1D at xi (a length) from the slope of the displacement alone, as printed; zero at xi = 0."""
-    del w
-    return xi * _abel(slope, xi, breaks)
-
-
-def inversion_corrected(w: Function, slope: Function, xi: Any, breaks: tuple[Any, ...] = ()) -> Any:
-    """w1D at xi (a length) from the slope of the displacement, with the displacement w(0) of the centre added."""
-    return w(ZERO) + xi * _abel(slope, xi, breaks)
-
-
 def pressure_from_chords(slope: Function, rho: Any, a: Any, E_star: Any, breaks: tuple[Any, ...] = ()) -> Any:
     """Pressure at rho from the slope of w1D, by quadrature in panels between the breaks."""
     return -E_star / mp.pi * panels(lambda xi: slope(xi) / mp.sqrt(xi**2 - rho**2), rho, a, breaks)
-
-
-def mean_of_kernel(r: Any) -> Any:
-    """The integral of the kernel 2/(pi sqrt(r**2 - xi**2)) over (0, r) by quadrature, a pure number."""
-    return 2 / mp.pi * singular(lambda xi: 1 / mp.sqrt(r**2 - xi**2), ZERO, r)
 
 
 def centre(w1D: Function, r: Any) -> tuple[Any, Any]:
@@ -153,9 +116,12 @@ def force_corrected(p: Function, w1D: Function, slope: Function, a: Any, E_star:
     return *_later_lines(p, w1D, slope, a, E_star), _double(slope, lambda r: r, a, E_star, ())
 
 
-@equation(100, increment, "both forms integrated around A against ring kernels, smooth pressure")
-def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement by ring kernels beside the integral of each form around A, under the pressure p0 cos(r**2/a**2)."""
+@equation(
+    100,
+    lambda p, s, ds, dphi, E_star: (p * s * ds * dphi / (mp.pi * E_star * s), 1 / (mp.pi * E_star) * p * ds * dphi),
+    "both forms integrated around A against ring kernels, smooth pressure",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, _ = a_load(draw)
     r = a * draw.number(0.2, 0.6)
 
@@ -174,8 +140,7 @@ def check_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(101, chords, "full chords against ring kernels, power load of random exponent")
-def check_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement by ring kernels beside the integral over full chords, load p0 (1 - r**2/a**2)**s with random s."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = a_load(draw)
     r, load = a * draw.number(0.2, 0.6), power_load(p0, a, exponent)
     yield Residual(rings(load, r, a, E_star), formula(load, r, a, E_star, exponent), LENGTH)
@@ -183,15 +148,14 @@ def check_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 @equation(
     102,
-    coordinates_printed,
+    lambda rho, xi, r, half: (mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)),
     "both points of a chord at the distance rho, given by coordinates",
-    corrected=coordinates_corrected,
+    corrected=lambda rho, xi, r, half: (half * mp.sqrt(rho**2 - xi**2) + mp.sqrt(r**2 - xi**2), mp.asin(xi / r)),
     printed_form="s = sqrt(rho^2 - xi^2) + sqrt(r^2 - xi^2)",
     right_form="s = +-sqrt(rho^2 - xi^2) + sqrt(r^2 - xi^2)",
     reason="As printed, B lies on the far half of the chord only; the half with A on it gives (11.104) its factor 2",
 )
-def check_coordinates(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Both points of a chord that lie at the same distance from the centre, given by coordinates."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a = draw.length()
     r, phi = a * draw.number(0.2, 0.9), draw.number(0.1, 1.4)
     xi = r * mp.sin(phi)
@@ -206,9 +170,12 @@ def check_coordinates(draw: Draw, formula: Formula) -> Iterator[Residual]:
         yield Residual(phi, angle, NUMBER)
 
 
-@equation(103, coordinate_slopes, "reciprocal slopes of the inverse maps by Cauchy's integral")
-def check_coordinate_slopes(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Reciprocals of the slopes of rho = sqrt(xi**2 + y**2) along the chord and of xi = r sin(phi)."""
+@equation(
+    103,
+    lambda rho, xi, r: (rho / mp.sqrt(rho**2 - xi**2), 1 / mp.sqrt(r**2 - xi**2)),
+    "reciprocal slopes of the inverse maps by Cauchy's integral",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     xi, y, phi = draw.length(), draw.length(), draw.number(0.1, 1.4)
     rho, r = mp.hypot(xi, y), xi / mp.sin(phi)
     along, turning = formula(rho, xi, r)
@@ -217,8 +184,7 @@ def check_coordinate_slopes(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(104, chord_displacement, "closed w1D of Föppl's pressures and of any exponent above -1, both forms")
-def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Closed w1D of the exponents -1/2, 1/2, 0 and of a random one beside both quadratures."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = a_load(draw, -0.9)
     xi = a * draw.number(0.2, 0.8)
     for power in (-HALF, HALF, ZERO, exponent):
@@ -231,8 +197,7 @@ def check_chord_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]
     displacement_from_chords,
     "known displacement of Föppl's three pressures; ring kernels and the derived loads for a random exponent",
 )
-def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Known displacements of three loads, ring kernels and the derived loads beside both integrals of w1D."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = a_load(draw)
     r = a * draw.number(0.2, 0.9)
     constant, parabola = mp.pi * p0 * a / E_star, mp.pi * p0 * (2 * a**2 - r**2) / (4 * a * E_star)
@@ -246,15 +211,14 @@ def check_displacement_from_chords(draw: Draw, formula: Formula) -> Iterator[Res
 
 @equation(
     106,
-    inversion_printed,
+    lambda w, slope, xi, breaks=(): xi * _abel(slope, xi, breaks),
     "w = d - f of random powers and of every profile of the catalogue gives d - g",
-    corrected=inversion_corrected,
+    corrected=lambda w, slope, xi, breaks=(): w(ZERO) + xi * _abel(slope, xi, breaks),
     printed_form="w1D(xi) = xi int_0^xi w'(rho)/sqrt(xi^2 - rho^2) drho",
     right_form="w1D(xi) = w(0) + xi int_0^xi w'(rho)/sqrt(xi^2 - rho^2) drho",
     reason="The printed form vanishes at xi = 0 and contradicts (11.109): it gives -g instead of d - g",
 )
-def check_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """w = d - f of random powers with the closed g, then the whole catalogue."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     g = f.times(kappa)
     d, xi = g(a), a * draw.number(0.1, 0.9)
@@ -265,8 +229,7 @@ def check_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:
 @equation(
     107, pressure_from_chords, "power load, random powers, and the derived pressure of every profile of the catalogue"
 )
-def check_pressure_from_chords(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """A power load and the closed pressures of random powers and of the catalogue beside the inversion of w1D."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = a_load(draw, 0.2)
     r = a * draw.number(0.2, 0.9)
     chord = PowerLoadChord(p0, a, exponent, E_star)
@@ -276,15 +239,13 @@ def check_pressure_from_chords(draw: Draw, formula: Formula) -> Iterator[Residua
     yield from catalogue_pressures(draw, formula)
 
 
-@equation(108, mean_of_kernel, "quadrature")
-def check_mean_of_kernel(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The number 1 beside the quadrature up to a random radius."""
+@equation(108, lambda r: 2 / mp.pi * singular(lambda xi: 1 / mp.sqrt(r**2 - xi**2), ZERO, r), "quadrature")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(mp.mpf(1), formula(draw.length()), NUMBER)
 
 
 @equation(109, centre, "displacement of the centre by ring kernels against both lines")
-def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the centre by ring kernels beside both members, with the closed w1D of a power load."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, p0, E_star, exponent = a_load(draw)
     left = rings(power_load(p0, a, exponent), ZERO, a, E_star)
     yield from chain(left, formula(PowerLoadChord(p0, a, exponent, E_star), draw.length()), LENGTH)
@@ -299,8 +260,7 @@ def check_centre(draw: Draw, formula: Formula) -> Iterator[Residual]:
     right_form="first line: int_0^a (int_r^a w1D'(xi)/sqrt(xi^2 - r^2) dxi) r dr",
     reason="Nothing defines rho here: in the pressure (11.107) at r, the integral begins at xi = r",
 )
-def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of an even polynomial g, integrated over the area, beside every line."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(2), draw.length(), draw.stress()
     left = total_force(lambda r: even_pressure(g, r, a, E_star), a)
     sides = formula(

@@ -1,9 +1,4 @@
-"""The flat punch on the graded half-space.
-
-The half-space of modulus E_0 (z/c_0)**k at random constants.
-
-Section 11.4: the flat punch on a half-space of modulus E_0 (z/c_0)**k, (11.32)-(11.47).
-"""
+"""Section 11.4: the flat punch on a half-space of modulus E_0 (z/c_0)**k, (11.32)-(11.47)."""
 
 from __future__ import annotations
 
@@ -57,17 +52,6 @@ def medium(draw: Draw) -> Medium:
 ZERO = mp.mpf(0)
 
 
-def modulus(z: Any, medium: Medium) -> Any:
-    """The modulus, a stress, at the depth z."""
-    return medium.E0 * (z / medium.c0) ** medium.k
-
-
-def point_load(r: Any, force: Any, medium: Medium) -> Any:
-    """Displacement of the surface (a length) at the distance r from a point force."""
-    E0, c0, k, nu, h_N = medium
-    return (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k / (h_N * mp.pi * E0) * force / r ** (1 + k)
-
-
 def superposition(p: Callable[[Any], Any], r: Any, a: Any, edge: Any, medium: Medium) -> Any:
     """(11.34) in polar coordinates around the point: the area element s ds dphi leaves s**-k."""
     E0, c0, k, nu, h_N = medium
@@ -76,17 +60,6 @@ def superposition(p: Callable[[Any], Any], r: Any, a: Any, edge: Any, medium: Me
         return p(mp.sqrt(r**2 + s**2 + 2 * r * s * mp.cos(phi))) * s / s ** (1 + k)
 
     return (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k / (h_N * mp.pi * E0) * around(integrand, r, a, -k, edge)
-
-
-def punch_pressure(r: Any, a: Any, p0: Any, k: Any) -> Any:
-    """Pressure at r < a, equal to p0 at the centre and infinite at the edge."""
-    return p0 * (1 - r**2 / a**2) ** ((k - 1) / 2)
-
-
-def pressure_around(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
-    """Pressure at the distance s and angle phi from a point A at r < a."""
-    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
-    return p0 * a ** (1 - k) / mp.sqrt(alpha_squared - 2 * beta * s - s**2) ** (1 - k)
 
 
 def displacement_around(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
@@ -107,18 +80,6 @@ def inner_integral(alpha: Any, beta: Any, k: Any) -> Any:
     return mp.pi / (2 * mp.cos(k * mp.pi / 2)) - head * series
 
 
-def punch_depth(a: Any, p0: Any, medium: Medium) -> Any:
-    """The depth (a length) to which p0 presses every point of the circle."""
-    E0, c0, k, nu, h_N = medium
-    return (1 - nu**2) * c0**k * mp.pi * p0 * a ** (1 - k) / (h_N * E0)
-
-
-def pressure_across(s: Any, phi: Any, r: Any, a: Any, p0: Any, k: Any) -> Any:
-    """Pressure at the distance s from a point A at r > a, phi measured from the direction of the centre."""
-    alpha_squared, beta = a**2 - r**2, r * mp.cos(phi)
-    return p0 * a ** (1 - k) / mp.sqrt(alpha_squared + 2 * beta * s - s**2) ** (1 - k)
-
-
 def displacement_across(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
     """Displacement of the surface (a length) at r > a, the double integral across the disc by quadrature."""
     E0, c0, k, nu, h_N = medium
@@ -137,34 +98,16 @@ def chord_integral(alpha_squared: Any, beta: Any, k: Any) -> Any:
     return head * share ** (k / 2) * mp.hyp2f1(k / 2, (1 + k) / 2, 1 + k / 2, share)
 
 
+def _fall(r: Any, a: Any, k: Any) -> Any:
+    """A pure number: how the displacement falls off at r > a."""
+    return (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
+
+
 def outside_from_pressure(r: Any, a: Any, p0: Any, medium: Medium) -> Any:
     """Displacement of the surface (a length) at r >= a, from the pressure p0 at the centre."""
     E0, c0, k, nu, h_N = medium
     factor = 2 * (1 - nu**2) * mp.cos(k * mp.pi / 2) * c0**k * p0 * a ** (1 - k) / (h_N * E0 * (1 + k))
-    return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
-
-
-def outside_from_depth(r: Any, a: Any, d: Any, k: Any) -> Any:
-    """Displacement of the surface (a length) at r >= a, from the depth d of the punch."""
-    factor = 2 * d * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k))
-    return factor * (a / r) ** (k + 1) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, a**2 / r**2)
-
-
-def punch_force(a: Any, p0: Any, k: Any) -> Any:
-    """Force that p0 at the centre and the radius a amount to."""
-    return 2 * mp.pi * p0 * a**2 / (k + 1)
-
-
-def punch_stiffness(a: Any, medium: Medium) -> Any:
-    """Force over depth of a punch of radius a."""
-    E0, c0, k, nu, h_N = medium
-    return 2 * h_N * E0 / ((1 - nu**2) * c0**k * (1 + k)) * a ** (1 + k)
-
-
-def pressure_from_depth(r: Any, a: Any, d: Any, medium: Medium) -> Any:
-    """Pressure at r < a under a punch pressed in by d."""
-    E0, c0, k, nu, h_N = medium
-    return h_N * E0 * d / (mp.pi * (1 - nu**2) * c0**k * (a**2 - r**2) ** ((1 - k) / 2))
+    return factor * _fall(r, a, k)
 
 
 def _disc(draw: Draw) -> tuple[Any, Any, Any, Medium]:
@@ -180,18 +123,22 @@ def _depth_at_centre(p0: Any, a: Any, m: Medium) -> Any:
     return graded_centre(_loaded(p0, a, m.k), a, m.H, m.k)
 
 
-@equation(32, modulus, "value at c0, homogeneous limit, logarithmic slope k")
-def check_modulus(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """E_0 beside the modulus at c_0 and beside that for k = 0; k beside the power with which the modulus grows."""
+@equation(32, lambda z, m: m.E0 * (z / m.c0) ** m.k, "value at c0, homogeneous limit, logarithmic slope k")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     m, z = medium(draw), draw.length()
     yield Residual(m.E0, formula(m.c0, m), STRESS)
     yield Residual(m.E0, formula(z, m.homogeneous()), STRESS)
     yield Residual(m.k, mp.log(formula(2 * z, m) / formula(z, m), 2), NUMBER)
 
 
-@equation(33, point_load, "homogeneous limit; point loads of (11.35) add up to a regularised Beta function outside")
-def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Homogeneous limit; and point loads of the distribution (11.35) sum up to a regularised Beta function outside."""
+@equation(
+    33,
+    lambda r, force, m: (
+        (1 - m.nu**2) * mp.cos(m.k * mp.pi / 2) * m.c0**m.k / (m.h_N * mp.pi * m.E0) * force / r ** (1 + m.k)
+    ),
+    "homogeneous limit; point loads of (11.35) add up to a regularised Beta function outside",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, inside, p0, m = _disc(draw)
     force, even = draw.force(), m.homogeneous()
     yield Residual(
@@ -209,8 +156,7 @@ def check_point_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(34, superposition, "uniform pressure at the centre; (11.35) gives the depth found at the centre")
-def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The centre under a uniform load in closed form, and under (11.35) by quadrature, beside the double integral."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     near = a * mp.mpf(10) ** -30
     uniform = 2 * mp.cos(m.k * mp.pi / 2) * p0 * a ** (1 - m.k) / (m.H * (1 - m.k))
@@ -219,9 +165,12 @@ def check_superposition(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(_depth_at_centre(p0, a, m), punch, LENGTH)
 
 
-@equation(35, punch_pressure, "two points of the loaded circle sink equally, by double quadrature")
-def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacements of two random points, by double integrals, beside each other; p0 beside the value at r = 0."""
+@equation(
+    35,
+    lambda r, a, p0, k: p0 * (1 - r**2 / a**2) ** ((k - 1) / 2),
+    "two points of the loaded circle sink equally, by double quadrature",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     k, factor = m.k, mp.cos(m.k * mp.pi / 2) / (mp.pi * m.H)
 
@@ -235,9 +184,12 @@ def check_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0, formula(ZERO, a, p0, k), STRESS)
 
 
-@equation(36, pressure_around, "pressure at a point given by coordinates")
-def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.35) at a point with Cartesian coordinates beside the form in s and phi."""
+@equation(
+    36,
+    lambda s, phi, r, a, p0, k: p0 * a ** (1 - k) / mp.sqrt(a**2 - r**2 - 2 * (r * mp.cos(phi)) * s - s**2) ** (1 - k),
+    "pressure at a point given by coordinates",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     phi, s = draw.number(0, 6.28), draw.number(0.1, 0.9) * (a - r)
     x, y = r + s * mp.cos(phi), s * mp.sin(phi)
@@ -245,15 +197,13 @@ def check_pressure_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(37, displacement_around, "double quadrature at r < a against the integral for the centre")
-def check_displacement_around(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the centre, a single integral, beside the double integral around a point at r < a."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(r, a, p0, m), LENGTH)
 
 
 @equation(38, inner_integral, "inner integral by tanh-sinh quadrature, beta of both signs")
-def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Tanh-sinh quadrature between 0 and the positive root beside the closed form."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     k = exponent(draw)
     alpha, beta = draw.length(), draw.sign() * draw.length()
     with mp.workdps(6 * mp.mp.dps):  # the integrand has a power at the end point, whose rounding counts
@@ -264,17 +214,23 @@ def check_inner_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(left, formula(alpha, beta, k), Dimension(0))
 
 
-@equation(39, punch_depth, "displacement of the centre and of a point r < a by quadrature of (11.34)")
-def check_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the centre by a single integral, and of a point inside by a double one, beside the depth."""
+@equation(
+    39,
+    lambda a, p0, m: (1 - m.nu**2) * m.c0**m.k * mp.pi * p0 * a ** (1 - m.k) / (m.h_N * m.E0),
+    "displacement of the centre and of a point r < a by quadrature of (11.34)",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(a, p0, m), LENGTH)
     yield Residual(superposition(_loaded(p0, a, m.k), r, a, (m.k - 1) / 2, m), formula(a, p0, m), LENGTH)
 
 
-@equation(40, pressure_across, "pressure at a point given by coordinates, A outside")
-def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.35) at a point known from the centre beside the form that sees it from A outside."""
+@equation(
+    40,
+    lambda s, phi, r, a, p0, k: p0 * a ** (1 - k) / mp.sqrt(a**2 - r**2 + 2 * (r * mp.cos(phi)) * s - s**2) ** (1 - k),
+    "pressure at a point given by coordinates, A outside",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r, radius, angle = draw.number(1.5, 3) * a, draw.number(0.1, 0.9) * a, draw.number(0, 6.28)
     x, y = r - radius * mp.cos(angle), radius * mp.sin(angle)
@@ -283,16 +239,14 @@ def check_pressure_across(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(41, displacement_across, "double quadrature at r > a against ring kernels")
-def check_displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r > a by ring kernels beside the formula; serves (11.43) as well."""
+def _displacement_outside(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r = draw.number(1.6, 3) * a
     yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, p0, m), LENGTH)
 
 
 @equation(42, chord_integral, "inner integral by tanh-sinh quadrature")
-def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Tanh-sinh quadrature between both ends of a random chord beside the closed form."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     k, a = exponent(draw), draw.length()
     r = draw.number(1.3, 3) * a
     with mp.workdps(6 * mp.mp.dps):
@@ -304,18 +258,20 @@ def check_chord_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(43, outside_from_pressure, "ring kernels at r > a, continuity at r = a, homogeneous limit")
-def check_outside_from_pressure(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Ring kernels at r > a, the depth of the centre at r = a, and the arcsine for k = 0, each beside the formula."""
-    yield from check_displacement_outside(draw, formula)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
+    yield from _displacement_outside(draw, formula)
     a, _, p0, m = _disc(draw)
     yield Residual(_depth_at_centre(p0, a, m), formula(a, a, p0, m), LENGTH)
     r, even = draw.number(1.6, 3) * a, m.homogeneous()
     yield Residual(2 / even.H * p0 * a * mp.asin(a / r), formula(r, a, p0, even), LENGTH)
 
 
-@equation(44, outside_from_depth, "ring kernels and double quadrature at r > a")
-def check_outside_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Ring kernels, and the double integral of (11.41), at r > a beside the form in d."""
+@equation(
+    44,
+    lambda r, a, d, k: 2 * d * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * _fall(r, a, k),
+    "ring kernels and double quadrature at r > a",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     r, d = draw.number(1.6, 3) * a, _depth_at_centre(p0, a, m)
     yield Residual(graded_rings(_loaded(p0, a, m.k), r, a, m.H, m.k), formula(r, a, d, m.k), LENGTH)
@@ -326,22 +282,27 @@ def _force(p0: Any, a: Any, k: Any) -> Any:
     return total_force(_loaded(p0, a, k), a, max(0.0, float(1 - k) / 2))
 
 
-@equation(45, punch_force, "pressure (11.35) integrated over the area")
-def check_force(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The integral of the pressure (11.35) over the area beside the closed force."""
+@equation(45, lambda a, p0, k: 2 * mp.pi * p0 * a**2 / (k + 1), "pressure (11.35) integrated over the area")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k), formula(a, p0, m.k), FORCE)
 
 
-@equation(46, punch_stiffness, "force over depth, both by quadrature")
-def check_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Force over depth of the centre, both integrals of the pressure (11.35), beside the closed stiffness."""
+@equation(
+    46,
+    lambda a, m: 2 * m.h_N * m.E0 / ((1 - m.nu**2) * m.c0**m.k * (1 + m.k)) * a ** (1 + m.k),
+    "force over depth, both by quadrature",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, _, p0, m = _disc(draw)
     yield Residual(_force(p0, a, m.k) / _depth_at_centre(p0, a, m), formula(a, m), STIFFNESS)
 
 
-@equation(47, pressure_from_depth, "pressure (11.35) with p0 replaced by d found at the centre")
-def check_pressure_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure (11.35) beside the form in d, where d is the displacement of the centre by quadrature."""
+@equation(
+    47,
+    lambda r, a, d, m: m.h_N * m.E0 * d / (mp.pi * (1 - m.nu**2) * m.c0**m.k * (a**2 - r**2) ** ((1 - m.k) / 2)),
+    "pressure (11.35) with p0 replaced by d found at the centre",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, r, p0, m = _disc(draw)
     yield Residual(_loaded(p0, a, m.k)(r), formula(r, a, _depth_at_centre(p0, a, m), m), STRESS)

@@ -33,21 +33,6 @@ def depth_of_radius(g: Function, a: Any) -> Any:
     return g(a)
 
 
-def force_by_increments(stiffness: Function, slope: Function, a: Any) -> Any:
-    """Normal force: stiffness times the slope of g, integrated over the radii the contact has grown through."""
-    return singular(lambda x: stiffness(x) * slope(x), ZERO, a)
-
-
-def differential_stiffness(x: Any, E_star: Any) -> Any:
-    """Stiffness (force over length) of a contact of radius x."""
-    return 2 * E_star * x
-
-
-def force_from_slope(slope: Function, a: Any, E_star: Any) -> Any:
-    """Normal force from g', by quadrature."""
-    return 2 * E_star * singular(lambda x: x * slope(x), ZERO, a)
-
-
 def force_by_parts(g: Function, d: Any, a: Any, E_star: Any) -> tuple[Any, Any, Any]:
     """Normal force from g by quadrature, in the three forms that integration by parts leaves."""
     return (
@@ -55,11 +40,6 @@ def force_by_parts(g: Function, d: Any, a: Any, E_star: Any) -> tuple[Any, Any, 
         2 * E_star * singular(lambda x: g(a) - g(x), ZERO, a),
         2 * E_star * singular(lambda x: d - g(x), ZERO, a),
     )
-
-
-def pressure_increment(r: Any, x: Any, dd: Any, E_star: Any) -> Any:
-    """Pressure added at r < x when a contact of radius x sinks by dd."""
-    return 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * dd
 
 
 def pressure_by_increments(
@@ -72,16 +52,6 @@ def pressure_by_increments(
         singular(lambda depth: 1 / mp.pi * E_star / mp.sqrt(radius(depth) ** 2 - r**2), first, last),
         singular(lambda x: 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * slope(x), r, a),
     )
-
-
-def pressure_from_slope(slope: Function, r: Any, a: Any, E_star: Any) -> Any:
-    """Pressure at r from g', by quadrature over the contact radii from r to a."""
-    return E_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a)
-
-
-def displacement_increment(x: Any, a: Any, dd: Any) -> Any:
-    """Displacement (a length) added at the radius a when a contact of radius x < a sinks by dd."""
-    return 2 / mp.pi * mp.asin(x / a) * dd
 
 
 def displacement_by_increments(radius: Function, slope: Function, a: Any, d: Any) -> tuple[Any, Any]:
@@ -97,16 +67,6 @@ def displacement_from_slope(slope: Function, a: Any) -> Any:
     return 2 / mp.pi * singular(lambda x: mp.asin(x / a) * slope(x), ZERO, a)
 
 
-def profile_from_depth(g: Function, a: Any) -> Any:
-    """The profile f(a), a length, from g by quadrature."""
-    return 2 / mp.pi * singular(lambda x: g(x) / mp.sqrt(a**2 - x**2), ZERO, a)
-
-
-def depth_from_slope(slope: Function, a: Any, breaks: tuple[Any, ...] = ()) -> Any:
-    """g(a), a length, from the slope of the profile by quadrature in panels between the breaks."""
-    return a * panels(lambda x: slope(x) / mp.sqrt(a**2 - x**2), ZERO, a, breaks)
-
-
 def _power(draw: Draw) -> tuple[PowerSum, Function]:
     """One power and its inverse."""
     g = draw.power_sum(terms=1)
@@ -115,22 +75,25 @@ def _power(draw: Draw) -> tuple[PowerSum, Function]:
 
 
 @equation(16, depth_of_radius, "displacement of the centre by ring kernels is g(a), smooth g")
-def check_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the centre by ring kernels, under the closed pressure of an even g, beside g(a)."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
     yield Residual(rings(lambda r: even_pressure(g, r, a, E_star), ZERO, a, E_star), formula(g, a), LENGTH)
 
 
-@equation(17, force_by_increments, "closed pressure of random powers integrated over the area")
-def check_force_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers, integrated over the area, beside the integral of the stiffness 2 E* x."""
+@equation(
+    17,
+    lambda stiffness, slope, a: singular(lambda x: stiffness(x) * slope(x), ZERO, a),
+    "closed pressure of random powers integrated over the area",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     yield Residual(area_force(g, a, E_star), formula(lambda x: 2 * E_star * x, g.slope, a), FORCE)
 
 
-@equation(18, differential_stiffness, "its integral over dg is a difference of forces; flat punch by ring kernels")
-def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Difference of two area forces beside the integral over dg; force over depth of a flat punch beside the value."""
+@equation(
+    18, lambda x, E_star: 2 * E_star * x, "its integral over dg is a difference of forces; flat punch by ring kernels"
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, E_star = draw.power_sum(), draw.stress()
     first = draw.length()
     last = first * draw.number(1.2, 2)
@@ -140,23 +103,28 @@ def check_differential_stiffness(draw: Draw, formula: Formula) -> Iterator[Resid
     yield Residual(2 * mp.pi * E_star * first / depth, formula(first, E_star), STIFFNESS)
 
 
-@equation(19, force_from_slope, "closed pressure of random powers integrated over the area")
-def check_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers, integrated over the area, beside the force from g'."""
+@equation(
+    19,
+    lambda slope, a, E_star: 2 * E_star * singular(lambda x: x * slope(x), ZERO, a),
+    "closed pressure of random powers integrated over the area",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     yield Residual(area_force(g, a, E_star), formula(g.slope, a, E_star), FORCE)
 
 
 @equation(20, force_by_parts, "closed pressure integrated over the area against the three forms")
-def check_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers, integrated over the area, beside each of the three forms."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     yield from chain(area_force(g, a, E_star), formula(g, g(a), a, E_star), FORCE)
 
 
-@equation(21, pressure_increment, "its integral over dg is a difference of closed pressures")
-def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Difference of the closed pressures at two contact radii beside the integral over dg from one to the other."""
+@equation(
+    21,
+    lambda r, x, dd, E_star: 1 / mp.pi * E_star / mp.sqrt(x**2 - r**2) * dd,
+    "its integral over dg is a difference of closed pressures",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, E_star = draw.power_sum(), draw.stress()
     first = draw.length()
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
@@ -165,16 +133,18 @@ def check_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]
 
 
 @equation(22, pressure_by_increments, "both parametrisations against the closed pressure of a power")
-def check_pressure_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of one random power beside the integral over the depth and the one over the radius."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     (g, radius), a, E_star = _power(draw), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     yield from chain(pressure(g, r, a, E_star), formula(g, g.slope, radius, r, a, E_star), STRESS)
 
 
-@equation(23, pressure_from_slope, "closed pressure of random powers; its integral over the area is the force")
-def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Closed pressure of random powers beside the integral of g', whose area integral is beside the closed force."""
+@equation(
+    23,
+    lambda slope, r, a, E_star: E_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
+    "closed pressure of random powers; its integral over the area is the force",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     yield Residual(pressure(g, r, a, E_star), formula(g.slope, r, a, E_star), STRESS)
@@ -184,9 +154,8 @@ def check_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(force, area, FORCE)
 
 
-@equation(24, displacement_increment, "displacement beside a flat punch by ring kernels")
-def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r = a outside a flat punch of radius x, by ring kernels, beside the arcsine."""
+@equation(24, lambda x, a, dd: 2 / mp.pi * mp.asin(x / a) * dd, "displacement beside a flat punch by ring kernels")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, dd, E_star = draw.length(), draw.length(), draw.stress()
     a = x * draw.number(1.1, 3)
     left = rings(lambda t: E_star * dd / (mp.pi * mp.sqrt(x**2 - t**2)), a, x, E_star)
@@ -194,32 +163,32 @@ def check_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Resid
 
 
 @equation(25, displacement_by_increments, "both forms against d - f of a power")
-def check_displacement_by_increments(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """d - f(a) of one random power, g in closed form, beside both integrals."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     (g, radius), a = _power(draw), draw.length()
     f = g.times(lambda n: 1 / kappa(n))
     yield from chain(g(a) - f(a), formula(radius, g.slope, a, g(a)), LENGTH)
 
 
 @equation(26, displacement_from_slope, "displacement of the edge by ring kernels, smooth g")
-def check_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the edge by ring kernels, under the closed pressure of an even g, beside the integral of g'."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, E_star = draw.even_sum(), draw.length(), draw.stress()
     left = rings(lambda r: even_pressure(g, r, a, E_star), a, a, E_star)
     yield Residual(left, formula(g.slope, a), LENGTH)
 
 
 @equation(27, displacement_from_slope, "d - f(a) of random powers with g by quadrature")
-def check_gap_at_edge(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """d - f(a) of random powers, g found by quadrature of (11.29), beside the integral of g'."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     g = _depth_by_quadrature(f)
     yield Residual(g(a) - f(a), formula(g.slope, a), LENGTH)
 
 
-@equation(28, profile_from_depth, "f from g by quadrature; f from the displacement by ring kernels")
-def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """f of random powers, and d less the displacement by ring kernels, each beside the integral of g."""
+@equation(
+    28,
+    lambda g, a: 2 / mp.pi * singular(lambda x: g(x) / mp.sqrt(a**2 - x**2), ZERO, a),
+    "f from g by quadrature; f from the displacement by ring kernels",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     yield Residual(f(a), formula(_depth_by_quadrature(f), a), LENGTH)
     g, E_star, r = draw.even_sum(), draw.stress(), a * draw.number(0.2, 0.8)
@@ -227,9 +196,12 @@ def check_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]
     yield Residual(left, formula(g, r), LENGTH)
 
 
-@equation(29, depth_from_slope, "random powers, (11.28) applied to it returns f; the depths of the catalogue")
-def check_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Closed g of random powers and of the catalogue beside the integral of f'; a power f beside (11.28) of its g."""
+@equation(
+    29,
+    lambda slope, a, breaks=(): a * panels(lambda x: slope(x) / mp.sqrt(a**2 - x**2), ZERO, a, breaks),
+    "random powers, (11.28) applied to it returns f; the depths of the catalogue",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a = draw.power_sum(), draw.length()
     yield Residual(f.times(kappa)(a), formula(f.slope, a), LENGTH)
     power = draw.power_sum(terms=1)
@@ -287,11 +259,6 @@ def _spread(x: Any, r: Any, k: Any) -> Any:
     return (x / r) ** (1 + k) * mp.hyp2f1((1 + k) / 2, (1 + k) / 2, (3 + k) / 2, x**2 / r**2)
 
 
-def graded_displacement_increment(r: Any, x: Any, dd: Any, k: Any) -> Any:
-    """Displacement (a length) added at r by a contact of radius x that sinks by dd: all of dd where r < x."""
-    return dd if r < x else 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * _spread(x, r, k) * dd
-
-
 def graded_displacement_from_slope(slope: Function, r: Any, a: Any, k: Any) -> Any:
     """Displacement (a length) at r > a from the slope of g, by quadrature of a hypergeometric kernel."""
     return 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * singular(lambda x: _spread(x, r, k) * slope(x), ZERO, a)
@@ -317,21 +284,6 @@ def _abel(g: Function, r: Any, k: Any) -> Any:
     return singular(lambda x: x**k * g(x) / (r**2 - x**2) ** ((1 + k) / 2), ZERO, r, max(0.0, float(1 + k) / 2))
 
 
-def inside_by_parts(g: Function, r: Any, a: Any, k: Any) -> Any:
-    """Displacement (a length) at r < a from g itself, by an Abel kernel."""
-    return g(a) - 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
-
-
-def inside_from_profile(f: Function, r: Any, d: Any) -> Any:
-    """Displacement d - f(r), a length, to which the indenter forces the surface."""
-    return d - f(r)
-
-
-def graded_profile_from_depth(g: Function, r: Any, k: Any) -> Any:
-    """The profile f(r), a length, from g by quadrature."""
-    return 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k)
-
-
 def graded_depth_from_slope(slope: Function, x: Any, k: Any, breaks: tuple[Any, ...] = ()) -> Any:
     """g(x), a length, from the slope of the profile by quadrature in panels between the breaks; x may be negative."""
     strongest = max(0.0, float(1 - k) / 2)
@@ -355,15 +307,13 @@ def _depth_by_quadrature(f: PowerSum, k: Any = ZERO) -> PowerSum:
 
 
 @equation(48, depth_of_radius, "displacement of the centre by quadrature of (11.34) is g(a), smooth g")
-def check_graded_depth_of_radius(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of the centre under the closed pressure of an even g, by quadrature of (11.34), beside g(a)."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(), draw.length(), medium(draw)
     yield Residual(graded_centre(lambda r: even_pressure(g, r, a, m.H, m.k), a, m.H, m.k), formula(g, a), LENGTH)
 
 
 @equation(49, force_increment, "its integral is a difference of forces over the area")
-def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Difference of two forces, each a pressure over its area, beside each form integrated between the two radii."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, first, m = _contact(draw)
     last = first * draw.number(1.2, 2)
     left = area_force(g, last, m.H, m.k) - area_force(g, first, m.H, m.k)
@@ -376,22 +326,19 @@ def check_force_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(50, graded_force_from_slope, "closed pressure of random powers integrated over the area")
-def check_graded_force_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers, integrated over the area, beside the force from g'."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     yield Residual(area_force(g, a, m.H, m.k), formula(g.slope, a, m), FORCE)
 
 
 @equation(51, graded_force_by_parts, "closed pressure integrated over the area against both forms")
-def check_graded_force_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers, integrated over the area, beside both forms."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     yield from chain(area_force(g, a, m.H, m.k), formula(g, g(a), a, m.foundation, m), FORCE)
 
 
 @equation(52, graded_pressure_increment, "its integral is a difference of closed pressures")
-def check_graded_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Difference of the closed pressures at two contact radii beside each form integrated from one to the other."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, first, m = _contact(draw)
     last, r = first * draw.number(1.2, 2), first * draw.number(0.1, 0.9)
     left = pressure(g, r, last, m.H, m.k) - pressure(g, r, first, m.H, m.k)
@@ -408,8 +355,7 @@ def check_graded_pressure_increment(draw: Draw, formula: Formula) -> Iterator[Re
     graded_pressure_from_slope,
     "closed pressure of random powers against both forms; closed graded pressures of the catalogue",
 )
-def check_graded_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed pressure of random powers beside both integrals, that of catalogue profiles beside the second."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = _contact(draw)
     r = a * draw.number(0.2, 0.9)
     sides = formula(g.slope, lambda x: -g.slope(x), m.foundation, r, a, m)
@@ -421,9 +367,12 @@ def check_graded_pressure_from_slope(draw: Draw, formula: Formula) -> Iterator[R
     yield from graded_catalogue_pressures(draw, inverted, m.H, m.k)
 
 
-@equation(54, graded_displacement_increment, "flat punch: depth at the centre, ring kernels outside")
-def check_graded_displacement_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Flat punches of pressure (11.47): the depth at the centre, ring kernels outside."""
+@equation(
+    54,
+    lambda r, x, dd, k: dd if r < x else 2 * mp.cos(k * mp.pi / 2) / (mp.pi * (1 + k)) * _spread(x, r, k) * dd,
+    "flat punch: depth at the centre, ring kernels outside",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, dd, m = draw.length(), draw.length(), medium(draw)
 
     def punch(t: Any) -> Any:
@@ -435,8 +384,7 @@ def check_graded_displacement_increment(draw: Draw, formula: Formula) -> Iterato
 
 
 @equation(55, graded_displacement_from_slope, "ring kernels under the closed pressure, smooth g")
-def check_graded_displacement_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r > a by ring kernels, under the closed pressure of an even g, beside the integral of g'."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
     left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
@@ -444,8 +392,7 @@ def check_graded_displacement_from_slope(draw: Draw, formula: Formula) -> Iterat
 
 
 @equation(56, displacement_by_parts, "ring kernels under the closed pressure against both forms")
-def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement at r > a by ring kernels, under the closed pressure of an even g, beside both forms."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(2), draw.length(), medium(draw)
     r = a * draw.number(1.5, 3)
     left = graded_rings(lambda t: even_pressure(g, t, a, m.H, m.k), r, a, m.H, m.k)
@@ -453,26 +400,27 @@ def check_displacement_by_parts(draw: Draw, formula: Formula) -> Iterator[Residu
 
 
 @equation(57, displacement_inside, "d - f(r) of random powers with g by quadrature")
-def check_displacement_inside(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """d - f(r) of random powers, g found by quadrature of (11.61), beside both integrals of g'."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
     r = a * draw.number(0.2, 0.9)
     yield Residual(g(a) - f(r), formula(g.slope, r, a, k), LENGTH)
 
 
-@equation(58, inside_by_parts, "d - f(r) of random powers with g by quadrature")
-def check_inside_by_parts(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """d - f(r) of random powers, g found by quadrature of (11.61), beside the Abel integral of g."""
+@equation(
+    58,
+    lambda g, r, a, k: g(a) - 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k),
+    "d - f(r) of random powers with g by quadrature",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = _depth_by_quadrature(f, k)
     r = a * draw.number(0.2, 0.9)
     yield Residual(g(a) - f(r), formula(g, r, a, k), LENGTH)
 
 
-@equation(59, inside_from_profile, "closed pressure of a smooth g put into the double integral (11.34)")
-def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The pressure of g put into the double integral (11.34) leaves d - f under the indenter."""
+@equation(59, lambda f, r, d: d - f(r), "closed pressure of a smooth g put into the double integral (11.34)")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, m = draw.even_sum(), draw.length(), medium(draw)
     f, r = g.times(lambda n: 1 / kappa(n, m.k)), a * draw.number(0.2, 0.6)
 
@@ -484,9 +432,12 @@ def check_inside_from_profile(draw: Draw, formula: Formula) -> Iterator[Residual
     yield Residual(left, formula(f, r, g(a)), LENGTH)
 
 
-@equation(60, graded_profile_from_depth, "f of random powers from g by quadrature and from the closed g")
-def check_graded_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """f(r) of random powers beside the integral of g, which is found by quadrature and in closed form."""
+@equation(
+    60,
+    lambda g, r, k: 2 * mp.cos(k * mp.pi / 2) / mp.pi * _abel(g, r, k),
+    "f of random powers from g by quadrature and from the closed g",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, r, k = draw.power_sum(), draw.length(), exponent(draw)
     yield Residual(f(r), formula(_depth_by_quadrature(f, k), r, k), LENGTH)
     yield Residual(f(r), formula(f.times(lambda n: kappa(n, k)), r, k), LENGTH)
@@ -497,8 +448,7 @@ def check_graded_profile_from_depth(draw: Draw, formula: Formula) -> Iterator[Re
     graded_depth_from_slope,
     "closed g of random powers, (11.60) applied to it returns f; the graded depths of the catalogue",
 )
-def check_graded_depth_from_slope(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Closed g of random powers and of the catalogue beside the integral of f'; a power f beside (11.60) of its g."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     f, a, k = draw.power_sum(), draw.length(), exponent(draw)
     g = f.times(lambda n: kappa(n, k))
     for x in (a, -a):

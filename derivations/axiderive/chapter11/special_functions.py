@@ -41,37 +41,12 @@ def gamma_integral(z: Any) -> Any:
     return to_infinity(lambda t: t ** (z - 1) * mp.exp(-t), ZERO)
 
 
-def gamma_recursion(z: Any) -> Any:
-    """Gamma(z) from Gamma(z - 1)."""
-    return (z - 1) * mp.gamma(z - 1)
-
-
-def gamma_factorial(n: int) -> Any:
-    """Gamma(n) of a positive integer n as (n - 1)!."""
-    return mp.factorial(n - 1)
-
-
 def gamma_incomplete(z: Any, a: Any) -> tuple[Any, Any]:
     """The upper and the lower incomplete Gamma function at a, both by quadrature."""
     return (
         to_infinity(lambda t: t ** (z - 1) * mp.exp(-t), a),
         singular(lambda t: t ** (z - 1) * mp.exp(-t), ZERO, a),
     )
-
-
-def gamma_sum(upper: Any, lower: Any) -> Any:
-    """Gamma as the sum of its upper and its lower part."""
-    return upper + lower
-
-
-def beta_printed(x: Any, y: Any) -> Any:
-    """Gamma(x, y) can only be read as the upper incomplete Gamma function of (11.86)."""
-    return mp.gamma(x) * mp.gamma(y) / mp.gammainc(x, y)
-
-
-def beta_corrected(x: Any, y: Any) -> Any:
-    """B(x, y) as Gamma(x) Gamma(y) over Gamma(x + y)."""
-    return mp.gamma(x) * mp.gamma(y) / mp.gamma(x + y)
 
 
 def beta_integral(x: Any, y: Any) -> Any:
@@ -87,11 +62,6 @@ def binomial(n: int, k: int) -> tuple[Any, Any, Any]:
         mp.gamma(n + 1) / (mp.gamma(k + 1) * mp.gamma(n - k + 1)),
         1 / ((n + 1) * mp.beta(k + 1, n - k + 1)),
     )
-
-
-def beta_recursion(x: Any, y: Any) -> Any:
-    """B(x, y) as the sum of B(x + 1, y) and B(x, y + 1)."""
-    return mp.beta(x + 1, y) + mp.beta(x, y + 1)
 
 
 def beta_incomplete(z: Any, x: Any, y: Any) -> Any:
@@ -115,21 +85,6 @@ def gauss_series(a: Any, b: Any, c: Any, z: Any) -> Any:
     return mp.fsum(term(n) for n in range(_terms(abs(z))))
 
 
-def gauss_equation(a: Any, b: Any, c: Any, z: Any, y: Any, slope: Any, bend: Any) -> Any:
-    """What the differential equation says is zero, for y = 2F1 with the derivatives y' = slope and y'' = bend."""
-    return z * (1 - z) * bend + (c - (a + b + 1) * z) * slope - a * b * y
-
-
-def gauss_derivative(a: Any, b: Any, c: Any, z: Any) -> Any:
-    """The derivative of 2F1 at z, from 2F1 with a, b and c raised by one."""
-    return a * b / c * mp.hyp2f1(a + 1, b + 1, c + 1, z)
-
-
-def gauss_geometric(z: Any) -> Any:
-    """2F1(1, 1; 1; z) without a series."""
-    return 1 / (1 - z)
-
-
 def struve_series(n: Any, z: Any) -> Any:
     """The Struve function H_n(z) summed from its power series, z complex."""
 
@@ -139,19 +94,8 @@ def struve_series(n: Any, z: Any) -> Any:
     return mp.fsum(term(k) for k in range(_terms(HALF / 2)))
 
 
-def struve_equation(n: Any, z: Any) -> Any:
-    """The right side of the inhomogeneous Bessel equation that H_n fulfils."""
-    return 4 / (mp.sqrt(mp.pi) * mp.gamma(n + HALF)) * (z / 2) ** (n + 1)
-
-
-def struve_derivative(n: Any, z: Any) -> Any:
-    """The derivative of H_n at z, from H_n and H_(n-1)."""
-    return mp.struveh(n - 1, z) - n / z * mp.struveh(n, z)
-
-
 @equation(81, elliptic_incomplete, "quadrature against mpmath with m = k^2 and Carlson's R_F")
-def check_elliptic_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """F and E of mpmath, and F by Carlson's R_F, beside the quadratures."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     theta, k = draw.number(0.2, 1.5), draw.number(0.1, 0.9)
     first, second = formula(theta, k)
     yield Residual(mp.ellipf(theta, k**2), first)
@@ -162,8 +106,7 @@ def check_elliptic_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual
 
 
 @equation(82, elliptic_complete, "arithmetic-geometric mean, mpmath, Legendre's relation")
-def check_elliptic_complete(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """K by an arithmetic-geometric mean, E of mpmath, and pi/2 of Legendre's relation, beside the four members."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     k = draw.number(0.3, 0.9)
     first, first_again, second, second_again = formula(k)
     yield from chain(mp.pi / (2 * mp.agm(1, mp.sqrt((1 - k) * (1 + k)))), (first, first_again))
@@ -173,30 +116,26 @@ def check_elliptic_complete(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(83, gamma_integral, "Euler's integral of complex z against mpmath; Gamma(1/2)")
-def check_gamma_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Gamma of mpmath at a complex z, and the square root of pi, beside the quadratures of z and 1/2."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z = draw.complex(0.6, 4)
     yield Residual(mp.gamma(z), formula(z))
     yield Residual(mp.sqrt(mp.pi), formula(HALF))
 
 
-@equation(84, gamma_recursion, "Euler's integral of complex z")
-def check_gamma_recursion(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Euler's integral (11.83) at a complex z beside (z - 1) Gamma(z - 1)."""
+@equation(84, lambda z: (z - 1) * mp.gamma(z - 1), "Euler's integral of complex z")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z = draw.complex(1.6, 4)
     yield Residual(gamma_integral(z), formula(z))
 
 
-@equation(85, gamma_factorial, "Euler's integral at integers")
-def check_gamma_factorial(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Euler's integral (11.83) at 1 and at two random integers beside the factorial."""
+@equation(85, lambda n: mp.factorial(n - 1), "Euler's integral at integers")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     for n in (1, draw.integer(2, 8), draw.integer(9, 15)):
         yield Residual(gamma_integral(mp.mpf(n)), formula(n))
 
 
 @equation(86, gamma_incomplete, "both integrals against mpmath and Kummer's function, complex z")
-def check_gamma_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Both functions of mpmath, and the lower one by Kummer's 1F1, beside the quadratures."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z, a = draw.complex(0.6, 3), draw.number(0.3, 3)
     upper, lower = formula(z, a)
     yield Residual(mp.gammainc(z, a), upper)
@@ -204,24 +143,22 @@ def check_gamma_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(a**z * mp.exp(-a) / z * mp.hyp1f1(1, 1 + z, a), lower)
 
 
-@equation(87, gamma_sum, "both integrals of (11.86) against Gamma")
-def check_gamma_sum(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Gamma of mpmath beside the sum of both quadratures of (11.86), z complex."""
+@equation(87, lambda upper, lower: upper + lower, "both integrals of (11.86) against Gamma")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z, a = draw.complex(0.6, 3), draw.number(0.3, 3)
     yield Residual(mp.gamma(z), formula(*gamma_incomplete(z, a)))
 
 
 @equation(
     88,
-    beta_printed,
+    lambda x, y: mp.gamma(x) * mp.gamma(y) / mp.gammainc(x, y),
     "Euler's integral (11.89), real and complex x, y",
-    corrected=beta_corrected,
+    corrected=lambda x, y: mp.gamma(x) * mp.gamma(y) / mp.gamma(x + y),
     printed_form="B(x, y) = Gamma(x) Gamma(y) / Gamma(x, y)",
     right_form="B(x, y) = Gamma(x) Gamma(y) / Gamma(x + y)",
     reason="The comma is a plus sign: Gamma(x, y) would be an incomplete Gamma function, and B would not be symmetric",
 )
-def check_beta(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Euler's integral, by Gauss-Jacobi for real x, y and by tanh-sinh for complex ones, beside the formula."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, y = draw.number(0.6, 3), draw.number(0.6, 3)
     left = weighted(lambda u: u ** (x - 1) * (1 - u) ** (y - 1), ZERO, ONE, x - 1, y - 1, density=0.4)
     yield Residual(left, formula(x, y))
@@ -230,15 +167,13 @@ def check_beta(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(89, beta_integral, "Euler's integral of complex x, y against mpmath")
-def check_beta_integral(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The Beta function of mpmath at complex x, y beside the quadrature."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, y = draw.complex(0.6, 3), draw.complex(0.6, 3)
     yield Residual(mp.beta(x, y), formula(x, y))
 
 
 @equation(90, binomial, "Pascal's triangle against the three forms")
-def check_binomial(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """A number of Pascal's triangle, built by additions, beside each of the three forms."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     n = draw.integer(2, 30)
     k = draw.integer(1, n - 1)
     row = [1]
@@ -247,16 +182,14 @@ def check_binomial(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield from chain(mp.mpf(row[k]), formula(n, k))
 
 
-@equation(91, beta_recursion, "Euler's integral of complex x, y")
-def check_beta_recursion(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Euler's integral (11.89) of complex x, y beside the sum of two Beta functions."""
+@equation(91, lambda x, y: mp.beta(x + 1, y) + mp.beta(x, y + 1), "Euler's integral of complex x, y")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     x, y = draw.complex(0.6, 3), draw.complex(0.6, 3)
     yield Residual(beta_integral(x, y), formula(x, y))
 
 
 @equation(92, beta_incomplete, "quadrature against mpmath and against 2F1")
-def check_beta_incomplete(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The function of mpmath, and its form with 2F1, beside the quadrature."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z, x, y = draw.number(0.1, 0.9), draw.number(0.6, 3), draw.number(0.6, 3)
     right = formula(z, x, y)
     yield Residual(mp.betainc(x, y, 0, z), right)
@@ -270,8 +203,7 @@ def _gauss(draw: Draw) -> tuple[Any, Any, Any, Any]:
 
 
 @equation(93, gauss_series, "series against mpmath and against Euler's integral")
-def check_gauss_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """2F1 of mpmath, and Euler's integral by Gauss-Jacobi quadrature, beside the sum."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, b, c, z = _gauss(draw)
     right = formula(a, b, c, z)
     yield Residual(mp.hyp2f1(a, b, c, z), right)
@@ -284,32 +216,32 @@ def _taylor(f: Function, z: Any, reach: Any) -> tuple[Any, Any, Any]:
     return f(z), derivative(f, z, reach), derivative(f, z, reach, 2)
 
 
-@equation(94, gauss_equation, "derivatives by Cauchy's integral")
-def check_gauss_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Zero beside the equation with 2F1 and its derivatives by Cauchy's integrals, measured by two of its terms."""
+@equation(
+    94,
+    lambda a, b, c, z, y, slope, bend: z * (1 - z) * bend + (c - (a + b + 1) * z) * slope - a * b * y,
+    "derivatives by Cauchy's integral",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, b, c, z = _gauss(draw)
     y, slope, bend = _taylor(lambda x: mp.hyp2f1(a, b, c, x), z, mp.mpf("0.18"))
     yield Residual(0, formula(a, b, c, z, y, slope, bend), scale=abs(a * b * y) + abs(c * slope))
 
 
-@equation(95, gauss_derivative, "derivative by Cauchy's integral")
-def check_gauss_derivative(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Cauchy's integral of 2F1 around z beside the formula."""
+@equation(95, lambda a, b, c, z: a * b / c * mp.hyp2f1(a + 1, b + 1, c + 1, z), "derivative by Cauchy's integral")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, b, c, z = _gauss(draw)
     yield Residual(derivative(lambda x: mp.hyp2f1(a, b, c, x), z, mp.mpf("0.18")), formula(a, b, c, z))
 
 
-@equation(96, gauss_geometric, "series (11.93) and mpmath")
-def check_gauss_geometric(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The series (11.93) and 2F1 of mpmath beside 1/(1 - z)."""
+@equation(96, lambda z: 1 / (1 - z), "series (11.93) and mpmath")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     z = draw.sign() * draw.number(0.1, 0.7)
     yield Residual(gauss_series(ONE, ONE, ONE, z), formula(z))
     yield Residual(mp.hyp2f1(1, 1, 1, z), formula(z))
 
 
 @equation(97, struve_series, "series against mpmath and against Poisson's integral, complex z, real order")
-def check_struve_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The function of mpmath, and Poisson's integral by Gauss-Jacobi quadrature, beside the sum."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     n, z = draw.number(0, 2), draw.complex(0.5, 4)
     right = formula(n, z)
     yield Residual(mp.struveh(n, z), right)
@@ -317,16 +249,16 @@ def check_struve_series(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(2 * (z / 2) ** n / (mp.sqrt(mp.pi) * mp.gamma(n + HALF)) * poisson, right)
 
 
-@equation(98, struve_equation, "derivatives by Cauchy's integral")
-def check_struve_equation(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The left side, from H_n of mpmath and its derivatives by Cauchy's integrals, beside the right side."""
+@equation(
+    98, lambda n, z: 4 / (mp.sqrt(mp.pi) * mp.gamma(n + HALF)) * (z / 2) ** (n + 1), "derivatives by Cauchy's integral"
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     n, z = draw.number(0, 2), draw.number(1, 4)
     y, slope, bend = _taylor(lambda x: mp.struveh(n, x), z, mp.mpf("0.4"))
     yield Residual(bend * z**2 + slope * z + (z**2 - n**2) * y, formula(n, z))
 
 
-@equation(99, struve_derivative, "derivative by Cauchy's integral")
-def check_struve_derivative(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Cauchy's integral of H_n around z beside the formula."""
+@equation(99, lambda n, z: mp.struveh(n - 1, z) - n / z * mp.struveh(n, z), "derivative by Cauchy's integral")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     n, z = draw.number(0, 2), draw.number(1, 4)
     yield Residual(derivative(lambda x: mp.struveh(n, x), z, mp.mpf("0.4")), formula(n, z))

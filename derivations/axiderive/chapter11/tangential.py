@@ -37,40 +37,12 @@ class Solid(NamedTuple):
         return 4 * self.G / (2 - self.nu)
 
 
-def normal_punch(r: Any, a: Any, d: Any, E_star: Any) -> tuple[Any, Any]:
-    """Force, and pressure at r < a, of a flat punch pressed in by d."""
-    return 2 * E_star * a * d, 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2)
-
-
-def tangential_punch(r: Any, a: Any, u0: Any, G_star: Any) -> tuple[Any, Any]:
-    """Tangential force, and traction at r < a, of a flat punch moved sideways by u0."""
-    return 2 * G_star * a * u0, 1 / mp.pi * G_star * u0 / mp.sqrt(a**2 - r**2)
-
-
-def histories(g: Function, h: Function, a: Any) -> tuple[Any, Any]:
-    """Depth and sideways displacement, two lengths, at the contact radius a."""
-    return g(a), h(a)
-
-
-def normal_load(slope: Function, r: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
-    """Normal force, and pressure at r, from the slope of g by quadrature."""
+def load(slope: Function, r: Any, a: Any, modulus: Any) -> tuple[Any, Any]:
+    """Force, and stress at r, from the slope of g or h by quadrature; the modulus is that of their direction."""
     return (
-        2 * E_star * singular(lambda x: x * slope(x), ZERO, a),
-        E_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
+        2 * modulus * singular(lambda x: x * slope(x), ZERO, a),
+        modulus / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
     )
-
-
-def tangential_load(slope: Function, r: Any, a: Any, G_star: Any) -> tuple[Any, Any]:
-    """Tangential force, and traction at r, from the slope of h by quadrature."""
-    return (
-        2 * G_star * singular(lambda x: x * slope(x), ZERO, a),
-        G_star / mp.pi * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a),
-    )
-
-
-def joint_increment(lam: Any, dg: Any) -> Any:
-    """The sideways increment that goes with the increment dg of the depth, in the unit of dg."""
-    return lam * dg
 
 
 def force_of_second_step(
@@ -90,19 +62,9 @@ def traction_of_second_step(slope: Function, lam: Any, r: Any, c: Any, a: Any, G
     return G_star / mp.pi * lam * singular(lambda x: 1 / mp.sqrt(x**2 - r**2) * slope(x), r, a)
 
 
-def traction_in_slip(p: Any, lam: Any, G_star: Any, E_star: Any) -> Any:
-    """Traction where c < r < a, from the pressure p there."""
-    return lam * G_star / E_star * p
-
-
 def friction(lam: Any, G_star: Any, E_star: Any) -> Any:
     """The coefficient of friction, a pure number."""
     return lam * G_star / E_star
-
-
-def stick_and_slip(u0: Any, mu: Any, p: Any) -> tuple[Any, Any]:
-    """Displacement (a length) of the stuck circle r < c, and traction in the slip ring c < r < a."""
-    return u0, mu * p
 
 
 def solution(slope: Function, mu: Any, r: Any, c: Any, a: Any, E_star: Any) -> tuple[Any, Any]:
@@ -122,11 +84,6 @@ def traction_by_pressures(p: Callable[[Any, Any], Any], mu: Any, r: Any, c: Any,
     if r < c:
         return mu * (p(r, a) - p(r, c))
     return mu * p(r, a)
-
-
-def tangential_displacement(g: Function, mu: Any, c: Any, a: Any, E_star: Any, G_star: Any) -> Any:
-    """Displacement (a length) of the stuck circle from the depths at the radii a and c."""
-    return mu * E_star / G_star * (g(a) - g(c))
 
 
 def cerruti(tau: Function, r: Any, a: Any, edge: Any, solid: Solid) -> Any:
@@ -172,9 +129,12 @@ def _stuck_displacement(g: PowerSum, mu: Any, r: Any, c: Any, a: Any, solid: Sol
     return mu * (full - core)
 
 
-@equation(67, normal_punch, "depth by ring kernels; force and pressure from (11.1)")
-def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The depth by ring kernels under the given pressure beside d; force and pressure by (11.1) beside those given."""
+@equation(
+    67,
+    lambda r, a, d, E_star: (2 * E_star * a * d, 1 / mp.pi * E_star * d / mp.sqrt(a**2 - r**2)),
+    "depth by ring kernels; force and pressure from (11.1)",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, d, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.1, 0.9)
     p0 = solid.E_star * d / (mp.pi * a)
@@ -188,9 +148,12 @@ def check_normal_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(p0 / mp.sqrt(1 - r**2 / a**2), p, STRESS)
 
 
-@equation(68, tangential_punch, "displacement by Cerruti's kernel at r < a; force 8 G a u0/(2 - nu)")
-def check_tangential_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The shift by Cerruti's kernel under the given traction beside u0; traction and force beside the closed ones."""
+@equation(
+    68,
+    lambda r, a, u0, G_star: (2 * G_star * a * u0, 1 / mp.pi * G_star * u0 / mp.sqrt(a**2 - r**2)),
+    "displacement by Cerruti's kernel at r < a; force 8 G a u0/(2 - nu)",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     a, u0, solid = draw.length(), draw.length(), _solid(draw)
     r = a * draw.number(0.2, 0.6)
     shear = cerruti(lambda t: formula(t, a, u0, solid.G_star)[1], r, a, -HALF, solid)
@@ -199,9 +162,12 @@ def check_tangential_punch(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(8 * solid.G * a * u0 / (2 - solid.nu), formula(r, a, u0, solid.G_star)[0], FORCE)
 
 
-@equation(69, histories, "displacements of the centre by ring kernels and by Cerruti's kernel, smooth g and h")
-def check_histories(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Stresses of (11.70) and (11.71) move the surface by g(a) downwards and by h(a) sideways."""
+@equation(
+    69,
+    lambda g, h, a: (g(a), h(a)),
+    "displacements of the centre by ring kernels and by Cerruti's kernel, smooth g and h",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, h, a, solid = draw.even_sum(), draw.even_sum(1), draw.length(), _solid(draw)
     r = a * mp.mpf(10) ** -30
     depth, shift = formula(g, h, a)
@@ -209,10 +175,9 @@ def check_histories(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(cerruti(lambda t: even_pressure(h, t, a, solid.G_star), r, a, HALF, solid), shift, LENGTH)
 
 
-@equation(70, normal_load, "closed pressure of random powers and its integral over the area")
-@equation(71, tangential_load, "closed traction of random powers and its integral over the area")
-def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The closed stress of random powers, and its integral over the area, beside both integrals of the slope."""
+@equation(70, load, "closed pressure of random powers and its integral over the area")
+@equation(71, load, "closed traction of random powers and its integral over the area")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, a, modulus = draw.power_sum(), draw.length(), draw.stress()
     r = a * draw.number(0.1, 0.9)
     force, stress = formula(g.slope, r, a, modulus)
@@ -220,9 +185,10 @@ def check_load(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(pressure(g, r, a, modulus), stress, STRESS)
 
 
-@equation(72, joint_increment, "displacement of the stuck circle by Cerruti's kernel is the sum of the increments")
-def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """With increments dh = lam dg beyond c, Cerruti's displacement of the stuck circle is their sum."""
+@equation(
+    72, lambda lam, dg: lam * dg, "displacement of the stuck circle by Cerruti's kernel is the sum of the increments"
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, lam = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.2, 1)
     mu = lam * solid.G_star / solid.E_star
     summed = singular(lambda x: formula(lam, g.slope(x)), c, a)
@@ -230,8 +196,7 @@ def check_joint_increment(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(73, force_of_second_step, "both forms against mu [F(a) - F(c)], forces over the area")
-def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """mu [F(a) - F(c)], each force a closed pressure over its area, beside both forms."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, c, a, solid, lam = _slipping(draw)
     mu = lam * solid.G_star / solid.E_star
     whole, core = (area_force(g, end, solid.E_star) for end in (a, c))
@@ -240,8 +205,7 @@ def check_force_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residua
 
 
 @equation(74, traction_of_second_step, "stick and slip: closed p(r; a) - p(r; c) of random powers")
-def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """mu [p(r; a) - p(r; c)] of closed pressures, at a stuck and at a slipping radius, beside the integral."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, c, a, solid, lam = _slipping(draw)
     mu = lam * solid.G_star / solid.E_star
     for r in _places(draw, c, a):
@@ -249,9 +213,8 @@ def check_traction_of_second_step(draw: Draw, formula: Formula) -> Iterator[Resi
         yield Residual(left, formula(g.slope, lam, r, c, a, solid.G_star), STRESS)
 
 
-@equation(75, traction_in_slip, "integral of the second step in the slip ring")
-def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """The integral (11.74) at a slipping radius beside the multiple of the closed pressure."""
+@equation(75, lambda p, lam, G_star, E_star: lam * G_star / E_star * p, "integral of the second step in the slip ring")
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, c, a, solid, lam = _slipping(draw)
     r = c + (a - c) * draw.number(0.1, 0.9)
     left = traction_of_second_step(g.slope, lam, r, c, a, solid.G_star)
@@ -259,8 +222,7 @@ def check_traction_in_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(76, friction, "traction over pressure in the slip ring; forces of full slip")
-def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Traction over pressure in the slip ring, and tangential over normal force when the whole contact slips."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, c, a, solid, lam = _slipping(draw)
     r = c + (a - c) * draw.number(0.1, 0.9)
     mu = formula(lam, solid.G_star, solid.E_star)
@@ -270,9 +232,12 @@ def check_friction(draw: Draw, formula: Formula) -> Iterator[Residual]:
     yield Residual(sliding / total_force(lambda t: pressure(g, t, a, solid.E_star), a), mu, NUMBER)
 
 
-@equation(77, stick_and_slip, "Cerruti's displacement at two points of the stuck circle; traction in the slip ring")
-def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Two stuck points by Cerruti's kernel beside u0; the integral (11.74) at a slipping radius beside mu p."""
+@equation(
+    77,
+    lambda u0, mu, p: (u0, mu * p),
+    "Cerruti's displacement at two points of the stuck circle; traction in the slip ring",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     slip = c + (a - c) * draw.number(0.1, 0.9)
     u0 = mu * solid.E_star / solid.G_star * (g(a) - g(c))
@@ -284,8 +249,7 @@ def check_stick_and_slip(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(78, solution, "force over the area; closed tractions, stick and slip")
-def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """mu [F(a) - F(c)] over the area, and closed tractions at a stuck and a slipping radius, beside the formula."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), E_star, mu = draw.power_sum(), _radii(draw), draw.stress(), draw.number(0.1, 0.9)
     whole, core = (area_force(g, end, E_star) for end in (a, c))
     for r in _places(draw, c, a):
@@ -295,8 +259,7 @@ def check_solution(draw: Draw, formula: Formula) -> Iterator[Residual]:
 
 
 @equation(79, traction_by_pressures, "integral of the second step, stick and slip")
-def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Against the integral over the second step alone, which knows nothing of p(r; c)."""
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, mu = draw.power_sum(), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     lam = mu * solid.E_star / solid.G_star
     for r in _places(draw, c, a):
@@ -304,9 +267,12 @@ def check_traction_by_pressures(draw: Draw, formula: Formula) -> Iterator[Residu
         yield Residual(traction_of_second_step(g.slope, lam, r, c, a, solid.G_star), right, STRESS)
 
 
-@equation(80, tangential_displacement, "displacement of the stuck circle by Cerruti's kernel")
-def check_tangential_displacement(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """Displacement of a stuck point by Cerruti's kernel beside the closed form."""
+@equation(
+    80,
+    lambda g, mu, c, a, E_star, G_star: mu * E_star / G_star * (g(a) - g(c)),
+    "displacement of the stuck circle by Cerruti's kernel",
+)
+def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
     g, (c, a), solid, mu = draw.even_sum(2), _radii(draw), _solid(draw), draw.number(0.1, 0.9)
     left = _stuck_displacement(g, mu, c * draw.number(0.2, 0.6), c, a, solid)
     yield Residual(left, formula(g, mu, c, a, solid.E_star, solid.G_star), LENGTH)
