@@ -17,7 +17,7 @@ from axiderive.book.study.timing import GOAL, REACHED, Timing, timing
 from axiderive.figures.svg import Picture
 from axiderive.physics.systems import problem, problems
 from axiderive.study import report as pairs
-from axiderive.study.methods import Plan, arguments, methods, with_nodes
+from axiderive.study.error import Plan, arguments, methods, with_nodes
 from axiderive.study.subject import NORMAL, RULED, subject
 from axiderive.web import study
 

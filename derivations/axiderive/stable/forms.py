@@ -4,7 +4,7 @@ Radicals sqrt(x**2 - y**2) become named roots of exact differences, angles
 become atan2 of roots, and where terms cancel three rules are tried: conjugates
 (X - Y = (X**2 - Y**2)/(X + Y)), the gap functions x - atan(x) and atanh(x) - x,
 and ln(X/Y) = log1p((X - Y)/Y).  The form says whether that was enough; which
-of the rules an entry is worth is measured (`axicontact study forms`).
+of the rules an entry is worth was measured (`variants`).
 
 `plane_form` goes further: with q^2 - p^2 a product of exact differences, asin(p/q) = atan2(p, sqrt(q^2 - p^2))
 and atanh(p/q) = asinh(p/sqrt(q^2 - p^2)) hold every digit.  An algebraic sum

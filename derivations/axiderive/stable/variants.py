@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-BEYOND = ", beyond"
-
 
 @dataclass(frozen=True)
 class Variant:
@@ -17,7 +15,6 @@ class Variant:
     By all rules angles are atan2 and asinh of roots, sums stand over their conjugates, and logarithms are log1p.
     """
 
-    name: str
     gaps: bool = True
     """Whether x - atan(x) and atanh(x) - x are functions of their own."""
     quotients: bool = False
@@ -37,43 +34,24 @@ class Variant:
     @property
     def above(self) -> Variant:
         """The same way everywhere."""
-        return replace(self, name=self.name.partition(BEYOND)[0], beyond=0.0)
+        return replace(self, beyond=0.0)
 
 
-FULL = Variant("all rules", closed=False)
-QUOTIENTS = Variant("angles of quotients", quotients=True)
-VARIANTS = (FULL, QUOTIENTS, Variant("without gaps", gaps=False), Variant("expanded sums", expanded=True))
-PLACES = (2.0, 16.0, 128.0)
-SPLITS = tuple(replace(QUOTIENTS, name=f"{QUOTIENTS.name}{BEYOND} {at:g} b", beyond=at) for at in PLACES)
-"""A rule next to the break, where a closed form cancels, and that form where the strips of the rule become too long."""
-
-
+FULL = Variant(closed=False)
+QUOTIENTS = Variant(quotients=True)
 CHOSEN = {
-    "flat_punch.w": "angles of quotients",
-    "hyperboloid.d": "angles of quotients",
-    "hyperboloid.slope": "angles of quotients",
-    "loads.punch.w": "angles of quotients",
-    "plane.rounded_punch.P": "angles of quotients, beyond 2 b",
-    "plane.rounded_punch.slope": "angles of quotients",
-    "plane.rounded_wedge.P": "angles of quotients",
-    "plane.rounded_wedge.slope": "angles of quotients",
-    "plane.truncated_wedge.d": "angles of quotients, beyond 128 b",
-    "rounded_cone.d": "angles of quotients",
-    "rounded_cone.F": "angles of quotients",
-    "rounded_cone.pm": "angles of quotients",
-    "rounded_cone.slope": "angles of quotients",
-    "rounded_curved_punch.slope": "without gaps",
-    "rounded_punch.slope": "without gaps",
-    "truncated_cone.d": "angles of quotients",
-    "truncated_cone.F": "angles of quotients",
-    "truncated_cone.pm": "angles of quotients",
-    "truncated_cone.slope": "angles of quotients",
-    "truncated_paraboloid.pm": "expanded sums",
+    **dict.fromkeys(("flat_punch.w", "loads.punch.w", "hyperboloid.d", "hyperboloid.slope"), QUOTIENTS),
+    **{f"{name}.{own}": QUOTIENTS for name in ("rounded_cone", "truncated_cone") for own in ("d", "F", "pm", "slope")},
+    **dict.fromkeys(("plane.rounded_punch.slope", "plane.rounded_wedge.P", "plane.rounded_wedge.slope"), QUOTIENTS),
+    # a rule next to the break, where a closed form cancels, and that form where its strips become too long
+    "plane.rounded_punch.P": replace(QUOTIENTS, beyond=2.0),
+    "plane.truncated_wedge.d": replace(QUOTIENTS, beyond=128.0),
+    **dict.fromkeys(("rounded_curved_punch.slope", "rounded_punch.slope"), Variant(gaps=False)),
+    "truncated_paraboloid.pm": Variant(expanded=True),
 }
-"""Names of variants by key of the entry, of the rate of growth by `slope`; all others are written by all rules."""
-_BY_NAME = {variant.name: variant for variant in (*VARIANTS, *SPLITS)}
+"""By key of the entry, of the rate of growth by `slope`: the cheapest that kept its digits; all others are FULL."""
 
 
 def chosen(key: str) -> Variant:
     """The variant of an entry."""
-    return _BY_NAME[CHOSEN[key]] if key in CHOSEN else FULL
+    return CHOSEN.get(key, FULL)

@@ -1,4 +1,4 @@
-"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes | forms`."""
+"""Comparisons that are not part of a build: `axicontact study corpus | error | speed | maps | extremes`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ TOPICS = {
     "speed": "what a call costs: the emitted functions beside `math`, lambdify and a mere copy",
     "maps": "stability maps: worst error over the dimensionless ratios, emitted beside naive",
     "extremes": "stiff and extreme cases: emitted beside naive at the ends of the ranges",
-    "forms": "the race of evaluation forms: whether another form than the frozen one keeps its digits and costs less",
 }
 """What is compared, each in the module of its name."""
 
@@ -35,8 +34,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         parser.add_argument("--only", type=_problems, default=[], metavar="A,B", help="these problems only")
         parser.add_argument("--quick", action="store_true", help="few points and settings")
         parser.add_argument("--json", action="store_true", help="for programs")
-        if topic != "forms":
-            parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")
+        parser.add_argument("--write", action="store_true", help="keep the record in catalogue/evidence/study")
 
 
 def _seconds(text: str) -> float:
@@ -76,8 +74,7 @@ def _measure(arguments: argparse.Namespace) -> int:
     if find_spec("scipy") is None:
         message = "the other methods are SciPy's; pip install 'axicontact[test]'"
         raise CommandError(message, ENVIRONMENT)
-    write = "write" in arguments and arguments.write
-    if write and (arguments.quick or arguments.only):
+    if arguments.write and (arguments.quick or arguments.only):
         message = "--write keeps whole records; leave out --quick and --only, or --write"
         raise CommandError(message, USAGE)
     from .report import store, to_json
@@ -85,7 +82,7 @@ def _measure(arguments: argparse.Namespace) -> int:
     topic = import_module(f".{arguments.topic}", __package__)
     record = topic.measure(_names(arguments.only, topic.KNOWN), quick=arguments.quick)
     print(to_json(record).rstrip() if arguments.json else topic.text(record))
-    if write:
+    if arguments.write:
         path = store(record)
         if not arguments.json:
             print(f"wrote {path}")

@@ -4,6 +4,9 @@ Pressure (11.23), (11.53) from g'(t); displacement (11.26), (11.56) as that of f
 and force (11.29), (11.20), (11.51) as moments of f'(s); the radius under adhesion by the retraction (11.63).  With the
 edge term of (11.107) where the depth is free.  A rule of Gauss and Jacobi takes a singularity into its weight; a script
 gives the integrals to adaptive quadrature from break to break, in double precision or in many digits.
+
+On a grid, after their descriptions and not their authors' programs: by parts with central differences and trapezoids
+(Benad 2018), convolution over r**2 by FFT (Willert 2021); the boundary element method where tamaas is installed.
 """
 
 from __future__ import annotations
@@ -13,6 +16,8 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
+from importlib import import_module
+from importlib.util import find_spec
 from typing import Any, ClassVar
 
 import mpmath as mp
@@ -23,6 +28,10 @@ from .. import notation as nt
 from .subject import RADIUS, Array, Subject
 
 a = RADIUS
+WIDTH = 3.0
+"""Side of the square of boundary elements in contact radii."""
+TOLERANCE, ITERATIONS = 1e-9, 2000
+"""Where their solver stops."""
 
 
 @cache
@@ -124,6 +133,7 @@ class Script:
     """Whether the integral of the pressure is taken in t = r cosh(v)."""
     functions: ClassVar[Any] = math
     number: ClassVar[Any] = float
+    kind: ClassVar[str] = "math"
 
     def pressure(self, r: Array) -> Array:
         """p at the radii r < a."""
@@ -168,11 +178,11 @@ class Script:
 
     def rate(self, t: Any) -> Any:
         """g'(t)."""
-        return self.subject.rate_math(t)
+        return getattr(self.subject.rate, self.kind)(t)
 
     def slope(self, s: Any) -> Any:
         """f'(s)."""
-        return self.subject.slope_math(s)
+        return getattr(self.subject.slope, self.kind)(s)
 
     def beside_punch(self, share: Any) -> Any:
         """What `beside_punch` says."""
@@ -236,6 +246,7 @@ class Digits(Script):
     digits: int = mp.mp.dps
     functions: ClassVar[Any] = mp
     number: ClassVar[Any] = mp.mpf
+    kind: ClassVar[str] = "mpmath"
 
     def over(self, x: Array, one: Callable[[Any], Any]) -> list[mp.mpf]:
         """A quantity at every point."""
@@ -254,17 +265,123 @@ class Digits(Script):
 
     def excess(self) -> Any:
         """The depth beyond that of the profile."""
-        return mp.mpf(self.subject.freed) - self.subject.depth_mp(mp.mpf(a))
-
-    def rate(self, t: Any) -> Any:
-        """g'(t)."""
-        return self.subject.rate_mp(t)
-
-    def slope(self, s: Any) -> Any:
-        """f'(s)."""
-        return self.subject.slope_mp(s)
+        return mp.mpf(self.subject.freed) - self.subject.depth.mpmath(mp.mpf(a))
 
     def beside_punch(self, share: Any) -> Any:
         """What `beside_punch` says."""
         k = mp.mpf(self.subject.exponent)
         return mp.betainc((1 + k) / 2, (1 - k) / 2, 0, share**2, regularized=True) if k else 2 * mp.asin(share) / mp.pi
+
+
+def trapezoid_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
+    """By parts, central differences and trapezoids on a uniform grid: radii and pressures."""
+    x = np.linspace(0.0, a, count + 1)
+    first = np.gradient(subject.depth(x), x, edge_order=2)
+    second = np.gradient(first, x, edge_order=2)
+    r = x[1:-1]
+    kernel = np.arccosh(np.maximum(x / r[:, None], 1.0))
+    kernel[:, -1] /= 2
+    smooth = subject.modulus / np.pi * (first[-1] * np.arccosh(a / r) - x[1] * (kernel @ second))
+    return r, smooth + punch_pressure(subject, r)
+
+
+def trapezoid_displacement(subject: Subject, r: Array, count: int) -> Array:
+    """Trapezoids over w_1D/sqrt(r**2 - x**2) on the same grid."""
+    x = np.linspace(0.0, a, count + 1)
+    sunk = subject.excess + subject.depth(np.float64(a)) - subject.depth(x)
+    return 2 / np.pi * integrate.trapezoid(sunk / np.sqrt((r[:, None] - x) * (r[:, None] + x)), x, axis=1)
+
+
+def trapezoid_force(subject: Subject, d: Array, count: int) -> Array:
+    """A table of g on the grid, the radius by interpolation, the force by trapezoids."""
+    x = np.linspace(0.0, a, count + 1)
+    depth = subject.depth(x)
+    below = np.concatenate([[0.0], np.cumsum((depth[1:] + depth[:-1]) / 2) * x[1]])
+    first = int(np.searchsorted(x, subject.edge))
+    reached = np.interp(d, depth[first:], x[first:])
+    return 2 * subject.modulus * (d * reached - np.interp(reached, x, below))
+
+
+def fft_pressure(subject: Subject, count: int) -> tuple[Array, Array]:
+    """Convolution over r**2 with exact weights in each cell: radii and pressures.
+
+    The density g'/(2x) is linear in a cell, or constant where it is infinite at a break.
+    """
+    squares = np.linspace(0.0, a * a, count + 1)
+    x = np.sqrt(squares)
+    rise = np.diff(subject.depth(x)) / squares[1]
+    if subject.edge and not np.isfinite(_silent(subject.rate.math, subject.edge)):
+        total = _convolution_of_steps(rise[::-1], squares[1])[::-1]
+    else:
+        density = np.append(rise[0], subject.rate(x[1:]) / (2 * x[1:]))
+        total = _convolution(density[::-1], squares[1], count + 1)[::-1]
+    return x[1:-1], subject.modulus / np.pi * total[1:-1]
+
+
+def fft_displacement(subject: Subject, count: int) -> tuple[Array, Array]:
+    """The same for w = 2/pi (d asin(a/r) - int g/sqrt(r**2 - x**2) dx), a < r < 2a."""
+    squares = np.linspace(0.0, 4 * a * a, 4 * count + 1)
+    x = np.sqrt(squares)
+    near = x[: count + 1].copy()
+    near[0] = 1e-8 * a
+    total = _convolution(subject.depth(near) / (2 * near), squares[1], len(squares))
+    w = 2 / np.pi * (subject.depth(np.float64(a)) * np.arcsin(np.minimum(a / x[1:], 1.0)) - total[1:])
+    return x[count + 1 :], w[count:]
+
+
+def _convolution(density: Array, cell: float, size: int) -> Array:
+    """int density(y) (x - y)**(-1/2) dy from 0 to x at x = 0, cell, ..., the density linear between its nodes."""
+    lag = np.arange(size, dtype=np.float64)
+    zeroth, first = np.diff(2 * np.sqrt(lag)), np.diff(2 / 3 * lag**1.5)
+    far, near = first - lag[:-1] * zeroth, lag[1:] * zeroth - first
+    total = np.zeros(size)
+    total[1:] += _convolved(density[:-1], far)[: size - 1]
+    inner = density.copy()
+    inner[0] = 0.0
+    total[: size - 1] += _convolved(inner, near)[: size - 1]
+    return math.sqrt(cell) * total
+
+
+def _convolution_of_steps(density: Array, cell: float) -> Array:
+    """The same for a density that is constant in each cell."""
+    weights = np.diff(2 * np.sqrt(np.arange(len(density) + 1, dtype=np.float64)))
+    total = _convolved(density, weights)[: len(density)]
+    return math.sqrt(cell) * np.append(0.0, total)
+
+
+def _convolved(one: Array, other: Array) -> Array:
+    from scipy import signal  # which brings scipy.stats along: half a second that no other method needs
+
+    return np.asarray(signal.fftconvolve(one, other))
+
+
+def _silent(function: Callable[[float], float], x: float) -> float:
+    try:
+        return function(x)
+    except ZeroDivisionError:
+        return math.inf
+
+
+def no_boundary_elements() -> str:
+    """Why there are none to run; empty if there are."""
+    return "" if find_spec("tamaas") else "tamaas is not installed (pip install tamaas)"
+
+
+def boundary_elements(subject: Subject, force: float, count: int) -> tuple[Array, Array]:
+    """By tamaas, under a prescribed force: radii and pressures of the cells in contact."""
+    tamaas = import_module("tamaas")
+    tamaas.set_log_level(tamaas.LogLevel.error)
+    side = WIDTH * RADIUS
+    centres = (np.arange(count) - count // 2 + 0.5) * side / count
+    r = np.hypot(*np.meshgrid(centres, centres, indexing="ij"))
+    model = tamaas.Model(tamaas.model_type.basic_2d, [side, side], [count, count])
+    model.E, model.nu = subject.modulus, 0.0
+    tamaas.ModelFactory.registerNonPeriodic(model, "dcfft")
+    # a sphere ends at its equator, the square beyond it is far from contact
+    solver = tamaas.PolonskyKeerRey(model, -subject.height(np.minimum(r, subject.largest)), TOLERANCE)
+    solver.setIntegralOperator("dcfft")
+    solver.max_iter = ITERATIONS
+    solver.solve(force / side**2)
+    traction = np.array(model.traction).reshape(count, count)
+    inside = r < RADIUS
+    return r[inside], traction[inside]

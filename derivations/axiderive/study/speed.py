@@ -20,7 +20,7 @@ import sympy as sp
 from ..code.programs.graph import Lengths, trace
 from ..code.programs.plain import LARGE, SMALL, TRUSTED, Lines
 from ..entry import FOUR, Entry
-from .methods import arguments
+from .error import arguments
 from .naive import naive
 from .report import Record, paired, rounded, table, versions
 from .subject import NAMES, PARAMETERS, RADIUS, Subject, subject

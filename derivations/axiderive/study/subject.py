@@ -144,12 +144,16 @@ class Given:
     variable: sp.Symbol
     values: Mapping[Any, float]
 
-    @property
+    @cached_property
     def rate(self) -> Given:
         """The derivative."""
         pieces = tuple(replace(one, expr=sp.diff(one.expr, self.variable)) for one in self.pieces)
         return replace(self, pieces=pieces)
 
+    def __call__(self, x: Array) -> Array:
+        return self.numpy(x)
+
+    @cached_property
     def numpy(self) -> Function:
         """Of an array; each expression sees its own range only."""
         functions = self._bound([FUNCTIONS, "numpy"], float)
@@ -165,10 +169,12 @@ class Given:
 
         return chosen
 
+    @cached_property
     def math(self) -> Function:
         """Of a float above the first break."""
         return self._scalar(self._bound([FUNCTIONS, "math"], float))
 
+    @cached_property
     def mpmath(self) -> Function:
         """Of a number of mpmath above the first break."""
         return self._scalar(self._bound([{master.__name__: master.numeric for master in MASTERS}, "mpmath"], mp.mpf))
@@ -294,11 +300,11 @@ class Subject:
     @property
     def edge(self) -> float:
         """Radius b of the flat face where the contact starts, 0 without one."""
-        return self._depth.pieces[0].low
+        return self.depth.pieces[0].low
 
     def spans(self, end: float = RADIUS) -> list[tuple[float, float]]:
         """Radii between which g(t) has one expression, from break to break up to a radius."""
-        return [(one.low, min(one.high, end)) for one in self._depth.pieces if one.low < end]
+        return [(one.low, min(one.high, end)) for one in self.depth.pieces if one.low < end]
 
     @cached_property
     def excess(self) -> float:
@@ -319,62 +325,24 @@ class Subject:
         return min(map(self._size, bounds), default=100.0 * RADIUS)
 
     @cached_property
-    def height(self) -> Function:
+    def height(self) -> Given:
         """f(r)."""
-        return self._shape.numpy()
-
-    @cached_property
-    def slope(self) -> Function:
-        """f'(r), zero on a flat face."""
-        return self._slope.numpy()
-
-    @cached_property
-    def slope_math(self) -> Function:
-        """f'(r) beyond a flat face, in the functions of `math`."""
-        return self._slope.math()
-
-    @cached_property
-    def slope_mp(self) -> Function:
-        """f'(r) beyond a flat face, of a number of mpmath."""
-        return self._slope.mpmath()
-
-    @cached_property
-    def depth(self) -> Function:
-        """g(t), zero below the edge; P(t)/E_star in the plane."""
-        return self._depth.numpy()
-
-    @cached_property
-    def depth_mp(self) -> Function:
-        """g(t) beyond the edge, of a number of mpmath."""
-        return self._depth.mpmath()
-
-    @cached_property
-    def rate(self) -> Function:
-        """g'(t), zero below the edge."""
-        return self._depth.rate.numpy()
-
-    @cached_property
-    def rate_math(self) -> Function:
-        """g'(t) beyond the edge, in the functions of `math`."""
-        return self._depth.rate.math()
-
-    @cached_property
-    def rate_mp(self) -> Function:
-        """g'(t) beyond the edge, of a number of mpmath."""
-        return self._depth.rate.mpmath()
-
-    @cached_property
-    def _shape(self) -> Given:
         ends = [0.0, *map(self._size, self.profile.breaks), math.inf]
         exprs = [concrete(one.expr, self.values) for one in self.profile.pieces]
         return Given(tuple(map(Piece, ends, ends[1:], exprs)), self.across, self.values)
 
+    @cached_property
+    def slope(self) -> Given:
+        """f'(r), zero on a flat face."""
+        return replace(self.height, pieces=tuple(one for one in self.height.pieces if one.expr != 0)).rate
+
     @property
-    def _slope(self) -> Given:
-        return replace(self._shape, pieces=tuple(one for one in self._shape.pieces if one.expr != 0)).rate
+    def rate(self) -> Given:
+        """g'(t), zero below the edge."""
+        return self.depth.rate
 
     @cached_property
-    def _depth(self) -> Given:
+    def depth(self) -> Given:
         """g(t) in pieces, from the entry or, at a fixed edge, from the depth that a face of one power has there.
 
         In a plane contact P(t)/E* has its place.

@@ -166,24 +166,15 @@ def split(functions: PrivateFunctions, entries: Mapping[str, Entry], bodies: Bod
         if variant.beyond:
             above = PrivateFunctions(functions.profile, common=variant.above)
             bodies(above, entries)
-            join(functions, above, entry.quantity.function, variant.beyond)
+            _join(functions, above, entry.quantity.function, variant.beyond)
 
 
-def join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond: float) -> bool:
-    """Split one function where a reaches so many times the break; whether there is anything to split."""
-    low, high = functions.functions.get(name), above.functions.get(name)
-    if not functions.profile.breaks or low is None or high is None or "a" not in low.fields:
-        return False
-    if low.lines == high.lines or any(own.name in high.uses and own != high for own in _parts(above, name)):
-        return False
+def _join(functions: PrivateFunctions, above: PrivateFunctions, name: str, beyond: float) -> None:
+    """Split one function where a reaches so many times the break."""
+    low, high = functions[name], above[name]
     known, b = functions.functions, functions.profile.breaks[0]
     sides = [replace(side, name=f"{low.name}_{end}") for side, end in ((low, "below"), (high, "above"))]
     del known[name]
     known |= {side.name.removeprefix("_"): side for side in sides}
     value = f"np.where(a < {beyond!r} * {b}, {sides[0].call()}, {sides[1].call()})"
     functions.add(name, low.fields, [f"return {value}"])
-    return True
-
-
-def _parts(functions: PrivateFunctions, name: str) -> list[Function]:
-    return [own for key, own in functions.functions.items() if key.startswith(name)]

@@ -47,12 +47,6 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     functions.of_entry(entry, lines)
 
 
-def bodies_source(functions: PrivateFunctions, title: str) -> str:
-    """A module of private functions alone: to be measured, not to be published."""
-    profile, private = functions.profile, list(functions.functions.values())
-    return Module(BY_NAME["loads"], profile.name, profile.title, title, [], private).source()
-
-
 def _by_regions(functions: PrivateFunctions, entry: Entry) -> list[str]:
     inside, outside = (case.expr for case in entry.cases)
     form, lines = _outside(functions, entry, outside), list[str]()

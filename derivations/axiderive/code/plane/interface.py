@@ -77,9 +77,3 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact
     compact = Compact(entries, functions)
     compact.add_all()
     return compact
-
-
-def bodies_source(functions: PrivateFunctions, title: str) -> str:
-    """A module of private functions alone: to be measured, not to be published."""
-    profile, private = functions.profile, list(functions.functions.values())
-    return Module(SYSTEM, profile.name, profile.title, title, [], private).source()
