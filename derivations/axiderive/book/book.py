@@ -9,6 +9,7 @@ from typing import Any
 
 from .. import __version__
 from ..figures.chart import chart
+from ..figures.contours import SHADES
 from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
@@ -52,6 +53,7 @@ FRONT = (
     ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
 )  # fmt: skip
 BACK = (
+    ("Stress below the contact", "stress"),
     ("Errata of chapter 11", "errata"), ("Error against run time", "study"), ("References", "references"),
     ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
@@ -143,6 +145,7 @@ def model(
             (references.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
         ],
+        "tones": [f"${level:g}$" for level in SHADES],
         "symbol_index": symbol_index(pages),
         "word_index": word_index(pages, contents, WITHIN),
         "held": _held(pages),

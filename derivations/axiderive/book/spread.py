@@ -8,6 +8,7 @@ from typing import Any
 
 from .. import notation as nt
 from ..entry import Entry
+from ..figures.contours import pictures
 from ..figures.curves import curves
 from ..figures.drawing import outline
 from ..figures.given import axes_of, load_sketch, tilted_sketch
@@ -93,7 +94,7 @@ def _equations(own: Mapping[str, Entries]) -> list[str]:
 
 
 NOTHING: dict[str, Any] = {
-    **dict.fromkeys(("worked", "picture", "checks")),
+    **dict.fromkeys(("worked", "picture", "checks", "stress")),
     **dict.fromkeys(("plots", "curves", "axes", "graded"), ()),
     **{"loaded": False, "complete": False, "derivation": ""},
 }
@@ -123,6 +124,7 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
     graded = derived.get(f"{profile_id}.fgm", {})
     return texts | {
         "graded": frames(profile, main, graded) if profile_id in SHOWN and "p" in graded else (),
+        "stress": pictures(rough) if pool is ROUND else None,
         "curves": curves(profile, rough) if profile.compact and pool is ROUND else (),
         "worked": worked(profile_id, profile, derived, type(rough)),
         "picture": sketch(profile, rough, force, place),

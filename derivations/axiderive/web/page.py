@@ -164,4 +164,5 @@ UNIT = 84.0
 def figures(model: Mapping[str, Any]) -> dict[str, list[Picture]]:
     """The plots of a page by the system they stand with, in the order of the book."""
     found = [svg(drawn(axes, SCREEN)) for part in ("plots", "curves", "axes") for axes in model[part]]
+    found += [svg(model["stress"], 130.0)] if model["stress"] else []
     return {model["first"]: found, "graded.normal": [svg(drawn(axes, SCREEN)) for axes in model["graded"]]}
