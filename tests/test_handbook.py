@@ -13,7 +13,7 @@ from typing import Any
 import mpmath as mp
 import pytest
 
-from axiderive.book.evidence import coverage, kind_of
+from axiderive.book.evidence import coverage
 from axiderive.book.handbook import handbook_sources
 from axiderive.book.page import spaced
 from axiderive.book.references import WORKS, label
@@ -178,16 +178,6 @@ def test_the_line_on_the_evidence_claims_what_is_recorded(sources: dict[str, str
     ]
     found = coverage(list(agreed["entries"].values()))
     assert [found[name] for name in ("formulas", "certified", "least", "root", "integral")] == [2, 1, 31, 0, 0]
-
-
-def test_kinds_of_evidence() -> None:
-    kinds = [
-        "mpmath quadrature of the defining integral",
-        "Arb balls of both sides",
-        "dimension of every term",
-        "w(a) = d - f(a)",
-    ]
-    assert [kind_of(text) for text in kinds] == ["quadrature", "enclosure", "units", "identity"]
 
 
 @pytest.mark.parametrize("name", ["cone", "rounded_punch", "concave_paraboloid", "sphere_tipped_cone", "flat_punch"])

@@ -188,9 +188,18 @@ def test_the_study_page_is_closed_in_itself(site: dict[str, str]) -> None:
     assert 'href="study.html"' in site["index.html"]
 
 
-def test_a_ruled_formula_shows_its_error_against_time(site: dict[str, str]) -> None:
-    assert {"about.timing", "error.rounded_punch.p"} <= set(Page(site["rounded_punch.html"]).ids)
-    assert "about.timing" not in site["loads.power.html"]
+def test_a_page_leads_to_the_errors_of_its_formulas_against_time(site: dict[str, str]) -> None:
+    page = Page(site["rounded_punch.html"])
+    measured = {row["key"] for row in STUDIES["error"]["rows"] if row["key"].startswith("rounded_punch.")}
+    assert {address for address in page.addresses if "#error." in address} == {
+        f"study.html#error.{k}" for k in measured
+    }
+    assert "about.timing" in page.ids
+    assert "about.timing" not in Page(site["loads.power.html"]).ids
+
+
+def test_a_formula_without_a_certificate_says_why(site: dict[str, str]) -> None:
+    assert "not certified: rounded_punch.ad is the root of an equation" in _row(site["rounded_punch.html"], "ad")
 
 
 def test_frames_without_a_body_are_drawn(site: dict[str, str]) -> None:
@@ -213,21 +222,6 @@ def test_every_extreme_case_has_an_address(site: dict[str, str]) -> None:
     assert len(addresses) == len(rows)
     assert {f"#{name}" for name in addresses} <= set(page.addresses)
     assert all(re.fullmatch(r"[\w.-]+", name) for name in addresses), addresses
-
-
-def test_the_evidence_stands_by_column_with_addresses(site: dict[str, str], models: Any) -> None:
-    for name in SAMPLE:
-        page, shown = Page(site[f"{name}.html"]), models[name]["evidence"]
-        suffixes = [line["suffix"] for part in ("table", "grid") for line in shown[part]]
-        assert [i for i in page.ids if i.startswith("evidence.")] == [f"evidence.{suffix}" for suffix in suffixes]
-        assert shown["heads"]
-        assert {f"column.{head.replace(' ', '-')}" for head in shown["heads"]} <= set(page.ids)
-    table = site["rounded_punch.html"].partition('class="evidence"')[2].partition("</table>")[0]
-    heads = re.findall(r'id="column\.([\w-]+)"', table)
-    cells = re.findall(r"<td>(.*?)</td>", table.partition('id="evidence.p"')[2].partition("</tr>")[0])
-    assert len(heads) == len(cells) == 9
-    worst = record("rounded_punch")["evidence"]["evaluation"]["p"]["bench"]["worst_ulp"]
-    assert f"{worst:.2g}" in cells[heads.index("error")]
 
 
 def test_graded_plots_stand_with_the_graded_contact(models: Any) -> None:

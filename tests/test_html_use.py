@@ -242,8 +242,8 @@ def test_an_address_opens_the_section_it_lies_in(opened: tuple[Chromium, str]) -
         browser.value(f"{address}.click()")
         assert browser.value(soon.format(seen.format("tan.F")))
         browser.value("document.getElementById('about.tangential').open = false")
-    browser.value("location.hash = '#evidence.p'")
-    assert browser.value(soon.format(seen.format("evidence.p")))
+    browser.value("location.hash = '#vis.step_mx'")
+    assert browser.value(soon.format(seen.format("vis.step_mx")))
 
 
 @needs_browser

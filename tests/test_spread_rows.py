@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 from stored_book import evidence, stored
 
-from axiderive.book.evidence import evidence_rows
 from axiderive.figures.given import axes_of
 from axiderive.figures.plots import frames
 from axiderive.physics.systems import problem
@@ -22,6 +21,7 @@ from axiderive.rows.approaches import Rows
 from axiderive.rows.blocks import blocks, every
 from axiderive.rows.laws import power_of_depth, universal_rows
 from axiderive.rows.limits import limit_rows
+from axiderive.web.page import measured
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]
 
@@ -97,25 +97,21 @@ def test_further_rows_stand_in_their_blocks() -> None:
     ]
 
 
-def test_measured_errors_stand_beside_the_evidence() -> None:
-    entries, record = stored("rounded_punch"), evidence("rounded_punch")
+def test_measured_errors_in_words() -> None:
     errors = {"points": 30, "worst_ulp": 3.5, "share_above_5": 0.0, "lost": 0}
-    measured = {
-        "p": {"form": "rule", "nodes": [24, 32], "bench": errors | {"naive": errors | {"worst_ulp": 1.6e17}},
-              "extreme": {"points": 19, "lost": 19, "share_above_5": 1.0}},
-        "F": {"form": "kernel", "nodes": [], "bench": errors | {"naive": errors | {"worst_ulp": 3.9e9, "lost": 2}},
-              "extreme": {"points": 0}},
-    }  # fmt: skip
-    rows = {
-        row["suffix"]: row
-        for row in evidence_rows(
-            "rounded_punch", {"rounded_punch": entries}, {"rounded_punch": record | {"evaluation": measured}}
-        )["table"]
-    }
-    assert rows["p"]["evaluation"] == ["Gauss rule, 24, 32 nodes", r"$3.5$\,/\,30", "all 19 lost", "no digit"]
-    assert rows["F"]["evaluation"] == ["special function", r"$3.5$\,/\,30", "--", r"$3.9\times10^{9}$\,/\,30 (2 lost)"]
-    assert (rows["p"]["ruled"], rows["F"]["ruled"], rows["d"]["ruled"]) == (True, False, False)
-    assert rows["d"]["evaluation"] == []
+    ruled = {"form": "rule", "nodes": [24, 32], "bench": errors | {"naive": errors | {"worst_ulp": 1.6e17}},
+             "extreme": {"points": 19, "lost": 19, "share_above_5": 1.0}}  # fmt: skip
+    plain = {"form": "kernel", "nodes": [], "bench": errors | {"naive": errors | {"worst_ulp": 3.9e9, "lost": 2}},
+             "extreme": {"points": 0}}  # fmt: skip
+    assert measured(ruled) == (
+        "evaluation by Gauss rule, 24, 32 nodes; error $3.5$ ulp at 30 points, at extreme lengths all 19 lost,"
+        " of the formula as printed no digit"
+    )
+    assert measured(plain) == (
+        "evaluation by special function; error $3.5$ ulp at 30 points,"
+        r" of the formula as printed $3.9\times10^{9}$ ulp at 30 points (2 lost)"
+    )
+    assert measured({}) == ""
 
 
 PAIR = re.compile(r"\(([-\d.e]+),([-\d.e]+)\)")
@@ -157,17 +153,3 @@ def test_the_displacement_beside_a_graded_punch_is_that_of_its_formula() -> None
     for r in plain.keys() - {1.0}:
         assert plain[r] == pytest.approx(2 / math.pi * math.asin(1 / r), rel=1e-3)
         assert softer[r] < plain[r]
-
-
-def test_evidence_has_columns_for_what_was_found_and_a_residual_in_every_cell() -> None:
-    """A residual of nothing is a nought and no empty place; several identities have the worst of theirs."""
-    flat = evidence_rows("flat_punch", {"flat_punch": stored("flat_punch")}, {"flat_punch": evidence("flat_punch")})
-    assert flat["heads"] == ["defining integral", "ball arithmetic", "identities", "units"]
-    assert {row["suffix"]: row["cells"][2] for row in flat["table"]}["k"] == r"50\,/\,2\enspace$0$"
-    wedge = evidence_rows(
-        "plane.wedge", {"plane.wedge": stored("plane.wedge")}, {"plane.wedge": evidence("plane.wedge")}
-    )
-    assert wedge["heads"] == ["defining integral", "identities", "units"]
-    cells = {row["suffix"]: row["cells"] for row in wedge["table"]}
-    found = [check for check in evidence("plane.wedge")["entries"]["p"]["checks"] if "singular" in check["compared"]]
-    assert cells["p"][1] == rf"40\,/\,8\enspace${found[0]['worst'].replace('e-', chr(92) + 'times10^{-')}}}$"

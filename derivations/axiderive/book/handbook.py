@@ -17,7 +17,7 @@ from .. import __version__
 from ..entry import Entry
 from ..figures.axes import drawn, printed
 from ..figures.tikz import tikz
-from ..physics.systems import pool_of, profile_ids
+from ..physics.systems import profile_ids
 from ..print.box import width
 from ..rows import special
 from . import book, references, spread
@@ -71,18 +71,6 @@ def page_models(derived: Derived, evidence: Mapping[str, Any]) -> dict[str, Mode
     """
     ids = [i for i in profile_ids() if any(p.key in derived for p in spread.problems_of(i))]
     return {i: spread.model(i, derived, evidence, number) for i, number in numbered(ids).items()}
-
-
-def ruled(model: Model) -> list[str]:
-    """Keys that the catalogue evaluates by a quadrature rule or may, of a force that of F(d).
-
-    What evaluates the fields of a graded or a plane contact is not recorded with its formulas.
-    """
-    suffixes = [row["suffix"] for row in model["evidence"]["table"] if row["ruled"]]
-    found = [suffix for suffix in ("p", "w") if suffix in suffixes] + (["Fd"] if "F" in suffixes else [])
-    graded = [f"fgm.{suffix}" for suffix in ("p", "w")]
-    plane = ["p"] if pool_of(model["name"]).strip else []
-    return [f"{model['name']}.{suffix}" for suffix in (*found, *graded, *plane)]
 
 
 def approached(model: Model, system: str) -> list[dict[str, Any]]:

@@ -63,9 +63,6 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
         "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
         "blocks": shown,
-        "evidence": proven.evidence_rows(profile_id, own, evidence),
-        "uncertified": proven.missing_certificates(profile_id, own, evidence),
-        "settings": next((record["settings"] for record in evidence.values() if record.get("settings")), {}),
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
         "shown": [end for row in printed for end in (row["suffix"], *row["also"])],
@@ -96,7 +93,7 @@ def _equations(own: Mapping[str, Entries]) -> list[str]:
 NOTHING: dict[str, Any] = {
     **dict.fromkeys(("worked", "picture", "checks", "stress")),
     **dict.fromkeys(("plots", "curves", "axes", "graded"), ()),
-    **{"loaded": False, "complete": False, "derivation": ""},
+    **{"loaded": False, "derivation": ""},
 }
 
 
@@ -130,5 +127,4 @@ def _figures(profile_id: str, profile: Profile, main: Entries, derived: Mapping[
         "picture": sketch(profile, rough, force, place),
         "plots": plots(profile, rough),
         "checks": page.check_table(profile, exact),
-        "complete": profile.complete,
     }

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ..book.evidence import power_of_ten
 from ..book.page import Calls, Signatures, assigned, called, examples, imported, signatures
 from ..book.spread import problems_of
 from ..entry import Entry
@@ -66,25 +67,28 @@ class Known:
     """What the rows of one problem are completed with."""
 
     problem: Problem
-    records: Evidence
-    agreed: Mapping[str, Any]
-    """Digits and points by the end of the key."""
+    evidence: Evidence
+    """What was found about them: `entries` and `evaluation`, by suffix."""
     functions: Signatures
     values: Calls
 
     def formula(self, entry: Entry) -> Formula:
         """One formula with its evidence in words and its call in Python."""
-        suffix, record = ending(entry, self.problem.profile_id), self.records.get(entry.suffix, {})
+        suffix = ending(entry, self.problem.profile_id)
         lines = imported(self.problem), assigned(entry, self.values), called(self.problem, entry, self.functions)
         python = "\n\n".join(lines)
-        certified = bool(record.get("certified"))
-        if suffix not in self.agreed:
-            return Formula(suffix, certified, "not verified in this edition", [], python)
-        short, agreed = "certified" if certified else "no exact certificate", self.agreed[suffix]
-        if agreed["digits"] != "--":
-            short += f"; {agreed['digits']} digits at {agreed['count']} points"
-        measured = _measured(agreed["evaluation"])
-        return Formula(suffix, certified, short, record.get("summary", "").split("; "), python, measured)
+        record = self.evidence.get("entries", {}).get(entry.suffix)
+        if record is None:
+            return Formula(suffix, False, "not verified in this edition", [], python)
+        short = "certified" if record["certified"] else "no exact certificate"
+        if agreed := [check for check in record["checks"] if check["outcome"] == "passed" and check.get("digits")]:
+            digits, count = min(check["digits"] for check in agreed), sum(check["count"] for check in agreed)
+            short += f"; {digits} digits at {count} points"
+        first, *others = record.get("summary", "").split("; ")
+        if reason := "" if record["certified"] else record.get("certificate", {}).get("reason", ""):
+            first += f": {reason}"
+        errors = measured(self.evidence.get("evaluation", {}).get(entry.suffix, {}))
+        return Formula(suffix, record["certified"], short, [first, *others], python, errors)
 
     def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> dict[str, Any]:
         """A row as the page shows it, its formulas ready for KaTeX, from what `rows.blocks.told` says of it."""
@@ -95,23 +99,36 @@ class Known:
         return {**one, "regions": regions, "note": prose(own[0].note), "entries": list(map(self.formula, own))}
 
 
-def _measured(evaluation: Sequence[str]) -> str:
-    """The cells of the evidence table of the book as words; none where nothing was measured."""
-    if not evaluation:
+FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}
+"""How a function of the catalogue evaluates its formula."""
+
+
+def measured(found: Mapping[str, Any]) -> str:
+    """The way of evaluation and the worst errors in ulps: at usual lengths, at extreme ones, of the printed formula."""
+    if not found:
         return ""
-    form, *errors = evaluation
-    places = ("error ", "at extreme lengths ", "of the formula as printed ")
-    shown = [where + _in_ulp(error) for where, error in zip(places, errors, strict=True) if error != "--"]
-    return ("" if form == "--" else f"evaluation by {form}; ") + (", ".join(shown) or "error not measured")
+    # bodies that rest on another module have no form of their own
+    nodes = ", ".join(str(count) for count in found.get("nodes", ()))
+    form = FORMS.get(found.get("form", ""), "") + (f", {nodes} nodes" if nodes else "")
+    usual, extreme = found["bench"], found["extreme"]
+    places = {"error": usual, "at extreme lengths": extreme, "of the formula as printed": usual.get("naive", {})}
+    shown = ", ".join(f"{where} {_ulps(one)}" for where, one in places.items() if one.get("points"))
+    return (f"evaluation by {form}; " if form else "") + (shown or "error not measured")
 
 
-def _in_ulp(cell: str) -> str:
-    """1.4 / 30 (2 lost) with the words the head of the table has."""
-    worst, of, points = cell.partition(r"\,/\,")
-    if not of:
-        return cell
-    count, _, lost = points.partition(" ")
-    return f"{worst} ulp at {count} points {lost}".rstrip()
+NO_DIGIT = 2.0**52
+"""Units in the last place from which no digit is right."""
+
+
+def _ulps(found: Mapping[str, Any]) -> str:
+    """The worst error and at how many points, those lost as NaN or infinite in brackets."""
+    if found.get("worst_ulp", 0.0) >= NO_DIGIT:
+        return "no digit"
+    if "worst_ulp" not in found:
+        return f"all {found['lost']} lost"
+    lost = f" ({found['lost']} lost)" if found["lost"] else ""
+    worst = power_of_ten(f"{found['worst_ulp']:.2g}")
+    return f"${worst}$ ulp at {found['points']} points{lost}"
 
 
 TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
@@ -137,7 +154,6 @@ def _apart(rows: list[Further]) -> list[Further]:
 
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
     """The model of the printed spread, with the rows the web page shows in place of its blocks."""
-    agreed = {line["suffix"]: line for part in ("table", "grid") for line in model["evidence"][part]}
     problems = {problem.system.name: problem for problem in problems_of(model["name"])}
     sections, pictures = [], figures(model)
     for name, block in model["blocks"].items():
@@ -147,9 +163,8 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
             continue
         problem = problems[name]
         title, note = heading(problem.system, derived[problem.key])
-        records = evidence.get(problem.key, {}).get("entries", {})
         source = modules[problem.module]
-        known = Known(problem, records, agreed, signatures(source), examples(source))
+        known = Known(problem, evidence.get(problem.key, {}), signatures(source), examples(source))
         entries = {entry.key: entry for entry in derived[problem.key].values()}
         further = _apart([_further(one, model["name"]) for one in block.approached])
         shown = [known.row(one, entries) for one in model["rows"][name]]

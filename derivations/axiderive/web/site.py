@@ -15,7 +15,7 @@ from markupsafe import Markup, escape
 
 from ..book import book
 from ..book.evidence import LEFT_OUT, LEGEND
-from ..book.handbook import Model, page_models, ruled
+from ..book.handbook import Model, page_models
 from ..code.python import package_sources
 from ..physics.systems import SYSTEMS, pool_of
 from ..profiles.pools import ROUND
@@ -67,12 +67,12 @@ def html_sources(
     equations = frozenset(row["name"] for row in chapter11["rows"]) if chapter11 else frozenset()
     site = Site(frozenset(ids), keys, equations, bool(studies))
     front = book.model(list(models.values()), chapter11, studies)
-    measured = (studies or {}).get("error")
+    measured = {panel.key for panel in front["studies"]["error"].panels} if front["studies"]["error"] else set()
     files = {}
     for i in ids:
-        timing = study.timing(measured, ruled(models[i])) if measured else None
         shown = page(models[i], derived, evidence, modules)
-        files[f"{i}.html"] = site.render("page", shown | {"timing": timing, "has_shape": has_shape(shown)}, i)
+        timed = [key for key in shown["keys"] if key in measured]
+        files[f"{i}.html"] = site.render("page", shown | {"timed": timed, "has_shape": has_shape(shown)}, i)
     kinds = [(title, [_cells(member["name"], models) for member in members]) for title, _, members in front["kinds"]]
     matrix = {"columns": COLUMNS, "rows": kinds, "legend": LEGEND}
     files["index.html"] = site.render("index", front | matrix | home(front, models))

@@ -2,30 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from ..book.study import error, maps
-from ..book.study import timing as of_profile
 from ..figures.svg import Picture, svg
 from ..print.words import escaped
 from .words import slug
 
 UNIT = 8.0
 """SVG units to a millimetre."""
-
-
-def timing(record: Mapping[str, Any], keys: Sequence[str]) -> dict[str, Any] | None:
-    """Error against run time of these keys for the page of their profile; None if none was measured."""
-    found = of_profile.timing(record, keys)
-    if found is None:
-        return None
-    panels = [_panel(one, strip.figure) for strip in found.strips for one in strip.figure.panels]
-    return {
-        "panels": panels,
-        "methods": found.methods,
-        "sentences": [s for strip in found.strips for s in strip.sentences],
-    }
 
 
 def _panel(panel: error.Panel, whole: error.Figure) -> Picture:

@@ -17,42 +17,25 @@ NAMES = "run time over that of the function", "worst relative error"
 LOWEST = -16
 
 
-@dataclass(frozen=True)
-class Words:
-    """A method: below the panels of the study, below those of a profile's page, and in a sentence there."""
-
-    study: str
-    page: str = ""
-    sentence: str = ""
-
-
-PRINTED = "the printed formula through NumPy"
-DIGITS = "mpmath"
-"""Shown on the page of a profile where it is the only other way: of a contact that is drawn there alone."""
-ADAPTIVE = "adaptive quadrature"
-ROOTED = f"{ADAPTIVE} and root finding"
 METHODS = {
-    "emitted": Words("the function of this catalogue", "the function of the catalogue"),
-    "lambdify": Words(PRINTED, PRINTED, PRINTED),
-    "generated rule": Words("a generated rule of $N$ nodes", "its rule at every point, {} nodes"),
-    "Gauss-Jacobi": Words("Gauss--Jacobi rule for the defining integral",
-                          "Gauss--Jacobi rule for the integral, {} nodes", "the Gauss--Jacobi rule of {} nodes"),
-    "quad": Words(f"{ADAPTIVE} in double precision", ADAPTIVE, ADAPTIVE),
-    DIGITS: Words(f"{ADAPTIVE} in many digits", f"{ADAPTIVE} in {{}} digits", f"{ADAPTIVE} in {{}} digits"),
-    "quad, substituted": Words(f"{ADAPTIVE}, singularities substituted away"),
-    "mpmath, substituted": Words("the same in many digits"),
-    "trapezoid MDR": Words("dimensionality reduction by the trapezoidal rule", "trapezoidal rule, {} intervals",
-                           "the trapezoidal rule on {} intervals"),
-    "FFT MDR": Words("dimensionality reduction on a grid by FFT"),
-    "quad and root": Words(ROOTED, ROOTED, f"{ADAPTIVE} with root finding"),
-    "quad, weighted": Words(f"{ADAPTIVE}, singular weight"),
-    "table": Words("interpolation in a table"),
-    "BEM": Words("boundary elements"),
-}  # fmt: skip
+    "emitted": "the function of this catalogue",
+    "lambdify": "the printed formula through NumPy",
+    "generated rule": "a generated rule of $N$ nodes",
+    "Gauss-Jacobi": "Gauss--Jacobi rule for the defining integral",
+    "quad": "adaptive quadrature in double precision",
+    "mpmath": "adaptive quadrature in many digits",
+    "quad, substituted": "adaptive quadrature, singularities substituted away",
+    "mpmath, substituted": "the same in many digits",
+    "trapezoid MDR": "dimensionality reduction by the trapezoidal rule",
+    "FFT MDR": "dimensionality reduction on a grid by FFT",
+    "quad and root": "adaptive quadrature and root finding",
+    "quad, weighted": "adaptive quadrature, singular weight",
+    "table": "interpolation in a table",
+    "BEM": "boundary elements",
+}
+"""What the methods are, below the panels."""
 OWN = ("emitted", "generated rule")
 """Methods of the catalogue, drawn in colour."""
-FEW = frozenset(name for name, words in METHODS.items() if words.page and name != DIGITS)
-"""Methods that the page of a profile shows."""
 FLOOR = 2.0**-53
 """Errors below the rounding of a double count as that."""
 
@@ -148,49 +131,23 @@ def plots(record: Mapping[str, Any]) -> Plots:
     return found
 
 
-def lettered(found: Plots) -> dict[str, str]:
-    """Letters of the methods in the order in which they come."""
-    methods = dict.fromkeys(method for plot in found.values() for method in plot)
-    return {method: chr(ord("a") + i) for i, method in enumerate(methods)}
-
-
 def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
-    """The panels in the order of the record; those of few methods stand with their profiles."""
+    """The panels in the order of the record, with the words of the methods in that of their letters."""
     found = plots(record)
-    problems = widely_measured(found)
-    shown = {key: plot for key, plot in found.items() if problem_of(key) in problems}
-    return drawn(shown, lettered(found), keys, WIDTH, HEIGHT)
-
-
-def problem_of(key: str) -> str:
-    """The key of the problem in the key of a formula: `cone` of `cone.p`, `cone.adh` of `cone.adh.F`."""
-    return key.rpartition(".")[0]
-
-
-def widely_measured(found: Plots) -> set[str]:
-    """The problems of which more methods were measured than the pages of profiles show."""
-    return {problem_of(key) for key, plot in found.items() if set(plot) - FEW - {DIGITS}}
-
-
-def drawn(found: Plots, letters: Mapping[str, str], keys: frozenset[str], width: float, height: float) -> Figure:
-    """Panels in one frame, with the words of the methods in them."""
+    methods = dict.fromkeys(method for plot in found.values() for method in plot)
+    letters = {method: chr(ord("a") + i) for i, method in enumerate(methods)}
     ratios = [x for plot in found.values() for points in plot.values() for x, _ in points]
     first, last = math.floor(math.log10(min(ratios))), math.ceil(math.log10(max(ratios)))
-    scale = Scale(first, last, width, height)
+    scale = Scale(first, last, WIDTH, HEIGHT)
     panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in found.items())
-    shown = {method for plot in found.values() for method in plot}
     step = max(1, math.ceil((last - first) / 5))
     return Figure(
         panels,
-        tuple(
-            (letter, METHODS.get(method, Words(escaped(method))).study)
-            for method, letter in letters.items()
-            if method in shown
-        ),
+        tuple((letter, METHODS.get(method, escaped(method))) for method, letter in letters.items()),
         tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
         tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
-        width,
-        height,
+        WIDTH,
+        HEIGHT,
     )
 
 
