@@ -29,7 +29,7 @@ from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate, certify_profile
 from . import undetermined
-from .definition import Definition, Numeric
+from .definition import Numeric, definition, quantity
 from .names import ExpressionError
 from .profile import OwnProfile
 from .undetermined import NotSolvableError
@@ -277,7 +277,7 @@ def points(
 def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Comparison, ...]:
     """Formulas against the definition; an integral over the profile is its definition, its rule is measured instead."""
     profile, entries = derived.profile, derived.entries
-    definition, found = Definition(profile, known, DIGITS), []
+    own, found = definition(profile, known, DIGITS), []
     for suffix, radius, at in points(profile, known):
         entry = entries[suffix]
         over_growth = suffix == "p" and entry.status == "integral" and derived.route is Route.COEFFICIENTS
@@ -285,7 +285,7 @@ def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Co
             continue
         place = {} if at is None else {r: at}
         here = environment(known) | {a: radius} | place
-        expr, wanted = case_at(entry, here).expr, definition.quantity(suffix, radius, at)
+        expr, wanted = case_at(entry, here).expr, quantity(own, profile, suffix, radius, at)
         with mp.workdps(DIGITS + 5):
             value = mp.mpf(str(number(expr, here))) if over_growth else evaluate(expr, here, DIGITS + 5)
             residual = abs(value / wanted - 1) if wanted else abs(value)

@@ -8,43 +8,31 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import mpmath as mp
 import numpy as np
 import sympy as sp
-from flint import acb, arb, ctx
 from sympy.printing.numpy import NumPyPrinter
 
-from ..notation import r
-from ..oracle.rules import middle
-from ..oracle.shape import number
+from ..notation import E_star, r
+from ..oracle.half_space import HalfSpace
+from ..oracle.integrals import Homogeneous, kernel
+from ..oracle.shape import Number, Shape, Stretch, number
 from ..physics.general import Layer, beyond, excess, layers, steepness
 from ..profiles.profile import Profile
 
-GUARD = 15
-Number = Any
+GUARD = 25
+"""Digits beyond those asked for: a root of the distance to a break has half of those of the radius."""
 Function = Callable[[Number], Number]
-
-
-def _ball(x: Number) -> Any:
-    sign, mantissa, exponent, _ = x._mpf_
-    return arb((-int(mantissa) if sign else int(mantissa), int(exponent)))
-
-
-def kernel(s: Number, r: Number, a: Number) -> Number:
-    """int dt/sqrt((t**2 - s**2) (t**2 - r**2)) from max(s, r) to a, by Carlson's R_F as Arb has it."""
-    large, small = max(s, r), min(s, r)
-    with ctx.workprec(mp.mp.prec):
-        m, low, end = _ball(large), _ball(small), _ball(a)
-        gap, rest = (m - low) * (m + low), (end - m) * (end + m)
-        return middle((acb.elliptic_rf(gap / rest, gap / rest + gap / (m * m), gap / rest + 1) / m).real)
 
 
 def _flattening(function: Function) -> int:
     """The m with which x = v**m takes away the singularity of a function that falls as a power of x."""
     tiny = mp.mpf(10) ** -30
-    exponent = mp.log(abs(function(2 * tiny) / function(tiny)), 2) if function(tiny) else mp.mpf(0)
+    near, far = function(tiny), function(2 * tiny)
+    exponent = mp.log(abs(far / near), 2) if near and far else mp.mpf(0)
     return int(mp.ceil(1 / (1 + exponent) - mp.mpf("1e-9"))) if -1 < exponent < 0 else 1
 
 
@@ -58,83 +46,90 @@ def _over(f: Function, length: Number, power: int, ends: list[Any], method: str 
     return length * size * mp.quad(scaled, ends, method=method)
 
 
-class Definition:
-    """(11.29), (11.20), (11.23), (11.26) with the order of iterated integrals exchanged, E_star = 1."""
+@dataclass(frozen=True)
+class Definition(Homogeneous):
+    """The integrals of a profile that may be singular at its tip and at every break, by a rule that can be so there."""
 
-    def __init__(self, profile: Profile, values: Mapping[sp.Symbol, sp.Expr], digits: int = 20) -> None:
-        self.digits, self.exact = digits, dict(values)
-        with self._precision():
-            self.breaks = [number(b.xreplace(self.exact)) for b in profile.breaks]
-            slopes = [sp.diff(piece.expr, r) for piece in profile.pieces]
-            bends = [slope + r * sp.diff(slope, r) for slope in slopes]
-            starts = (sp.S.Zero, *profile.breaks)
-            self.slopes = [self._function(slope, b) for slope, b in zip(slopes, starts, strict=True)]
-            self.entire = [slope.is_polynomial(r) for slope in slopes]
-            self.bends = [self._function(bend, b) for bend, b in zip(bends, starts, strict=True)]
+    depths: dict[Number, Number] = field(default_factory=dict)
 
-    def _precision(self) -> Any:
-        return mp.workdps(self.digits + GUARD)
+    def depth(self, a: Number) -> Number:
+        """g(a), which is asked for again and again."""
+        if a not in self.depths:
+            self.depths[a] = super().depth(a)
+        return self.depths[a]
 
-    def _function(self, expr: sp.Expr, start: sp.Expr) -> Function:
-        """As a function of r - start, which is positive."""
-        function: Function = sp.lambdify(excess, beyond(expr, start).xreplace(self.exact), "mpmath")
-        return function
-
-    def _pieces(self, a: Number) -> list[tuple[int, Number, Number]]:
-        ends = [mp.mpf(0), *self.breaks, mp.inf]
-        found = [(i, low, min(high, a)) for i, (low, high) in enumerate(itertools.pairwise(ends))]
-        return [(i, low, high) for i, low, high in found if low < high]
-
-    def _over_angle(self, a: Number, weight: Callable[[Number, Number], Number]) -> Number:
+    def _over_angle(
+        self, a: Number, weighted: Callable[[Stretch, Number, Number], Number], extra: tuple[complex, ...]
+    ) -> Number:
         total = mp.mpf(0)
-        for i, low, high in self._pieces(a):
-            slope = self.slopes[i]
-            start, stop = (mp.asin(x / a) for x in (low, high))
-            # without a singularity anywhere Gauss needs a fifth of the nodes of tanh-sinh
-            method = "gauss-legendre" if self.entire[i] else "tanh-sinh"
-            ends, power = ([0, 1], 1) if self.entire[i] else (mp.linspace(0, 1, 4), _flattening(slope))
+        with mp.workdps(self.digits + GUARD):
+            for piece in self.shape.stretches:
+                start, stop = (mp.asin(min(x / a, 1)) for x in (piece.lo, piece.hi))
 
-            def over(u: Number, slope: Function = slope, start: Number = start) -> Number:
-                past = 2 * a * mp.cos(start + u / 2) * mp.sin(u / 2)
-                return slope(past) * weight(a * mp.sin(start + u), a * mp.cos(start + u))
+                def over(u: Number, piece: Stretch = piece, start: Number = start) -> Number:
+                    return weighted(piece, a * mp.sin(start + u), a * mp.cos(start + u))
 
-            total += _over(over, stop - start, power, ends, method)
+                if stop > start and piece.singular:
+                    total += _over(over, stop - start, _flattening(over), mp.linspace(0, 1, 4))
+                elif stop > start:
+                    # without a singularity anywhere Gauss needs a fifth of the nodes of tanh-sinh
+                    total += _over(over, stop - start, 1, [0, 1], "gauss-legendre")
         return total
 
-    def quantity(self, suffix: str, a: float, at: float | None = None) -> Number:
-        """d, F, p or w at a contact radius and, for the fields, at a radius."""
-        with self._precision():
-            radius, place = mp.mpf(a), None if at is None else mp.mpf(at)
-            quantities: dict[str, Callable[[], Number]] = {
-                "d": lambda: radius * self._over_angle(radius, lambda s, z: 1),
-                "F": lambda: 2 * self._over_angle(radius, lambda s, z: s * s),
-                "p": lambda: self._pressure(radius, place),
-                "w": lambda: self._displacement(radius, place),
-            }
-            return quantities[suffix]()
+    def _pressure_piece(self, piece: Stretch, a: Number, r: Number) -> Number:
+        total, low, high = mp.mpf(0), piece.lo, min(piece.hi, a)
+        with mp.workdps(self.digits + GUARD):
+            for start, stop in itertools.pairwise(
+                [low, r, high] if low < r < high else [low, high][: 2 * (low < high)]
+            ):
 
-    def _pressure(self, a: Number, at: Number) -> Number:
-        total = mp.mpf(0)
-        for i, low, high in self._pieces(a):
-            ends = [low, at, high] if low < at < high else [low, high]
-            for start, stop in itertools.pairwise(ends):
+                def over(x: Number, start: Number = start) -> Number:
+                    return piece.bend(start + x) * kernel(start + x, r, a)
 
-                def over(x: Number, bend: Function = self.bends[i], low: Number = low, start: Number = start) -> Number:
-                    return bend(start - low + x) * kernel(start + x, at, a)
-
-                power = 1 if start > low or self.entire[i] else _flattening(self.bends[i])
+                power = _flattening(over) if piece.singular and start == low else 1
                 total += _over(over, stop - start, power, [0, 0.5, 1])
-        below = mp.mpf(0)
-        for i, b in enumerate(self.breaks):
-            if b < a:
-                total += b * (self.slopes[i + 1](mp.mpf(0)) - self.slopes[i](b - below)) * kernel(b, at, a)
-            below = b
-        return total / mp.pi
+        return total
 
-    def _displacement(self, a: Number, at: Number) -> Number:
-        q = mp.sqrt((at - a) * (at + a))
-        inclination = mp.asin(a / at)
-        return 2 / mp.pi * self._over_angle(a, lambda s, z: a * inclination - z * mp.atan(z / q))
+
+def definition(profile: Profile, values: Mapping[sp.Symbol, sp.Expr], digits: int = 20) -> Definition:
+    """The integrals of a profile, at these values of its parameters."""
+
+    def function(expr: sp.Expr, start: sp.Expr) -> Function:
+        """Of r, by what it is in r - start, which is positive."""
+        own = sp.lambdify(excess, beyond(expr, start).xreplace(dict(values)), "mpmath")
+        low = number(start.xreplace(dict(values)))
+        return lambda s: own(max(s - low, s * mp.eps))
+
+    with mp.workdps(digits + GUARD):
+        starts = (sp.S.Zero, *profile.breaks)
+        ends = [*(number(b.xreplace(dict(values))) for b in starts), mp.inf]
+        stretches = []
+        for piece, start, low, high in zip(profile.pieces, starts, ends, ends[1:], strict=False):
+            slope = sp.diff(piece.expr, r)
+            height, inclination, bend = (function(e, start) for e in (piece.expr, slope, slope + r * sp.diff(slope, r)))
+            singular = () if slope.is_polynomial(r) else (complex(low),)
+            stretches.append(Stretch(low, high, height, inclination, bend, singular, bend, np.inf))
+        pairs = itertools.pairwise(stretches)
+        kinks = tuple((own.lo, own.slope(own.lo) - below.slope(own.lo)) for below, own in pairs)
+    return Definition(Shape(tuple(stretches), kinks), mp.mpf(0), digits)
+
+
+@dataclass(frozen=True)
+class Defined(HalfSpace):
+    """The homogeneous half-space under any profile that grows, also outside the normal form."""
+
+    integrals: Definition
+
+    def face(self, a: Number, digits: int | None = None) -> Definition:
+        """The integrals of the profile, whatever the radius."""
+        return self.integrals
+
+
+def quantity(own: Definition, profile: Profile, suffix: str, a: sp.Expr, at: sp.Expr | None = None) -> Number:
+    """d, F, p or w at a contact radius and, for the fields, at a radius, for E* = 1."""
+    with mp.workdps(own.digits + GUARD):
+        values = {E_star: mp.mpf(1), r: number(at or 0)}
+        return Defined(profile, values, own.digits, False, own).normal(suffix, number(a))
 
 
 Array = Any

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cache, cached_property
+from collections.abc import Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import mpmath as mp
@@ -16,7 +15,7 @@ from ..code import example
 from ..entry import Entry
 from ..exits import FAILED, CommandError
 from ..expression import ExpressionError
-from ..expression.definition import Definition, Numeric
+from ..expression.definition import Defined, Definition, Numeric, definition
 from ..expression.validity import examine
 from ..oracle.definitions import greatest
 from ..oracle.half_space import HalfSpace
@@ -95,48 +94,6 @@ def worked(contact: Contact) -> str:
     return f"Example: at {name} = {value:g} {UNITS[name]} it is {shown}."
 
 
-@dataclass(frozen=True)
-class Defined(HalfSpace):
-    """The homogeneous half-space under any profile that grows, also outside the normal form."""
-
-    over_modulus: Callable[..., Any]
-    """A quantity over E* at a contact radius, and a field at a radius, without an edge that is free."""
-
-    def _punch(self, a: Any, free_depth: Any) -> Any:
-        """How much deeper the flat punch of this radius is pressed."""
-        return mp.mpf(0) if free_depth is None else free_depth - self.depth(a)
-
-    def depth(self, a: Any) -> Any:
-        """g(a)."""
-        return self.over_modulus("d", a)
-
-    def force(self, a: Any, free_depth: Any = None) -> Any:
-        """F of a contact of radius a with the depth g(a), or with the free depth if one is given."""
-        return self.modulus * (self.over_modulus("F", a) + 2 * a * self._punch(a, free_depth))
-
-    def pressure(self, r: Any, a: Any, free_depth: Any = None) -> Any:
-        """p(r) for r < a."""
-        punch = self._punch(a, free_depth) / (mp.pi * mp.sqrt((a - r) * (a + r)))
-        return self.modulus * (self.over_modulus("p", a, r) + punch)
-
-    def displacement(self, r: Any, a: Any, free_depth: Any = None) -> Any:
-        """w(r) for r > a."""
-        return self.over_modulus("w", a, r) + 2 / mp.pi * mp.asin(a / r) * self._punch(a, free_depth)
-
-    def normal(self, suffix: str, a: Any, free_depth: Any = None) -> Any:
-        """d, F, pm, p, w or k, which is that of the flat punch."""
-        match suffix:
-            case "d":
-                return self.depth(a) if free_depth is None else free_depth
-            case "F" | "pm":
-                return self.force(a, free_depth) / (mp.pi * a**2 if suffix == "pm" else 1)
-            case "p":
-                return self.pressure(self.at(nt.r), a, free_depth)
-            case "w":
-                return self.displacement(self.at(nt.r), a, free_depth)
-        return 2 * self.modulus * a
-
-
 class Contact:
     """Numbers of one contact at frozen and chosen values."""
 
@@ -207,12 +164,11 @@ class Contact:
         values = {**known, **self.given(), **fields}
         if self.request.kind.graded or not self.compact:
             return HalfSpace(self.profile, values, digits, self.request.kind.graded)
-        return Defined(self.profile, values, digits, False, self._defined)
+        return Defined(self.profile, values, digits, False, self._definition)
 
     @cached_property
-    def _defined(self) -> Callable[..., Any]:
-        """A quantity over E* at a contact radius by the definition, each asked for once."""
-        return cache(Definition(self.profile, self.given(), DIGITS).quantity)
+    def _definition(self) -> Definition:
+        return definition(self.profile, self.given(), DIGITS)
 
     def load(self, suffix: str, a: float, digits: int = DIGITS, **places: float) -> Any:
         """A quantity at a contact radius, with adhesion where there is some."""
