@@ -6,7 +6,6 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -50,7 +49,7 @@ LATER = (0.4, 1.9)
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
 STEP = 1e-6
-"""Relative; the loads differ by its square, which 20 digits show."""
+"""Relative: of a radius next to another one."""
 NOTHING = 1e-14
 """Of the retraction: a depth that is none."""
 State = tuple[float, float, float]
@@ -271,8 +270,6 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
             return float(a), float(here.adhesive("F", a)), float(here.adhesive("d", a))
         known = contact.given()
         corner = next((b for s in contact.profile.breaks if abs(radius / (b := number(known[s])) - 1) < NEAR), None)
-        if contact.request.own is not None and not here.graded:
-            return _least(contact, here, control, radius, corner)
 
         def missing(scale: Any) -> Any:
             return mp.log(here.separation(control, radius * scale) / wanted)
@@ -283,19 +280,10 @@ def detached(contact: Contact, control: str, radius: float) -> State | None:
             at = mp.mpf(radius)
             return float(corner), float(here.adhesive("F", at)), float(here.adhesive("d", at))
         start = mp.mpf(1)
-        scale = mp.findroot(missing, (start, start * (1 + mp.mpf(10) ** -6)), solver="secant", tol=1e-30, verify=False)
-        return float(radius * scale), float(here.adhesive("F", radius * scale)), _depth(here, radius * scale)
-
-
-def _least(contact: Contact, here: HalfSpace, control: str, radius: float, corner: Any) -> State:
-    """The loads at a radius on both sides of which the one that is held is larger; NaN where it is not."""
-    held = "F" if control == "force" else "d"
-    place = radius if corner is None else float(corner)
-    below, least, above = (here.adhesive(held, mp.mpf(place * scale)) for scale in (1 - STEP, 1, 1 + STEP))
-    # a flat tip carries nothing at a smaller radius
-    turns = least < above and (contact.profile.truncated or least < below)
-    at = mp.mpf(radius)
-    return place if turns else math.nan, float(here.adhesive("F", at)), _depth(here, at)
+        scale = mp.findroot(missing, (start, start * (1 + mp.mpf(STEP))), solver="secant", tol=1e-30, verify=False)
+        # what is held is least there where the work of separation rises through that of the scene
+        place = radius * scale if missing(scale * (1 + STEP)) > 0 else mp.nan
+        return float(place), float(here.adhesive("F", radius * scale)), _depth(here, radius * scale)
 
 
 def _depth(here: HalfSpace, a: Any) -> float:
