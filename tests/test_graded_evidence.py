@@ -13,7 +13,7 @@ import sympy as sp
 from test_identities import SEED, TWICE, changed, failed
 
 from axiderive import notation as nt
-from axiderive.checks import identities, limits, rings
+from axiderive.checks import identities, rings
 from axiderive.checks import viscoelastic as convolution
 from axiderive.checks.comparison import Comparison
 from axiderive.entry import Entry
@@ -28,7 +28,7 @@ from axiderive.proof.rules import graded
 def at_zero(name: str, entries: dict[str, Entry]):
     profile = load(name)
     below = certificate.homogeneous_statements(profile)
-    return limits.homogeneous(Comparison(profile, entries, seed=SEED), normal.derive(profile), below)
+    return identities.homogeneous(Comparison(profile, entries, seed=SEED), normal.derive(profile), below)
 
 
 @pytest.mark.parametrize(("name", "integrals"), [("cone", ""), ("capped_paraboloid", "p w")])

@@ -9,7 +9,7 @@ import sympy as sp
 from selected import few
 
 from axiderive import notation as nt
-from axiderive.checks import identities, limits, superposed
+from axiderive.checks import identities, superposed
 from axiderive.checks.comparison import Comparison
 from axiderive.entry import Entry
 from axiderive.physics import adhesive, loads, normal, tangential, viscoelastic
@@ -75,8 +75,8 @@ def test_a_limit_to_the_wrong_profile_is_noticed() -> None:
     target = load("cone")
     (limit,) = profile.limits
     own, simpler = Comparison(profile, derive(profile), seed=SEED), derive(target)["F"]
-    assert limits.to_limit(own, "F", limit, target, simpler).passed
-    wrong = limits.to_limit(own, "F", limit, target, scaled(simpler))
+    assert identities.to_limit(own, "F", limit, target, simpler).passed
+    wrong = identities.to_limit(own, "F", limit, target, scaled(simpler))
     assert wrong.outcome == "failed"
 
 

@@ -11,7 +11,7 @@ from ..physics.medium import HOMOGENEOUS
 from ..physics.systems import Problem, System, on
 from ..profiles.loads import Load
 from ..proof.certificate import homogeneous_statements
-from . import enclosure, identities, limits, quadrature, strips, superposed, units
+from . import enclosure, identities, quadrature, strips, superposed, units
 from . import materials as constants
 from .comparison import Comparison, Evidence
 
@@ -65,4 +65,4 @@ def _identities(system: System, own: Comparison) -> list[Evidence]:
     if "p" in own.entries:
         found.append(identities.pressure_carried(own))
     simple, below = system.physics.derive(profile, HOMOGENEOUS), homogeneous_statements(profile)
-    return found + limits.homogeneous(own, simple, below)
+    return found + identities.homogeneous(own, simple, below)

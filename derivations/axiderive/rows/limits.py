@@ -86,7 +86,7 @@ def _named(profile: Profile, limit: Limit, target: Profile) -> Reduction:
 
 
 def _passed(evidence: Mapping[str, Any], entry: Entry, limit: Limit, key: str) -> bool:
-    """Whether the record holds the check of this limit, passed, as `checks.limits` names it."""
+    """Whether the record holds the check of this limit, passed, as `checks.identities` names it."""
     checks = evidence.get("entries", {}).get(entry.suffix, {}).get("checks", [])
     name = f"limit {limit.symbol} -> {limit.value}: {key}"
     return any(check["compared"] == name and check["outcome"] == "passed" for check in checks)
