@@ -13,8 +13,8 @@ import pytest
 
 from axiderive.abel import masters
 from axiderive.verifier.field import SLOPES, Element, Field
-from axiderive.verifier.problem import DEFINITIONS
 from axiderive.verifier.reading import definition, tree
+from axiderive.verifier.theory import THEORY, statements
 
 VALUES = {
     "a": "1.7",
@@ -111,8 +111,17 @@ def test_every_function_of_the_table_is_compared() -> None:
     assert {head for head in SLOPES if not any(f"{head}(" in formula for formula in FORMULAS)} <= {"tan"}
 
 
+def test_every_section_says_what_is_meant_and_what_is_shown() -> None:
+    for section in THEORY.sections.values():
+        assert section.all("defined"), section.suffix
+        assert section.all("show"), section.suffix
+        assert all(statements(text) for text in section.all("show")), section.suffix
+
+
 def test_definitions_are_told_apart() -> None:
-    texts = {text for known in DEFINITIONS.values() for text in known["definitions"]}
+    texts = {
+        text for section in THEORY.sections.values() for word in ("defined", "graded") for text in section.all(word)
+    }
     assert len({definition(text) for text in texts}) == len(texts) > 70
     assert all(definition(altered) != definition(text) for text in texts for altered in _altered(text))
 

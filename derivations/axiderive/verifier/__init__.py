@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from .problem import Problem
-from .rules import rule_of
+from .theory import THEORY
 
 
 def reasons(record: Mapping[str, Any], plain: Mapping[str, Any] | None = None) -> dict[str, str]:
@@ -19,11 +19,11 @@ def reasons(record: Mapping[str, Any], plain: Mapping[str, Any] | None = None) -
     plain : mapping, optional
         The same of the normal contact that an adhesive, tangential or viscoelastic problem rests on.
     """
-    problem = Problem(record, rule_of, Problem(plain, rule_of) if plain else None)
+    problem = Problem(record, Problem(plain) if plain else None)
     return {suffix: problem.prove(suffix) for suffix in problem.records}
 
 
 def rests_on(key: str) -> str:
     """The key of the normal contact below a problem: cone.fgm of cone.fgm.adh; empty where it rests on none."""
     below, _, group = key.rpartition(".")
-    return below if group in ("adh", "tan", "vis") else ""
+    return below if any(needs[-1] == "normal" and needs[0] == group for _, needs in THEORY.kinds) else ""

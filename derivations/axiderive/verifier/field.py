@@ -193,6 +193,12 @@ class Field:
                 return self.exp(self.read(inner, values))
             case ("Sum", term, ("Tuple", "j", 1, "N")):
                 return self.read(term, values)
+            case ("D", inner, str(name)):
+                return self.slope(self.read(inner, values), name)
+            case ("ratio", top, bottom):
+                return self.read(top, values) / self.read(bottom, values)
+            case ("Abs" | "sign" | "Max" as head, *_, inner) if head != "Max" or formula[1] == 0:
+                return self.signed(head, self.read(inner, values))
             case ("elliptic_e" | "elliptic_f" as head, ("asin", sine), parameter):
                 return self.function(head, self.read(sine, values), self.read(parameter, values))
             case ("Add" | "Mul" as head, *parts):
@@ -202,6 +208,14 @@ class Field:
                 return self.function(head, *(self.read(argument, values) for argument in arguments))
         message = f"{formula} is no formula"
         raise UnknownError(message)
+
+    def signed(self, head: str, x: Element) -> Element:
+        """Abs(x), sign(x) or Max(0, x); `UnknownError` if x is not shown to have one sign on the whole domain."""
+        sign = self.sign(x)
+        if sign is None:
+            message = f"the sign in {head} is not shown"
+            raise UnknownError(message)
+        return self.number(sign) if head == "sign" else x * sign if head == "Abs" or sign == 1 else self.number(0)
 
     # powers and logarithms, factor by factor
 

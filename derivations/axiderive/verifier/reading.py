@@ -11,6 +11,8 @@ from typing import Any
 
 Tree = Any
 """The name of a symbol, a number, or a tuple of a head and its arguments."""
+Chain = tuple[Tree, ...]
+"""Lengths in their order."""
 INFIX: dict[type, str] = {ast.Add: "Add", ast.Mult: "Mul", ast.Pow: "Pow"}
 ASSUMED = {"j": {"integer", "positive"}, "N": {"integer", "positive"},
            **dict.fromkeys(("e", "nu", "nu_1", "nu_2"), {"real"})}  # fmt: skip
@@ -55,6 +57,10 @@ def _tree(node: Any) -> Tree:
             ast.unparse(base) == "IndexedBase(Symbol('A'))" and _tree(inner) == "j"
         ):
             return "A_j"
+        case ast.Subscript(value=name, slice=ast.Tuple(elts=arguments)):
+            return (f"[{ast.unparse(name)}]", *map(_tree, arguments))
+        case ast.Subscript(value=name, slice=argument):
+            return (f"[{ast.unparse(name)}]", _tree(argument))
         case ast.Call(func=ast.Name(id=head), args=arguments):
             return (head, *map(_tree, arguments))
     message = f"{ast.unparse(node)[:40]} is no formula"
@@ -62,9 +68,10 @@ def _tree(node: Any) -> Tree:
 
 
 def put(formula: Tree, values: Mapping[str, Tree]) -> Tree:
-    """The tree with other trees for some symbols."""
+    """The tree with other trees for some symbols, and for functions trees in their argument x."""
     if isinstance(formula, tuple):
-        return (formula[0], *(put(part, values) for part in formula[1:]))
+        head, *parts = formula[0], *(put(part, values) for part in formula[1:])
+        return put(values[head], {"x": parts[0]}) if head in values else (head, *parts)
     return values.get(formula, formula) if isinstance(formula, str) else formula
 
 
@@ -75,30 +82,42 @@ def symbols(formula: Tree) -> set[str]:
     return {formula} - {"pi"} if isinstance(formula, str) else set()
 
 
+def heads(formula: Tree) -> set[str]:
+    """Names of the functions in a tree."""
+    return set().union({formula[0]}, *map(heads, formula[1:])) if isinstance(formula, tuple) else set()
+
+
+def summed(formula: Tree) -> Tree:
+    """The formula without what stands under a sum."""
+    if isinstance(formula, tuple):
+        return "A" if formula[0] == "Sum" else (formula[0], *map(summed, formula[1:]))
+    return formula
+
+
 @cache
 def definition(text: str) -> Tree:
     """A defining equation in one form, stored or in Python's notation, without what is said of its symbols."""
-    return _ordered(tree(re.sub(r"(?:Symbol|Function)\('(\w+)'(?:, \w+=True)?\)", r"\1", text)))
+    return ordered(tree(re.sub(r"(?:Symbol|Function)\('(\w+)'(?:, \w+=True)?\)", r"\1", text)))
 
 
-def _ordered(formula: Tree) -> Tree:
+def ordered(formula: Tree) -> Tree:
     """Sums and products in one row and order, numbers gathered, roots and quotients as powers."""
     if not isinstance(formula, tuple):
         return formula
-    head, *parts = formula[0], *map(_ordered, formula[1:])
+    head, *parts = formula[0], *map(ordered, formula[1:])
     match head, parts:
         case "Equality", _:
             return ("Eq", *parts)
         case "sqrt", [inner]:
-            return _ordered(("Pow", inner, Fraction(1, 2)))
+            return ordered(("Pow", inner, Fraction(1, 2)))
         case "Derivative", [inner, str(name)]:
             return (head, inner, ("Tuple", name, 1))
         case "Pow", [int() | Fraction() as base, int(power)]:
             return Fraction(base) ** power
         case "Pow", [("Pow", base, inner), int(power)]:
-            return _ordered(("Pow", base, ("Mul", inner, power)))
+            return ordered(("Pow", base, ("Mul", inner, power)))
         case "Pow", [("Mul", *factors), int(power)]:
-            return _ordered(("Mul", *(("Pow", factor, power) for factor in factors)))
+            return ordered(("Mul", *(("Pow", factor, power) for factor in factors)))
         case (("Add" | "Mul"), _):
             return _gathered(head, parts)
     return (head, *parts)

@@ -1,0 +1,405 @@
+"""What the theory states of one quantity, looked at in every order of its lengths."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from .field import Element, Field
+from .limits import Limit, Substitution
+from .reading import Chain, Tree, UnknownError, heads, ordered, put, symbols, tree
+from .theory import SIGNS, THEORY, Line, Statement, chain, pairs, statements
+
+if TYPE_CHECKING:
+    from .problem import Case, Problem
+
+WAYS: tuple[tuple[str, tuple[tuple[Tree, str], ...]], ...] = (
+    ("b*(1 + tangent**2)/(2*tangent)", ()),
+    ("b*(1 + (q - 1/q)**2/2)**(1/2)", ((1, "q"),)),
+)
+"""A length above b in variables that make sqrt(a^2 - b^2) rational, 0 < tangent < 1 and q > 1."""
+
+
+@dataclass(frozen=True)
+class Domain:
+    """One order of the lengths, and pairs (low, high) that are known besides."""
+
+    order: Chain
+    also: tuple[tuple[Tree, Tree], ...] = ()
+
+    def below(self, low: Tree, high: Tree) -> bool:
+        """Whether one lies below the other."""
+        if low in self.order and high in self.order:
+            return self.order.index(low) < self.order.index(high)
+        return (low, high) in self.also
+
+    def without(self, *members: str) -> Domain:
+        """The domain of the other lengths."""
+        return Domain(tuple(m for m in self.order if m not in members), self.also)
+
+
+class Proof:
+    """The statements about one quantity of a problem."""
+
+    def __init__(self, problem: Problem, suffix: str) -> None:
+        self.problem, self.suffix, self.section = problem, suffix, problem.section(suffix)
+        self.lines = [line for line in self.section.lines if self.holds(line.conditions)]
+        self.asked = [line for line in self.lines if line.word == "show"]
+        self.lets = [line for line in [*self.lines, *THEORY.lets] if line.word == "let"]
+        self.levels = [line for line in self.lines if line.word == "level"]
+        self.places: dict[tuple[Tree, Domain], Tree] = {}
+        self.used: list[tuple[Case, Chain, Chain]] = []
+
+    # where lines hold
+
+    def holds(self, conditions: Iterable[str], domain: Domain | None = None) -> bool:
+        """Whether all conditions of a line are met; those on an order count where one is given."""
+        return all(self._holds(text, domain) for text in conditions)
+
+    def _holds(self, text: str, domain: Domain | None) -> bool:
+        if " < " in text and domain is None:
+            return True
+        if text.startswith("not "):
+            return not self._holds(text[4:], domain)
+        if " < " in text and domain:
+            return all(itertools.starmap(domain.below, itertools.pairwise(self.chained(text))))
+        *other, flag = text.split(" ")
+        record = self.problem.records[other[0] if other else self.suffix]
+        inside = set().union(*(symbols(case.expr) for case in self.problem.entries[self.suffix]))
+        return record["status"] == flag or flag in self.problem.flags | inside or bool(record.get(flag))
+
+    def chained(self, text: str) -> Chain:
+        """An order of the table; its floor is the break up to which the face is level, if there is one."""
+        found = [self.problem.floor if member == "floor" else member for member in chain(text)]
+        return tuple(member for member in found if member is not None)
+
+    def domains(self) -> list[tuple[Domain, Chain]]:
+        """Every order of a, the breaks, the lengths of the profile and those that the section names.
+
+        With it comes the order in which the case of the formula is stated: that of the lengths it depends on.
+        """
+        problem = self.problem
+        either = [chain(text) for line in self.lines if line.word == "either" for text in line.text.split(" | ")]
+        stated = [self.chained(line.text) for line in self.lines if line.word == "case"]
+        given = [pairs(chain(line.text)) for line in self.lines if line.word == "given"]
+        out = []
+        for known in either or [()]:
+            part = Domain((), pairs(known))
+            clauses = [[tuple(problem.breaks)], [problem.chain], [(problem.floor, "a")] if problem.floor else [()]]
+            clauses += [
+                [self.chained(one) for one in text.split(" or ")]
+                for line in self.lines
+                if line.word == "order" and self.holds(line.conditions, part)
+                for text in line.text.split(", ")
+            ]
+            levels = {letter for line in self.levels for letter in symbols(line.named()[2])}
+            members = {"a", *levels, *(m for clause in clauses for one in clause for m in one)}
+            own = {"a", *levels, *self.section.letters, *problem.breaks, *problem.chain}
+            also = part.also + tuple(
+                (self.expand(low, part), self.expand(high, part)) for one in given for low, high in one
+            )
+            for order in itertools.permutations(sorted(members)):
+                if all(any(is_part(one, order) for one in clause) for clause in clauses):
+                    out.append((Domain(order, also), known or tuple(m for m in order if m in own)))
+        if len(out) == 1 and "a" in levels:
+            stated = [()]
+        return [(domain, stated[0] if stated else case) for domain, case in out]
+
+    def needs(self) -> list[tuple[Problem, str]]:
+        """The quantities that the statements name, of this problem and of the normal contact below."""
+        known: dict[str, list[Tree]] = {}
+        for line in self.lets:
+            known.setdefault(line.named()[0], []).append(line.named()[2])
+        lets, names = {*known, "f"}, list[str](self.section.first("needs"))
+
+        def visit(formula: Tree) -> None:
+            for part in formula[1:] if isinstance(formula, tuple) else ():
+                visit(part)
+            name = formula[0] if isinstance(formula, tuple) else formula
+            if isinstance(name, str):
+                for inner in known.pop(name.strip("[]"), ()):
+                    visit(inner)
+                if name.startswith("[") and name[1:-1] not in lets:
+                    names.append(name[1:-1])
+
+        for line in [*self.levels, *self.asked]:
+            if line.word == "level":
+                visit(line.named()[2])
+            for statement in statements(line.text) if line.word == "show" else ():
+                for part in (*statement.sides, *(value for _, value in statement.values)):
+                    visit(part)
+        beside = {self.suffix, *self.section.first("beside")}
+        found = [self.source(name)[1:] for name in dict.fromkeys(names)]
+        return [(problem, suffix) for problem, suffix in found if problem is not self.problem or suffix not in beside]
+
+    # formulas
+
+    def source(self, name: str) -> tuple[str, Problem, str]:
+        """What is meant by a name like normal.F or left.rp: a side or nothing, the problem and the quantity."""
+        side, _, suffix = name.rpartition(".")
+        problem = self.problem.plain if side == "normal" else self.problem
+        if problem is None or suffix not in problem.records:
+            message = "the normal contact below is not given" if problem is None else f"there is no {name}"
+            raise UnknownError(message)
+        return side.removeprefix("normal"), problem, suffix
+
+    def expand(self, formula: Tree, domain: Domain) -> Tree:
+        """A formula of the table with what its names stand for in a domain."""
+        if not isinstance(formula, tuple):
+            if formula == "own":
+                return self.formula("own", [], domain, self)
+            if formula == "power":
+                return self.problem.power()
+            return self.let(formula, [], domain) if isinstance(formula, str) else formula
+        head, *parts = formula[0], *(self.expand(part, domain) for part in formula[1:])
+        if not head.startswith("["):
+            return (head, *parts)
+        if head == "[f]":
+            piece = self.problem.pieces[sum(domain.below(b, parts[0]) for b in self.problem.breaks)]
+            return put(piece, {"r": parts[0], "x": parts[0]})
+        if any(line.named()[0] == head[1:-1] for line in self.lets):
+            return self.let(head[1:-1], parts, domain)
+        side, problem, suffix = self.source(head[1:-1])
+        return problem.proof(suffix).formula(side, parts, domain, self)
+
+    def let(self, name: str, parts: list[Tree], domain: Domain) -> Tree:
+        """What a name of the table stands for; the name itself where it is a symbol."""
+        for line in self.lets:
+            known, letters, formula = line.named()
+            if known == name and self.holds(line.conditions, domain):
+                return self.expand(put(formula, dict(zip(letters, parts, strict=True))), domain)
+        return self.problem.medium.get(name, name)
+
+    def formula(self, side: str, parts: list[Tree], domain: Domain, asking: Proof) -> Tree:
+        """The formula of this quantity in a domain, with other letters; `UnknownError` if there is not one of them."""
+        section = THEORY.sections["compact", self.suffix] if side == "partial" else self.section
+        values = dict(zip(section.letters, parts, strict=False))
+        places = [(case, tuple(self.place(m, values, domain, asking) for m in case.chain))
+                  for case in self.problem.cases(self.suffix, side)]  # fmt: skip
+        found = [(case, members) for case, members in places if is_ordered(members, domain)]
+        if len(found) != 1:
+            message = f"not one case of {self.suffix} for this order"
+            raise UnknownError(message)
+        self.used.append((*found[0], domain.order))
+        expr = found[0][0].expr
+        if side in ("left", "right"):
+            if not (isinstance(expr, tuple) and expr[0] in ("Equality", "Eq")):
+                message = "it is no equation"
+                raise UnknownError(message)
+            expr = expr[1 if side == "left" else 2]
+        return put(expr, values)
+
+    def place(self, member: Tree, values: dict[str, Tree], domain: Domain, asking: Proof) -> Tree:
+        """The length that a member of an order stands for: a quantity given for a radius, or its value at a border."""
+        for name, _, level in (line.named() for line in self.levels):
+            (radius,) = symbols(level)
+            if member == name:
+                return radius
+            if isinstance(member, tuple):
+                if (member, domain) not in self.places:
+                    self.places[member, domain] = self._border(member, name, level, radius, domain, asking)
+                return self.places[member, domain]
+        found = values.get(member, member) if isinstance(member, str) else member
+        return found if isinstance(found, str) else member
+
+    def _border(self, member: Tree, name: str, level: Tree, radius: str, domain: Domain, asking: Proof) -> Tree:
+        known = self.expand(level, domain)
+        if name in symbols(member):
+            pairs = [(put(member, {name: known}), radius)]
+        else:
+            pairs = [(put(known, {radius: x}), x) for x in domain.order if x != radius]
+        field = asking.problem.field(domain)
+        for value, x in pairs:
+            try:
+                wanted = x if name in symbols(member) else member
+                if field.zero(field.read(value) - field.read(wanted)):
+                    return x
+            except UnknownError:
+                continue
+        return member
+
+    # what is shown
+
+    def run(self) -> None:
+        """Raises `UnknownError` unless every statement is shown in every order, each with one case of the formula."""
+        seen = set[int]()
+        for suffix in self.section.first("beside"):
+            self.problem.cases(suffix, "")
+        for domain, case in self.domains():
+            self.used = []
+            for line in self.asked:
+                if self.holds(line.conditions, domain):
+                    self.check(line, domain)
+            own = {id(one) for one in self.problem.entries[self.suffix]}
+            found = [
+                (id(one), members) for one, members, order in self.used if order == domain.order and id(one) in own
+            ]
+            if not found or any(members != case for _, members in found):
+                message = "its cases are not every place in the order once"
+                raise UnknownError(message)
+            seen |= {one for one, _ in found}
+        if len(seen) != len(self.problem.entries[self.suffix]):
+            message = "its cases are not every place in the order once"
+            raise UnknownError(message)
+
+    def check(self, line: Line, domain: Domain) -> None:
+        """Raises `UnknownError` unless one of the statements of a line is shown, as it is or in one of `WAYS`."""
+        reasons = []
+        for statement in statements(line.text):
+            known = replace(domain, also=domain.also + statement.given)
+            for values, place in self.ways(statement, known):
+                try:
+                    self.show(statement, place, values)
+                except UnknownError as error:
+                    reasons.append(error)
+                else:
+                    return
+        message = f"{line.text}: {reasons[0]}"
+        raise UnknownError(message)
+
+    def ways(self, statement: Statement, domain: Domain) -> Iterator[tuple[dict[str, Tree], Domain]]:
+        """The domain as it is, and for an equation with the length next to the break b in another variable."""
+        yield {}, domain
+        order = domain.order
+        if statement.verb == "=" and "b" in order[:-1]:
+            after = order[order.index("b") + 1]
+            if after in ("a", "c") and not any("D" in heads(self.side(x, statement, domain)) for x in statement.sides):
+                for text, more in WAYS:
+                    yield {after: tree(text)}, replace(domain, also=domain.also + more)
+
+    def side(self, formula: Tree, statement: Statement, domain: Domain) -> Tree:
+        """A side of a statement with what its names stand for."""
+        values = {name: self.expand(value, domain) for name, value in statement.values}
+        return put(self.expand(formula, domain), values)
+
+    def show(self, statement: Statement, domain: Domain, values: dict[str, Tree]) -> None:
+        """Raises `UnknownError` unless a statement is shown in a domain, with other trees for some symbols."""
+        sides = [put(self.side(formula, statement, domain), values) for formula in statement.sides]
+        if statement.verb == "grows":
+            self.grows(statement, sides, domain)
+        elif statement.verb == "integral":
+            self.integral(statement, sides[0], domain)
+        elif len(sides) == 1:
+            self.alone(statement.verb, sides[0], domain)
+        else:
+            self.compare(statement.verb, sides, domain)
+
+    def field(self, domain: Domain) -> Field:
+        """The field of a domain."""
+        return self.problem.field(domain)
+
+    def compare(self, verb: str, sides: list[Tree], domain: Domain) -> None:
+        """Raises `UnknownError` unless two sides are shown to compare; with a limit, on the border."""
+        home = next((side[2] for side in sides if isinstance(side, tuple) and side[0] in ("lim", "at")), "")
+        one, other = (self.value(side, domain, domain.without(home)) for side in sides)
+        if verb == "=":
+            self.vanishes(one - other)
+        elif one.field.sign(one - other) not in SIGNS[verb]:
+            message = "the sign is not shown"
+            raise UnknownError(message)
+
+    def value(self, side: Tree, domain: Domain, face: Domain) -> Element:
+        """The element of one side of a comparison."""
+        match side:
+            case ("lim", inner, name, point):
+                return self.limit(inner, domain, name, point, 1)
+            case ("at", inner, name, place):
+                into = self.field(face)
+                return Substitution(self.field(domain), into, {name: into.read(place)}).value(
+                    self.field(domain).read(inner)
+                )
+        return self.field(face).read(side)
+
+    def vanishes(self, gap: Element) -> None:
+        """Raises `UnknownError` unless the element is shown to be zero and is linear in the coefficients A_j."""
+        index = gap.field.keys.get("A_j", -1)
+        if index >= 0 and (gap.num.degrees()[index] > 1 or gap.den.degrees()[index]):
+            message = "not linear in the coefficients of a polynomial"
+            raise UnknownError(message)
+        if not gap.field.zero(gap):
+            message = "it is not shown to vanish"
+            raise UnknownError(message)
+
+    def alone(self, verb: str, formula: Tree, domain: Domain) -> None:
+        """Raises `UnknownError` unless a formula is shown to be analytic, or a product of positive ones and squares."""
+        field = self.field(domain)
+        own = field.read(formula)
+        if verb == "analytic":
+            shown = field.analytic(own)
+        else:
+            unit, factors = own.num.factor()
+            odd = [field.poly_sign(factor) or 0 for factor, times in factors if times % 2]
+            shown = field.poly_sign(own.den) == 1 and (1 if unit > 0 else -1) * math.prod(odd) > 0
+        if not shown:
+            message = "it is not shown"
+            raise UnknownError(message)
+
+    def limit(self, formula: Tree, domain: Domain, name: str, point: Tree, way: int) -> Element:
+        """The value of a formula as a length tends to its neighbour in the order, from above or from below."""
+        face = self.field(domain.without(name))
+        if "D" not in heads(formula):
+            try:
+                return face.read(put(formula, {name: point}))
+            except UnknownError:
+                pass
+        field = self.field(domain)
+        return Limit(field, name, point, face, way).value(field.read(formula))
+
+    def grows(self, statement: Statement, sides: list[Tree], domain: Domain) -> None:
+        """A formula is analytic, grows as is said, starts so where the contact begins, and does not jump at a break."""
+        (whole, rate, start), name = sides, statement.name
+        field = self.field(domain)
+        own = field.read(whole)
+        self.alone("analytic", whole, domain)
+        self.vanishes(field.slope(own, name) - field.read(rate))
+        i = domain.order.index(name)
+        low = domain.order[i - 1] if i else 0
+        value = self.limit(whole, domain, name, low, 1)
+        if low in (*self.problem.breaks, *self.problem.chain) and low != self.problem.floor:
+            order = (*domain.order[: i - 1], name, low, *domain.order[i + 1 :])
+            swapped = replace(domain, order=order)
+            other = self.side(statement.sides[0], statement, swapped)
+            self.vanishes(value - self.limit(other, swapped, name, low, -1))
+        else:
+            self.vanishes(value - value.field.read(start))
+
+    def integral(self, statement: Statement, whole: Tree, domain: Domain) -> None:
+        """A formula is the sum of the increments of its antiderivatives, whose slopes add up to the integrand."""
+        stored = self.problem.records[self.suffix]["primitives"]["@items"]
+        found: Any = next((v for key, v in stored if tuple(ordered(tree(m["="])) for m in key) == domain.order), [])
+        parts = [tuple(tree(one[end]["="]) for end in ("lo", "hi", "expr")) for one in found]
+        ends = [0, *(m for m in domain.order[: domain.order.index("a")] if m in self.problem.breaks), "a"]
+        if not all(lo in ends and hi in ends for lo, hi, _ in parts):
+            message = "an antiderivative does not end at the breaks"
+            raise UnknownError(message)
+        total = self.field(domain).read(0)
+        for lo, hi in itertools.pairwise(ends):
+            i = domain.order.index(hi)
+            inside = replace(domain, order=(*domain.order[:i], "x", *domain.order[i:]))
+            field = self.field(inside)
+            active = [expr for low, high, expr in parts if ends.index(low) <= ends.index(lo) < ends.index(high)]
+            grown = field.read(0)
+            for expr in active:
+                self.alone("analytic", expr, inside)
+                grown = grown + field.slope(field.read(expr), "x")
+                # of one that spans several pieces, the increment over this one
+                total = total + self.limit(expr, inside, "x", hi, -1) - self.limit(expr, inside, "x", lo, 1)
+            self.vanishes(grown - field.read(put(self.side(statement.sides[1], statement, inside), {"A_j": 1})))
+        field = self.field(domain)
+        if "A_j" in symbols(whole):
+            total = total * field.symbol("A_j")
+        self.vanishes(field.read(whole) - total)
+
+
+def is_part(one: Chain, order: Chain) -> bool:
+    """Whether lengths stand in an order one after the other."""
+    rest = iter(order)
+    return all(member in rest for member in one)
+
+
+def is_ordered(members: Chain, domain: Domain) -> bool:
+    """Whether the members of a case are in order in a domain."""
+    return all(itertools.starmap(domain.below, itertools.pairwise(members)))
