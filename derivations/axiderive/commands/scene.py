@@ -13,6 +13,7 @@ import re
 import textwrap
 import time
 from collections.abc import Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -21,6 +22,7 @@ from types import MappingProxyType
 import sympy as sp
 
 from .. import notation as nt
+from ..build import pdf
 from ..build.pool import limited
 from ..entry import FOUR
 from ..exits import ENVIRONMENT, USAGE, CommandError
@@ -30,7 +32,7 @@ from ..expression.profile import OwnProfile, own_profile
 from ..scene import interface, text
 from ..scene.compose import Result, composed, manifest
 from ..scene.linker.sources import graded_refusal
-from ..scene.page import Typesetting
+from ..scene.page import typeset
 from ..scene.reading import Scene, read
 from ..store.writing import write_atomic
 
@@ -56,11 +58,16 @@ def emit(arguments: argparse.Namespace) -> int:
     if arguments.dry_run:
         print("\n".join(_plan(scene, folder)))
         return 0
-    with Typesetting() as typesetting:
-        result = limited(composed, scene, None, hear=typesetting.start if "pdf" in scene.formats else None)
+    made: list[Future[bytes]] = []
+    with ThreadPoolExecutor(1) as pool:
+
+        def begin(sources: Mapping[str, bytes]) -> None:
+            made.append(pool.submit(pdf.compile_page, sources))
+
+        result = limited(composed, scene, None, hear=begin if "pdf" in scene.formats else None)
         for line in result.lines:
             print(line)
-        page = typesetting.page()
+    page = typeset(made[0]) if made else b""
     _write(result, folder, {"page.pdf": page} if page else {})
     print(f"{time.perf_counter() - started:.1f} s in all")
     return 0

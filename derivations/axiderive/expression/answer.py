@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -21,7 +22,7 @@ from ..code.bodies.general import least_power, library_source
 from ..code.example import number
 from ..code.normal import module as normal_module
 from ..entry import COMPACT, FOUR, Entry
-from ..notation import a, r
+from ..notation import E_star, a, r
 from ..oracle.evaluate import case_at, evaluate
 from ..physics import general, normal
 from ..physics.general import layers
@@ -105,8 +106,8 @@ def _by_coefficients(profile: Profile) -> Derived:
     return Derived(profile, entries, Route.COEFFICIENTS, lambda: certificates)
 
 
-PLACES = {"": (None,), "inside": (0.4,), "outside": (1.5,)}
-"""Radii over the contact radius at which quantities are compared, by the place of a field."""
+PLACES = {"": None, "inside": sp.Rational(2, 5), "outside": sp.Rational(3, 2)}
+"""Radius over the contact radius at which a quantity is compared, by the place of a field."""
 DIGITS = 20
 MOST_POWERS = 5
 """Ten powers took 9 s for a displacement without cancellation."""
@@ -124,19 +125,13 @@ class Comparison:
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Derived):
     """What the engine says about an expression."""
 
-    own: OwnProfile
-    profile: Profile
-    entries: dict[str, Entry]
-    route: Route
-    proofs: Callable[[], dict[str, Certificate]]
     validity: Validity
     comparisons: tuple[Comparison, ...]
     module: str
     """Private functions of the normal contact on the homogeneous half-space as text, for the linker."""
-    values: dict[sp.Symbol, sp.Rational]
     k: sp.Expr = sp.S.Zero
     """Exponent of the graded half-space; the entries hold for any."""
 
@@ -199,35 +194,36 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     k : sympy expression
         Exponent of a graded half-space.
     """
-    profile = own.profile
-    known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | dict(values or {})
-    require_slopes(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
+    profile, given = own.profile, dict(values or {})
+    known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | given
+    require_slopes(profile, _floats(known), own.expression.text)
     if not _real(profile, known):
-        known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *(values or {}))}
-    validity = examine(profile, {s: float(v) for s, v in known.items()}, own.expression.text)
-    profile = _placed(profile, known, min(validity.ends or np.inf, validity.compact_to or np.inf))
-    medium = HOMOGENEOUS if k == 0 else GRADED
+        known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *given)}
+    validity = examine(profile, _floats(known), own.expression.text)
     if not _real(profile, known):
-        where = drawn({s: float(v) for s, v in known.items()})
         message = (
-            f"f ends before or soon after its last break ({where}); put numbers for parameters, so that it ends later"
+            f"f ends before or soon after its last break ({drawn(_floats(known))}); put numbers for parameters, "
+            "so that it ends later"
         )
         raise ExpressionError(message, own.expression.text)
-    found = derived(profile, medium)
-    profile, entries = found.profile, found.entries
+    profile = _placed(profile, known, min(validity.ends or np.inf, validity.compact_to or np.inf))
+    found = derived(profile, HOMOGENEOUS if k == 0 else GRADED)
     compared = () if k != 0 else _compared(found, known)
-    plain = entries if k == 0 else normal.derive(profile)
-    closed = found.route is Route.NORMAL_FORM
-    frozen = all(p in (values or {}) for p in profile.parameters)
-    module = _module(profile, plain, closed=closed, validity=validity, known=known, frozen=frozen)
-    return Answer(own, profile, entries, found.route, found.proofs, validity, compared, module, known, k)
+    plain = found if k == 0 else replace(found, entries=normal.derive(found.profile))
+    frozen = all(p in given for p in profile.parameters)
+    module = _module(plain, validity, known, frozen=frozen)
+    return Answer(found.profile, found.entries, found.route, found.proofs, validity, compared, module, k)
+
+
+def _floats(known: Mapping[sp.Symbol, sp.Rational]) -> dict[sp.Symbol, float]:
+    return {symbol: float(value) for symbol, value in known.items()}
 
 
 def _real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> bool:
     """Whether there is a slope at the places beyond the breaks: a sphere may end before."""
     if not profile.breaks:
         return True
-    numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
+    numeric = Numeric(profile, _floats(known))
     return bool(np.isfinite(numeric.slope(np.array([PAST * numeric.breaks[-1]]))).all())
 
 
@@ -240,15 +236,10 @@ def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], end: float
     breaks = [float(known[b]) for b in profile.breaks]
     lengths = [float(known[p]) for p in _lengths(profile)]
     radius = 1.4 * breaks[-1] if breaks else min([0.8 * min(lengths) if lengths else profile.sketch.a, 0.8 * end])
-    return replace(profile, sketch=Sketch(tuple((s, float(v)) for s, v in known.items()), a=radius))
+    return replace(profile, sketch=Sketch(tuple(_floats(known).items()), a=radius))
 
 
-def environment(known: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-    """The values with E_star = 1 added."""
-    return {**known, sp.Symbol("E_star", positive=True): sp.S.One}
-
-
-def radii(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[sp.Rational]:
+def _radii(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[sp.Rational]:
     """Contact radii within each piece at which formulas are compared."""
     breaks = [known[b] for b in profile.breaks]
     size = sp.Rational(str(profile.sketch.a))
@@ -259,33 +250,20 @@ def radii(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> list[sp.R
     return [*inner, *middle, breaks[-1] * sp.Rational(7, 5)]
 
 
-def points(
-    profile: Profile, known: Mapping[sp.Symbol, sp.Rational]
-) -> list[tuple[str, sp.Rational, sp.Rational | None]]:
-    """Suffix, contact radius and place of every comparison; places are moved off the breaks."""
-    found = []
-    for radius in radii(profile, known):
-        for suffix in FOUR:
-            for place in PLACES[COMPACT[suffix].place]:
-                at = None if place is None else radius * sp.Rational(str(place))
-                if at in {known[b] for b in profile.breaks}:
-                    at = at * sp.Rational(101, 100)
-                found.append((suffix, radius, at))
-    return found
-
-
 def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Comparison, ...]:
     """Formulas against the definition; an integral over the profile is its definition, its rule is measured instead."""
     profile, entries = derived.profile, derived.entries
-    own, found = definition(profile, known, DIGITS), []
-    for suffix, radius, at in points(profile, known):
+    own, found, breaks = definition(profile, known, DIGITS), [], [known[b] for b in profile.breaks]
+    for radius, suffix in itertools.product(_radii(profile, known), FOUR):
         entry = entries[suffix]
         over_growth = suffix == "p" and entry.status == "integral" and derived.route is Route.COEFFICIENTS
         if entry.status != "closed" and not over_growth:
             continue
-        place = {} if at is None else {r: at}
-        here = environment(known) | {a: radius} | place
-        expr, wanted = case_at(entry, here).expr, quantity(own, profile, suffix, radius, at)
+        here, share = {**known, E_star: sp.S.One, a: radius}, PLACES[COMPACT[suffix].place]
+        if share is not None:
+            at = radius * share
+            here[r] = at * sp.Rational(101, 100) if at in breaks else at
+        expr, wanted = case_at(entry, here).expr, quantity(own, profile, suffix, radius, here.get(r))
         with mp.workdps(DIGITS + 5):
             value = mp.mpf(str(number(expr, here))) if over_growth else evaluate(expr, here, DIGITS + 5)
             residual = abs(value / wanted - 1) if wanted else abs(value)
@@ -293,19 +271,12 @@ def _compared(derived: Derived, known: dict[sp.Symbol, sp.Rational]) -> tuple[Co
     return tuple(found)
 
 
-def _module(
-    profile: Profile,
-    entries: Mapping[str, Entry],
-    *,
-    closed: bool,
-    validity: Validity,
-    known: Mapping[sp.Symbol, sp.Rational],
-    frozen: bool,
-) -> str:
+def _module(found: Derived, validity: Validity, known: Mapping[sp.Symbol, sp.Rational], *, frozen: bool) -> str:
     """The module of the catalogue's kind where that is safe, else rules over the profile."""
+    profile, closed = found.profile, found.route is Route.NORMAL_FORM
     if closed and validity.exact and not profile.breaks and _plain(profile):
-        return normal_module({suffix: _with_numbers(entry) for suffix, entry in entries.items()}).source()
-    numeric = Numeric(profile, {s: float(v) for s, v in known.items()})
+        return normal_module({suffix: _with_numbers(entry) for suffix, entry in found.entries.items()}).source()
+    numeric = Numeric(profile, _floats(known))
     reach = validity.compact_to if frozen else None
     floor = numeric.breaks[0] if profile.truncated else 0.0
     least = numeric.exponents(validity.compact_to or validity.ends)

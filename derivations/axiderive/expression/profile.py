@@ -104,11 +104,6 @@ class OwnProfile:
     homogeneous: bool
     """Whether the parameters have dimensions that make f a length."""
 
-    @property
-    def smooth(self) -> bool:
-        """Whether the profile is one piece, without a break."""
-        return not self.profile.breaks
-
 
 def own_profile(text: str, *, name: str = NAME, title: str = TITLE) -> OwnProfile:
     """The profile an expression stands for.

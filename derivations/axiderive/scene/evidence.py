@@ -152,61 +152,52 @@ def record(request: Scene, profile: Profile, answer: Answer | None, run: Run) ->
 
 TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
+HEAD = '''"""Values of {stem} from {origin}, {digits} digits; run it with plain Python."""
+
+import math
+
+import {stem} as module
+
+TOLERANCE = {rule!r}'''
+"""The name of the module may be one that the test needs itself, as len or wanted."""
+OF_VALUES = """
+
+def test_values():
+    for name, fields, {keywords}wanted in VALUES:
+        got = getattr(module, name)(*fields{passed})
+        assert math.isclose(got, wanted, rel_tol=TOLERANCE), (name, fields, got, wanted)"""
+OF_PULL_OFF = """
+
+def test_pull_off():
+    for control, wanted in PULL_OFF.items():
+        state = module.pull_off(control{passed})
+        for got, value in zip(state, wanted):
+            assert math.isclose(got, value, rel_tol=TOLERANCE{least}), (control, state, wanted)"""
 
 
 def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> str:
     """The test that goes with a module; it runs with plain Python."""
-    values = run.values
     rule = max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)])
-    keyed = any(v.keywords for v in values)
-    rows = [
-        f'    ("{v.function}", {v.fields!r}, {f"dict({_passed(v)}), " if keyed else ""}{v.wanted!r}),' for v in values
-    ]
-    lines = [
-        f'"""Values of {stem} from {origin}, {DIGITS} digits; run it with plain Python."""',
-        "",
-        "import math",
-        "",
-        # the name of the module may be one that the test needs itself, as len or wanted
-        f"import {stem} as module",
-        "",
-        f"TOLERANCE = {float(f'{rule:.1e}')!r}",
-        *(["VALUES = [", *rows, "]"] if rows else []),
-        *(["PULL_OFF = {  # radius, force and depth", *_pull_off_lines(run), "}"] if run.detached else []),
-    ]
-    calls, count = [], []
-    if rows:
-        calls, count = ["test_values()"], ["len(VALUES)"]
-        lines += [
-            "",
-            "",
-            "def test_values():",
-            f"    for name, fields, {'keywords, ' if keyed else ''}wanted in VALUES:",
-            f"        got = getattr(module, name)(*fields{', **keywords' if keyed else ''})",
-            "        assert math.isclose(got, wanted, rel_tol=TOLERANCE), (name, fields, got, wanted)",
-        ]
+    lines = [HEAD.format(stem=stem, origin=origin, digits=DIGITS, rule=float(f"{rule:.1e}"))]
+    tests, count = list[str](), dict[str, str]()
+    if run.values:
+        keyed = any(v.keywords for v in run.values)
+        given = [f"dict({_passed(dict(v.keywords))}), " if keyed else "" for v in run.values]
+        rows = (f'("{v.function}", {v.fields!r}, {own}{v.wanted!r})' for v, own in zip(run.values, given, strict=True))
+        lines += ["VALUES = [", *(f"    {row}," for row in rows), "]"]
+        words = {"keywords": "keywords, ", "passed": ", **keywords"} if keyed else {"keywords": "", "passed": ""}
+        tests.append(OF_VALUES.format(**words))
+        count["values"] = "len(VALUES)"
     if run.detached:
-        calls.append("test_pull_off()")
-        count.append("3 * len(PULL_OFF)")
+        rows = (f'"{control}": {state!r}' for control, state in run.detached.items())
+        lines += ["PULL_OFF = {  # radius, force and depth", *(f"    {row}," for row in rows), "}"]
         # a depth of zero, next to which the radius is what there is of a length
         least = ", abs_tol=TOLERANCE * wanted[0]" if any(0.0 in state for state in run.detached.values()) else ""
-        passed = "".join(f", {name}={number!r}" for name, number in free.items())
-        lines += [
-            "",
-            "",
-            "def test_pull_off():",
-            "    for control, wanted in PULL_OFF.items():",
-            f"        state = module.pull_off(control{passed})",
-            "        for got, value in zip(state, wanted):",
-            f"            assert math.isclose(got, value, rel_tol=TOLERANCE{least}), (control, state, wanted)",
-        ]
-    lines += ["", "", 'if __name__ == "__main__":', *(f"    {call}" for call in calls)]
-    return "\n".join([*lines, f'    print(f"{{{" + ".join(count)}}} values agree")', ""])
+        tests.append(OF_PULL_OFF.format(passed=f", {_passed(free)}" if free else "", least=least))
+        count["pull_off"] = "3 * len(PULL_OFF)"
+    calls = [*(f"test_{name}()" for name in count), f'print(f"{{{" + ".join(count.values())}}} values agree")']
+    return "\n".join([*lines, *tests, "", "", 'if __name__ == "__main__":', *(f"    {call}" for call in calls), ""])
 
 
-def _pull_off_lines(run: Run) -> list[str]:
-    return [f'    "{control}": {state!r},' for control, state in run.detached.items()]
-
-
-def _passed(value: Value) -> str:
-    return ", ".join(f"{name}={number!r}" for name, number in value.keywords)
+def _passed(keywords: Mapping[str, float]) -> str:
+    return ", ".join(f"{name}={number!r}" for name, number in keywords.items())

@@ -2,27 +2,40 @@
 
 from __future__ import annotations
 
+import keyword
 import re
+import sys
+import unicodedata
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import sympy as sp
 
 from .. import notation as nt
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
+from ..physics.medium import GRADED, HOMOGENEOUS
+from ..physics.systems import SYSTEMS, on
+from ..physics.viscoelastic import LAWS, Law
+from ..profiles.pools import BODIES, PRESSURES, ROUND, STRIPS
 from ..profiles.profile import Profile
-from . import interface, wishes
-from .kinds import PHYSICS, elsewhere, physics, pool
+from . import interface
+from .linker.sources import graded_refusal
 from .medium import KEYS as MEDIUM
-from .medium import frozen, medium_values
+from .medium import frozen, given, inline, kind_of, medium_values
 from .text import SceneText, near
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
-
-
 MEANT = {"material": "medium", "half_space": "medium", "contact": "physics", "load": "physics"}
 """Other names of sections."""
+
+PHYSICS = {own.physics.name: own.physics for own in SYSTEMS if own.pool is not BODIES}
+"""Kinds of contact by the keys of a scene."""
+PLAIN, *CHOICES = PHYSICS
+"""What is meant where none is named, and the others."""
+POOLS = {"plane": ("plane profile", STRIPS), "loads": ("prescribed pressure", PRESSURES)}
+"""Kinds of contact with profiles of their own, and what these are called."""
 
 
 @dataclass
@@ -91,10 +104,10 @@ def read(text: SceneText) -> Scene:
     with nt.extended(scene.notation):
         _parameters(text, scene)
         scene.values |= medium_values(text)
-        physics(text, scene)
-        wishes.want(text, scene)
+        _physics(text, scene)
+        _want(text, scene)
         _rules(text, scene)
-    wishes.output(text, scene)
+    _output(text, scene)
     scene.title = scene.title or (scene.profile.title if scene.profile else "")
     text.finish()
     return scene
@@ -144,9 +157,10 @@ def _profile(text: SceneText, scene: Scene) -> None:
 
 
 def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
-    what, own = pool(text)
+    asked = _asked(text)
+    what, own = POOLS.get(asked[0], ("profile", ROUND)) if len(asked) == 1 else ("profile", ROUND)
     if name not in own.names:
-        reason = elsewhere(text, name) or f"unknown {what} {name[:40]!r}{near(name, own.names)}"
+        reason = _elsewhere(asked, name) or f"unknown {what} {name[:40]!r}{near(name, own.names)}"
         text.problem("profile", "kind", reason)
         return
     profile = own.load(name)
@@ -155,6 +169,24 @@ def _catalogue(text: SceneText, scene: Scene, name: str) -> None:
         text.problem("profile", "kind", f'{name} {reason}; write it as an expression, profile = "c*r**2 + q*r**4"')
         return
     scene.profile = profile
+
+
+def _asked(text: SceneText) -> list[str]:
+    """The kinds of contact that a scene names."""
+    table = text.values.get("physics")
+    return [key for key in CHOICES if table.get(key) not in (None, False)] if isinstance(table, dict) else []
+
+
+def _elsewhere(asked: Sequence[str], name: str) -> str:
+    """What to do about a profile of another kind of contact; empty if no kind has it."""
+    instead = f" in place of {' and '.join(asked)}" if asked else ""
+    for kind, (what, pool) in POOLS.items():
+        if name in pool.names and kind not in asked:
+            return f"{name} is a {what}; write [physics] {kind} = true{instead}"
+    if name in ROUND.names:
+        others = ", ".join(POOLS[asked[0]][1].names)
+        return f"{name} is a round profile; write normal = true in place of {asked[0]}, or take one out of {others}"
+    return ""
 
 
 def _parameters(text: SceneText, scene: Scene) -> None:
@@ -209,11 +241,221 @@ def _waves(text: SceneText, scene: Scene, profile: Profile) -> None:
 
 def _place(text: SceneText, symbols: Sequence[sp.Symbol]) -> tuple[str, str]:
     """Section and key of the last of these parameters that the text names."""
-    sections = ("parameters", "profile", "medium")
-    named = [(s, symbol.name) for s in sections for symbol in symbols if symbol.name in _keys(text, s)]
+    tables = {
+        name: own for name in ("parameters", "profile", "medium") if isinstance(own := text.values.get(name), dict)
+    }
+    named = [(name, symbol.name) for name, own in tables.items() for symbol in symbols if symbol.name in own]
     return named[-1] if named else ("profile", "")
 
 
-def _keys(text: SceneText, section: str) -> Collection[str]:
-    table = text.values.get(section)
-    return table if isinstance(table, dict) else ()
+def _physics(text: SceneText, scene: Scene) -> None:
+    """The kind of contact on its medium."""
+    table, chosen = text.table("physics", PHYSICS), _asked(text)
+    plain = table.get(PLAIN, True)
+    if plain is not True and (plain is not False or not chosen):
+        message = "normal is true or left out; write normal = true, or name another kind of contact"
+        text.problem("physics", PLAIN, message)
+    if len(chosen) > 1:
+        count = {2: "two", 3: "three", 4: "four", 5: "five"}[len(chosen)]
+        message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"
+        text.problem("physics", chosen[-1], message)
+    medium = text.values.get("medium")
+    graded = isinstance(medium, dict) and medium.get("kind") == "power_law"
+    kind = chosen[0] if chosen else PLAIN
+    physics, model = PHYSICS[kind], None
+    if physics.laws:
+        model = _model(text, table[kind])
+        moduli = [key for key in text.table("medium") if key != "kind"]
+        if model and not graded and moduli:
+            message = "a viscoelastic half-space has its moduli in the table of viscoelastic; leave [medium] out"
+            text.problem("medium", moduli[0], message)
+    system = (on(physics, GRADED) if graded else None) or on(physics, HOMOGENEOUS)
+    assert system is not None
+    scene.kind = interface.Kind(system, model or next(iter(physics.laws), None))
+    if scene.profile is not None and len(chosen) < 2:
+        reason = _refusal(kind, scene.profile, graded=graded, own=scene.own is not None)
+        if reason:
+            text.problem("physics" if chosen else "medium", kind if chosen else "kind", reason)
+    for name in chosen:
+        if model or not PHYSICS[name].laws:
+            _table(text, scene, name, table[name])
+
+
+def _refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
+    """Why nothing is emitted for a kind of contact; empty if something is, else a sentence that names the nearest."""
+    reason = _reason(kind, profile, graded=graded, own=own)
+    if not reason:
+        return ""
+    homogeneous = 'kind = "homogeneous"'
+    forms = [(kind, False, homogeneous), (PLAIN, True, "normal = true")] if graded else []
+    forms.append((PLAIN, False, f"normal = true with {homogeneous}" if graded else "normal = true"))
+    nearest = (
+        form for other, medium, form in forms
+        if (other, medium) != (kind, graded) and not _reason(other, profile, graded=medium, own=own)
+    )  # fmt: skip
+    return f"{reason}; the nearest is {next(nearest, 'another profile')}"
+
+
+def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
+    """What stands against it."""
+    system = on(PHYSICS[kind], GRADED if graded else HOMOGENEOUS)
+    if own and kind in POOLS:
+        return f"{kind} is emitted for what the catalogue holds"
+    if system is None:
+        return f"{kind} on a graded half-space is not derived"
+    if found := system.refusal(profile):
+        return found.partition(": use ")[0]
+    return graded_refusal(profile) if graded and own else ""
+
+
+def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
+    """The values of one kind of contact."""
+    physics = PHYSICS[name]
+    if physics.laws:
+        raw = {key: value for key, value in raw.items() if key != "model"}
+    own = scene.kind.material if scene.kind.physics is physics else interface.KINDS[name].material
+    names = [n for n in own if n not in ("E_star", "H", "k")]
+    if raw is True:
+        return
+    if name in POOLS:
+        text.problem("physics", name, f"{name} takes no values of its own; write {name} = true")
+        return
+    if not isinstance(raw, dict):
+        message = f"{name} = {raw!r:.40} is neither true nor a table; write {name} = {{ {names[0]} = ... }}"
+        text.problem("physics", name, message)
+        return
+    for key, value in raw.items():
+        if key in names:
+            inline(text, scene.values, name, key, value)
+        else:
+            text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
+
+
+def _model(text: SceneText, raw: Any) -> Law | None:
+    """The material law; None where it is missing or wrong."""
+    form = 'write viscoelastic = { model = "standard_solid", E_inf = "1 MPa", E_1 = "2 MPa", tau = "3 s" }'
+    model, known = raw.get("model") if isinstance(raw, dict) else None, {law.name: law for law in LAWS}
+    if not isinstance(model, str):
+        text.problem("physics", "viscoelastic", f"viscoelastic needs a model out of {', '.join(known)}; {form}")
+        return None
+    if model not in known:
+        text.problem("physics", "viscoelastic", f"unknown model {model[:40]!r}{near(model, known)}")
+    return known.get(model)
+
+
+FORMATS = ("python", "tex", "pdf", "json")
+OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
+SYMBOLS = {"d": "depth", "g": "depth", "F": "force", "p": "pressure", "w": "displacement", "f": "profile",
+           "a": "radius_from_force", "u": "displacement", "F_N": "force", "P": "load"}  # fmt: skip
+"""Letters by which a quantity may be asked for."""
+HIDDEN = sys.stdlib_module_names | {"axiderive", "axicontact", "numpy"}
+"""Names of modules that the written one, its test or a program beside them may import."""
+FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
+
+
+def _want(text: SceneText, scene: Scene) -> None:
+    """Reads the section [want] into the scene: functions and worked example; problems go to the text."""
+    table = text.table("want", ("quantities", "at"))
+    contact = interface.contact_of(scene.profile) if scene.profile else "compact"
+    known = _available(scene.kind, contact)
+    if scene.kind.law and not (scene.profile and interface.ramps(scene.profile)):
+        known.remove("ramp_force")
+    default = [name for name in scene.kind.physics.wanted if name in known]
+    # a complete contact has its own names; those that say how far it is complete come with them
+    default += [name for name in OF_COMPLETE if name in known and contact != "compact"]
+    default.sort(key=known.index)
+    raw = table.get("quantities", default)
+    if not isinstance(raw, list) or not all(isinstance(name, str) for name in raw) or not raw:
+        text.problem("want", "quantities", 'quantities must be a list of names, as ["depth", "force"]')
+        return
+    if scene.kind == interface.NORMAL and not set(raw) <= set(known):
+        known += interface.peaks(scene.profile)
+    for name in raw:
+        if name not in known:
+            text.problem("want", "quantities", _unknown(scene, name, contact, known))
+    scene.quantities = list(dict.fromkeys(name for name in raw if name in known))
+    if "at" in table:
+        _example(text, scene, table["at"])
+
+
+def _unknown(scene: Scene, name: str, contact: str, known: Collection[str]) -> str:
+    """Another kind of contact that has the function, or the nearest name."""
+    compact = contact == "compact" and scene.kind.system.pool is ROUND and not scene.kind.law
+    for other in interface.KINDS.values() if compact else ():
+        above = other.system.base and other.graded == scene.kind.graded and not other.law
+        if above and name in _available(other, contact):
+            kind = other.physics.name
+            return f"{name} is a function of {kind} contact; write [physics] {kind} = true"
+    meant = SYMBOLS.get(name, "")
+    return f"unknown quantity {name[:40]!r} of {scene.kind.name}{near(meant if meant in known else name, known)}"
+
+
+def _example(text: SceneText, scene: Scene, raw: object) -> None:
+    """The place of the worked example: one radius, depth or force of a contact whose values are all frozen."""
+    form = 'at = { F = "50 mN" }, or a depth d, or a contact radius a'
+    if not isinstance(raw, dict) or len(raw) != 1 or not set(raw) <= {"a", "d", "F"}:
+        text.problem("want", "at", f"at names one field of the contact; write {form}")
+        return
+    ((key, at),) = raw.items()
+    value = given(text, "want", "at", at, kind_of(nt.describe(key)), name=key)
+    if value is None:
+        return
+    if not value > 0.0 and (key == "a" or not scene.kind.physics.tension):
+        text.problem("want", "at", f"{key} = {value:g} is outside {key} > 0; change the value")
+        return
+    profile = scene.profile
+    if profile is None:  # which is a problem of its own
+        return
+    if scene.kind.graded or scene.kind.law or scene.kind.system.pool is not ROUND or not profile.compact:
+        message = "a worked example is given for a compact contact on a homogeneous half-space; leave at out"
+        text.problem("want", "at", message)
+        return
+    free = scene.free
+    if free and not text.problems:
+        text.problem("want", "at", f"a worked example needs values of all parameters; freeze {', '.join(free)} too")
+        return
+    scene.at = (key, value)
+
+
+def _available(kind: interface.Kind, contact: str) -> list[str]:
+    """Names of the functions of a kind of contact; those of the normal contact come with tangential ones."""
+    own = [name for one in (kind, kind.below) if one for name in interface.functions(one, contact)]
+    return [*own, interface.PULL_OFF] if kind.physics.tension else own
+
+
+def _output(text: SceneText, scene: Scene) -> None:
+    """Reads the section [output] into the scene: folder, module and formats; problems go to the text."""
+    table = text.table("output", ("folder", "module", "formats"))
+    stem = _stem(scene.name)
+    scene.module = table.get("module", f"{stem[:60]}.py")
+    own = str(scene.module).removesuffix(".py")
+    place = ("output", "module") if "module" in table else ("name", "")
+    if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
+        message = f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
+        text.problem("output", "module", message)
+    elif keyword.iskeyword(own):
+        message = f"module {scene.module!r} cannot be imported, {own} is a word of Python; choose another name"
+        text.problem(*place, message)
+    elif own.lower() in HIDDEN:
+        # in lower case: on some file systems Numpy.py is numpy.py
+        text.problem(*place, f"module {scene.module!r} would hide the {own.lower()} of others; choose another name")
+    scene.folder = table.get("folder", stem[:60])
+    if not isinstance(scene.folder, str) or not scene.folder.strip() or "\0" in scene.folder or len(scene.folder) > 200:
+        text.problem("output", "folder", "folder must be the name of a folder, as 'needle'")
+    elif scene.folder.startswith(("/", "~")) or ".." in scene.folder.split("/") or "\\" in scene.folder:
+        message = f"folder {scene.folder[:60]!r} leaves the place of the scene; use a name below it, or --out DIR"
+        text.problem("output", "folder", message)
+    scene.formats = table.get("formats", list(FORMATS))
+    if not isinstance(scene.formats, list) or not scene.formats:
+        text.problem("output", "formats", f'formats must be a list out of {", ".join(FORMATS)}, as ["python"]')
+        return
+    for name in scene.formats:
+        if name not in FORMATS:
+            text.problem("output", "formats", f"unknown format {str(name)[:40]!r}{near(str(name).lower(), FORMATS)}")
+
+
+def _stem(name: str) -> str:
+    """The name of a scene as that of a module: letters lose their accents, a name without any is `scene`."""
+    plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+    stem = re.sub(r"\W+", "_", plain).strip("_") or "scene"
+    return stem if stem[0].isalpha() else f"scene_{stem}"
