@@ -20,6 +20,7 @@ from ..figures.tikz import tikz
 from ..physics.systems import profile_ids
 from ..print.box import width
 from ..rows import special
+from ..rows.row import Row
 from . import book, references, spread
 from .study import error, maps
 
@@ -130,12 +131,10 @@ def templates() -> jinja2.Environment:
     return environment
 
 
-def remark(one: dict[str, Any]) -> str:
+def remark(one: Row) -> str:
     """The words behind a formula with the keys they refer to."""
-    if not one["remark"]:
-        return ""
-    key = rf" \own{{{one['uses']}}}" if one["uses"] else ""
-    return rf"\remark{{{one['remark']}{key}}}"
+    key = rf" \own{{{one.refers}}}" if one.refers else ""
+    return rf"\remark{{{one.remark}{key}}}" if one.remark else ""
 
 
 ROOM = 380.0

@@ -49,7 +49,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
     rows = blocks.every(profile_id, derived)
     shown = blocks.blocks(profile_id, derived, rows, refusals, evidence)
     printed = [row for block in shown.values() for line in block.lines for row in line]
-    formulas = [(region["condition"], region["tex"]) for row in printed for region in row["regions"]]
+    formulas = [(region.condition, region.tex) for row in printed for region in row.regions]
     further = [(row.small, row.tex) for block in shown.values() for row in block.approached]
     figures = _figures(profile_id, profile, main, derived)
     return {
@@ -61,11 +61,11 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "panel": panel(profile, main, pool.strip) if main else [],
         "place": str(pool.place),
         "first": next(system.name for system in SYSTEMS if system.pool is pool),
-        "rows": {key: [blocks.told(one, profile_id) for one in own] for key, own in rows.items()},
+        "rows": rows,
         "blocks": shown,
         "sources": [(prose(work), references.label(work)) for work in profile.sources],
         "equations": _equations(own),
-        "shown": [end for row in printed for end in (row["suffix"], *row["also"])],
+        "shown": [anchor for row in printed for anchor in row.anchors],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),

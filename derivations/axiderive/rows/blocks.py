@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..entry import Entry
-from ..physics.systems import SYSTEMS, Problem, System, of, pool_of
+from ..physics.systems import SYSTEMS, Problem, System, pool_of
 from ..print.words import prose
 from ..profiles.pools import BODIES, ROUND
 from . import laws
@@ -27,7 +27,7 @@ class Block:
 
     title: str
     note: str
-    lines: list[list[dict[str, Any]]]
+    lines: list[tuple[Row, ...]]
     listed: list[str]
     """Ends of the keys whose rule stands in front of the book."""
     further: list[list[Further]] = field(default_factory=list)
@@ -38,7 +38,7 @@ class Block:
     """In place of rows: why there are none."""
 
 
-def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
+def _heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
     """Title and note of a block; a note speaks of what the block has rows for only."""
     title, note = system.heading, system.said.note
     if "am" in entries and not system.medium.graded:
@@ -46,45 +46,6 @@ def heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
     if "phi" in entries:
         return title, "load $P$ per length at $x=e$"
     return title, note
-
-
-def told(one: Row, profile_id: str) -> dict[str, Any]:
-    """A row as the web edition shows it."""
-    label, small = one.label
-    return {
-        "key": one.key,
-        "comment": " ".join(entry.key for entry in (one.entry, *one.also)),
-        "suffix": ending(one.entry, profile_id),
-        "also": [ending(entry, profile_id) for entry in one.also],
-        "shown": one.ends,
-        "label": label,
-        "small": small,
-        "regions": [{"condition": r.condition, "tex": r.tex, "remark": r.remark} for r in one.regions],
-        "remark": one.remark,
-        "uses": one.uses and ending_of(one.uses, one.entry),
-    }
-
-
-def printed(one: Row, profile_id: str) -> dict[str, Any]:
-    """A row as the template of the book sees it."""
-    found = told(one, profile_id)
-    if (
-        found["small"].startswith(("of first", "of greatest")) and one.regions[0].condition
-    ):  # the range stands where the words would
-        found["label"] += f" {found['small']}"
-    return found
-
-
-def ending(entry: Entry, profile_id: str) -> str:
-    """The key without the profile: d, adh.Fc, fgm.tan.u."""
-    return entry.key[len(profile_id) + 1 :]
-
-
-def ending_of(suffix: str, beside: Entry) -> str:
-    """The end of the key of another row: of the same problem, or of the normal contact for the viscoelastic one."""
-    system = of(beside)
-    group = system.base.group if system.physics.laws and system.base else system.group
-    return f"{group}.{suffix}".lstrip(".")
 
 
 def every(profile_id: str, derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, list[Row]]:
@@ -113,7 +74,7 @@ def blocks(
         if problem.key in derived:
             shown = in_print(system, rows[system.name])
             further = _further(problem, derived, (evidence or {}).get(problem.key, {}))
-            found[system.name] = _block(system, profile_id, shown, further, heading(system, derived[problem.key]))
+            found[system.name] = _block(system, shown, further, _heading(system, derived[problem.key]))
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found
@@ -175,13 +136,12 @@ def rows_of(
     return laws.rows(entries, derived[base.key]) if base and system.physics.laws else ordered(entries)
 
 
-def _block(system: System, profile_id: str, rows: list[Row], further: list[Further], head: tuple[str, str]) -> Block:
+def _block(system: System, rows: list[Row], further: list[Further], head: tuple[str, str]) -> Block:
     shown = [one for one in rows if not one.listed]
-    pairs = [(one,) for one in shown] if system.physics.laws else lines(shown)
     return Block(
         *head,
-        [[printed(one, profile_id) for one in pair] for pair in pairs],
-        [ending(entry, profile_id) for one in rows if one.listed for entry in (one.entry, *one.also)],
+        [(one,) for one in shown] if system.physics.laws else lines(shown),
+        [anchor for one in rows if one.listed for anchor in one.anchors],
         halved([one for one in further if not one.ruled]),
         further,
     )

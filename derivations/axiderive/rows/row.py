@@ -90,15 +90,39 @@ class Row:
         return self.entry.suffix
 
     @property
+    def entries(self) -> tuple[Entry, ...]:
+        """All entries that it gives."""
+        return self.entry, *self.also
+
+    @property
+    def anchors(self) -> list[str]:
+        """Their keys without the profile: adh.ac, adh.Fc, adh.dc."""
+        start = len(of(self.entry).pool.id(self.entry.profile.name)) + 1
+        return [entry.key[start:] for entry in self.entries]
+
+    @property
     def ends(self) -> str:
-        """The keys as they stand behind the formula, without the profile: adh.ac, Fc, dc."""
-        own = self.key.removeprefix(f"{of(self.entry).pool.id(self.entry.profile.name)}.")
-        return ", ".join([own, *(entry.suffix.partition("_")[2] or entry.suffix for entry in self.also)])
+        """The keys as they stand behind the formula: adh.ac, Fc, dc."""
+        return ", ".join([self.anchors[0], *(one.suffix.partition("_")[2] or one.suffix for one in self.also)])
+
+    @property
+    def refers(self) -> str:
+        """The end of the key of the row it refers to: of its problem, or of the normal contact under a law."""
+        system = of(self.entry)
+        group = system.base.group if system.physics.laws and system.base else system.group
+        return self.uses and f"{group}.{self.uses}".lstrip(".")
 
     @property
     def label(self) -> tuple[str, str]:
         """Label and the grey words under it: Contact radius, from force."""
         return self.title or self.entry.quantity.heading
+
+    @property
+    def head(self) -> str:
+        """The label in the book, with the words in whose place the range stands."""
+        label, small = self.label
+        said = self.regions[0].condition and small.startswith(("of first", "of greatest"))
+        return f"{label} {small}" if said else label
 
     @property
     def narrow(self) -> bool:

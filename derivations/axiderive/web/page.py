@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from ..book.evidence import power_of_ten
@@ -15,13 +16,13 @@ from ..entry import Entry
 from ..figures.axes import SCREEN, drawn
 from ..figures.svg import Picture, svg
 from ..physics.systems import Problem
-from ..print.words import prose
-from ..rows.approaches import Further as Printed
-from ..rows.blocks import ending, heading
-from .words import formula
+from ..rows.approaches import Further
+from ..rows.row import Row
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Evidence = Mapping[str, Any]
+Module = tuple[Signatures, Calls]
+"""The arguments of its functions, and the values of their examples."""
 
 
 @dataclass(frozen=True)
@@ -37,66 +38,22 @@ class Formula:
     """How the function evaluates the formula, and the errors that were measured."""
 
 
-@dataclass(frozen=True)
-class Further:
-    """A row without a key of its own: a limit, a universal curve."""
-
-    anchor: str
-    label: str
-    small: str
-    tex: Any
-    remark: str
-
-
-@dataclass(frozen=True)
-class Section:
-    """The rows of one problem, or the words in place of them."""
-
-    anchor: str
-    title: str
-    note: str
-    rows: list[dict[str, Any]]
-    """The rows of the book with everything the page knows about the entries they print."""
-    words: str = ""
-    further: Sequence[Further] = ()
-    figures: Sequence[Picture] = ()
-
-
-@dataclass(frozen=True)
-class Known:
-    """What the rows of one problem are completed with."""
-
-    problem: Problem
-    evidence: Evidence
-    """What was found about them: `entries` and `evaluation`, by suffix."""
-    functions: Signatures
-    values: Calls
-
-    def formula(self, entry: Entry) -> Formula:
-        """One formula with its evidence in words and its call in Python."""
-        suffix = ending(entry, self.problem.profile_id)
-        lines = imported(self.problem), assigned(entry, self.values), called(self.problem, entry, self.functions)
-        python = "\n\n".join(lines)
-        record = self.evidence.get("entries", {}).get(entry.suffix)
-        if record is None:
-            return Formula(suffix, False, "not verified in this edition", [], python)
-        short = "certified" if record["certified"] else "no exact certificate"
-        if agreed := [check for check in record["checks"] if check["outcome"] == "passed" and check.get("digits")]:
-            digits, count = min(check["digits"] for check in agreed), sum(check["count"] for check in agreed)
-            short += f"; {digits} digits at {count} points"
-        first, *others = record.get("summary", "").split("; ")
-        if reason := "" if record["certified"] else record.get("certificate", {}).get("reason", ""):
-            first += f": {reason}"
-        errors = measured(self.evidence.get("evaluation", {}).get(entry.suffix, {}))
-        return Formula(suffix, record["certified"], short, [first, *others], python, errors)
-
-    def row(self, one: Mapping[str, Any], entries: Mapping[str, Entry]) -> dict[str, Any]:
-        """A row as the page shows it, its formulas ready for KaTeX, from what `rows.blocks.told` says of it."""
-        own = [entries[key] for key in one["comment"].split()]
-        regions = [
-            (formula(r["tex"], display=True), r["condition"] and formula(r["condition"])) for r in one["regions"]
-        ]
-        return {**one, "regions": regions, "note": prose(own[0].note), "entries": list(map(self.formula, own))}
+def _formula(suffix: str, entry: Entry, problem: Problem, evidence: Evidence, module: Module) -> Formula:
+    """One formula with its evidence in words and its call in Python."""
+    functions, values = module
+    python = "\n\n".join([imported(problem), assigned(entry, values), called(problem, entry, functions)])
+    record = evidence.get("entries", {}).get(entry.suffix)
+    if record is None:
+        return Formula(suffix, False, "not verified in this edition", [], python)
+    short = "certified" if record["certified"] else "no exact certificate"
+    if agreed := [check for check in record["checks"] if check["outcome"] == "passed" and check.get("digits")]:
+        digits, count = min(check["digits"] for check in agreed), sum(check["count"] for check in agreed)
+        short += f"; {digits} digits at {count} points"
+    first, *others = record.get("summary", "").split("; ")
+    if reason := "" if record["certified"] else record.get("certificate", {}).get("reason", ""):
+        first += f": {reason}"
+    errors = measured(evidence.get("evaluation", {}).get(entry.suffix, {}))
+    return Formula(suffix, record["certified"], short, [first, *others], python, errors)
 
 
 FORMS = {"closed": "closed form", "kernel": "special function", "rule": "Gauss rule", "root": "iteration"}
@@ -134,41 +91,34 @@ def _ulps(found: Mapping[str, Any]) -> str:
 TARGET = re.compile(r"\\hyperref\[sec:([\w.]+)\]")
 
 
-def _further(one: Printed, profile_id: str) -> Further:
-    """Its address is limit.cone of what it tends to, or universal.adh.F of the first formula it gives."""
-    target = TARGET.search(one.label + one.remark)
-    anchor = f"{one.kind}.{target[1] if target else one.keys[0].removeprefix(profile_id + '.')}"
-    tex = "" if one.words else formula(one.tex, display=True)
-    return Further(anchor, one.label, one.small, tex, one.words or one.remark)
+def _addressed(rows: Sequence[Further], profile_id: str) -> list[tuple[str, Further]]:
+    """Each with its address: limit.cone of what it tends to, or universal.adh.F of the first formula it gives.
 
-
-def _apart(rows: list[Further]) -> list[Further]:
-    """Rows of one kind and key, for several ranges, with a number behind the address of all but the first."""
+    Of rows of one kind and key, for several ranges, all but the first have a number behind it.
+    """
     seen: Counter[str] = Counter()
     found = []
     for one in rows:
-        seen[one.anchor] += 1
-        found.append(replace(one, anchor=f"{one.anchor}.{seen[one.anchor]}") if seen[one.anchor] > 1 else one)
+        target = TARGET.search(one.label + one.remark)
+        anchor = f"{one.kind}.{target[1] if target else one.keys[0].removeprefix(profile_id + '.')}"
+        seen[anchor] += 1
+        found.append((f"{anchor}.{seen[anchor]}" if seen[anchor] > 1 else anchor, one))
     return found
 
 
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
-    """The model of the printed spread, with the rows the web page shows in place of its blocks."""
+    """The model of the printed spread, with all rows of every block, what is known of their formulas, and figures."""
     problems = {problem.system.name: problem for problem in problems_of(model["name"])}
     sections, pictures = [], figures(model)
     for name, block in model["blocks"].items():
-        anchor = f"about.{name}"
-        if block.words:
-            sections.append(Section(anchor, block.title, "", [], block.words))
-            continue
-        problem = problems[name]
-        title, note = heading(problem.system, derived[problem.key])
-        source = modules[problem.module]
-        known = Known(problem, evidence.get(problem.key, {}), signatures(source), examples(source))
-        entries = {entry.key: entry for entry in derived[problem.key].values()}
-        further = _apart([_further(one, model["name"]) for one in block.approached])
-        shown = [known.row(one, entries) for one in model["rows"][name]]
-        sections.append(Section(anchor, title, note, shown, further=further, figures=pictures.get(name, ())))
+        shown: list[tuple[Row, list[Formula]]] = []
+        if not block.words:
+            problem = problems[name]
+            module = signatures(modules[problem.module]), examples(modules[problem.module])
+            known = partial(_formula, problem=problem, evidence=evidence.get(problem.key, {}), module=module)
+            shown = [(one, list(map(known, one.anchors, one.entries))) for one in model["rows"][name]]
+        further = _addressed(block.approached, model["name"])
+        sections.append((f"about.{name}", block, shown, further, pictures.get(name, ())))
     return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}
 
 

@@ -18,6 +18,7 @@ from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.handbook import Model, page_models
 from ..code.python import package_sources
 from ..physics.systems import SYSTEMS, pool_of
+from ..print.words import prose
 from ..profiles.pools import ROUND
 from . import study
 from .home import home
@@ -134,7 +135,7 @@ class Site:
 
         environment.globals["studied"] = self.studied
         environment.filters.update(
-            words=partial(words, link=link), tex=formula, slug=slug, anchor_of=anchor_of, plain=plain
+            words=partial(words, link=link), tex=formula, prose=prose, slug=slug, anchor_of=anchor_of, plain=plain
         )
         return environment.get_template(f"{name}.html.j2").render(model)
 
