@@ -13,7 +13,6 @@ import sympy as sp
 from .. import notation as nt
 from ..abel import masters
 from ..entry import Entry
-from ..figures.given import Strip
 from ..figures.values import Numbers, Values
 from ..physics.systems import Problem, pool_of
 from ..print.box import width
@@ -416,7 +415,7 @@ def _pressed(load: Load, entries: Mapping[str, Entry]) -> dict[str, Any]:
 def _tilted(profile: Profile, entries: Mapping[str, Entry]) -> dict[str, Any]:
     """The pressure over its mean on either side of the middle, before an edge lifts off."""
     values: Values = {nt.a: sp.S.One, nt.P: sp.Integer(2), nt.E_star: sp.S.One, nt.e: ECCENTRICITY}
-    numbers = Strip(profile, entries, values)
+    numbers = Numbers(profile, entries, values)
     with mp.workdps(numbers.digits):
         heads = [(r"\varphi", numbers("phi")), (r"\bar p", mp.mpf(1))]
         sides = [[(s + x, numbers("p", mp.mpf(s + x))) for x in INSIDE] for s in ("-", "")]

@@ -67,7 +67,7 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
     values: Values = {nt.a: sp.S.One, nt.P: sp.Integer(2), nt.E_star: sp.S.One}
     pressures: list[Rows] = []
     for e in ECCENTRICITIES:
-        numbers = Strip(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
+        numbers = Numbers(profile, entries, values | {nt.e: sp.Rational(e) - sp.Rational(1, 10**12)}, DIGITS)
         end = max(4 * mp.mpf(e) - 3, -1) + NEAR  # of the contact, where the pressure rises as a root
         rising = {end + (1 - NEAR - end) * mp.sin(mp.pi * i / 240) ** 2 for i in range(120)}
         places = sorted({NEAR - 1} | rising)
@@ -75,7 +75,7 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
     tilt = []
     for share in (mp.mpf(i) / 50 for i in range(46)):
         e = sp.Rational(str(share)) + sp.Rational(1, 10**9)  # the border of lift-off belongs to neither case
-        tilt.append((float(share), float(mp.pi / 2 * Strip(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
+        tilt.append((float(share), float(mp.pi / 2 * Numbers(profile, entries, values | {nt.e: e}, DIGITS)("phi"))))
     return (
         axes(
             ("$x/a$", r"$p/\bar p$"), (-1.0, 1.0), (0.0, HIGHEST), list(zip(pressures, ECCENTRICITIES, strict=True)),
@@ -86,14 +86,6 @@ def _tilted_axes(profile: Profile, entries: Mapping[str, Entry]) -> tuple[Axes, 
             ("Inclination", r"under $P$ at $x=e$; linear until an edge lifts off."),
         ),
     )  # fmt: skip
-
-
-class Strip(Numbers):
-    """The entries of a plane contact at numbers, whose fields are asked for at x instead of r."""
-
-    def place(self, suffix: str) -> sp.Symbol:
-        """The coordinate a field is asked for at: x."""
-        return nt.x
 
 
 RADIUS = 1.7
@@ -184,7 +176,7 @@ class _Surface:
 
     def __init__(self, profile: Profile, entries: Mapping[str, Entry], values: Values) -> None:
         self.values = values
-        numbers = Strip(profile, entries, values, DIGITS)
+        numbers = Numbers(profile, entries, values, DIGITS)
         self.tilt = numbers("phi")
         angles = [mp.pi * (2 * i + 1) / (2 * NODES) for i in range(NODES)]
         # the rule of Gauss and Chebyshev: the pressure without its root times equal weights

@@ -16,12 +16,11 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import evaluated
 from ..print.formula import Printer
 from ..profiles.profile import Profile
 from .axes import HIGHEST, Axes, Mark, Shown, axes, short
 from .drawing import Rows
-from .values import Numbers, StripNumbers, sketch_values
+from .values import Numbers, sketch_values
 
 TOP = HIGHEST * 1.06
 RATIOS = ("0.25", "0.5", "0.8")
@@ -64,8 +63,9 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
         family = [(ratio, numbers.at(**changed(sp.Rational(ratio)))) for ratio in ratios]
         return family, f"${name}={', '.join(ratios)}$"
 
-    if isinstance(numbers, StripNumbers) and "Pmin" in numbers.entries:
-        return members(r"P/P_{\mathrm{min}}", ("1", "2", "4"), lambda v: {"P": numbers.least * v})
+    if "Pmin" in numbers.entries:
+        load = sp.nsimplify(numbers.least, rational=True)
+        return members(r"P/P_{\mathrm{min}}", ("1", "2", "4"), lambda v: {"P": load * v})
     if profile.breaks:
         b = profile.breaks[0]
         return members(f"{nt.describe(b).latex}/a", RATIOS, lambda v: {"a": values[b] / v})
@@ -76,7 +76,7 @@ def _family(profile: Profile, numbers: Numbers) -> tuple[list[tuple[str, Numbers
         bound = profile.chain[-1]
         return members(f"a/{nt.describe(bound).latex}", ("0.5", "0.9", "0.99"), lambda v: {"a": v * values[bound]})
     if nt.h in profile.parameters and profile.complete:
-        least = sp.nsimplify(numbers("dmin"), rational=True)
+        least = sp.nsimplify(numbers.least, rational=True)
         return members(r"d/d_{\mathrm{min}}", ("1", "2", "4"), lambda v: {"d": least * v})
     if profile.complete and nt.R in profile.parameters:
         contact = values[nt.a] ** 2 / values[nt.R]
@@ -282,7 +282,7 @@ def _pressed(profile: Profile, numbers: Numbers) -> Axes:
     height, length = _unit(profile)
     depth, size = (mp.mpf(str(x.xreplace(numbers.values).evalf(20))) for x in (height, length))
     domed = nt.R in profile.parameters
-    least = depth if domed else least_depth(numbers)
+    least = depth if domed else numbers.least
     depths = [least * mp.mpf(i) / 20 for i in range(1 if domed else 20, 61)]
     rows = [(float(d / depth), float(numbers.at(d=d)("F") / (depth * size))) for d in depths]
     x, y = next(row for row in rows if row[0] >= float(least / depth) * (1 - 1e-9))
@@ -301,21 +301,6 @@ def _pressed(profile: Profile, numbers: Numbers) -> Axes:
         _names(height, length, True), (0.0, end), (0.0, top), [(rows, "")], ("Force and depth", words), references,
         (shown,),
     )  # fmt: skip
-
-
-def least_depth(numbers: Numbers) -> Any:
-    """The depth from which on a concave face is in contact everywhere."""
-    case = numbers.entries["rz"].cases[-1]
-    if not case.expr.has(nt.r_zero):
-        return numbers("dmin")
-    with mp.workdps(numbers.digits):
-        a = numbers["a"]
-
-        def excess(ring: Any) -> Any:
-            return evaluated(case.expr.lhs - case.expr.rhs, {**numbers.values, nt.r_zero: ring})
-
-        ring = mp.findroot(excess, (a / 3, 2 * a / 3), solver="anderson")
-    return numbers.at(r_zero=ring)("dmin")
 
 
 def _beside(numbers: Numbers) -> Axes:

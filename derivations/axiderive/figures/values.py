@@ -70,8 +70,24 @@ class Numbers:
             return mp.re(evaluated(case.expr, values))
 
     def place(self, suffix: str) -> sp.Symbol:
-        """The coordinate a field is asked for at."""
-        return nt.r
+        """The coordinate a field is asked for at: r or x, and L of the depth of a strip."""
+        return next((s for s in self.entries[suffix].quantity.arguments if s in (nt.x, nt.L)), nt.r)
+
+    @property
+    def least(self) -> Any:
+        """The depth, or load of a strip, from which on a concave face is in contact everywhere."""
+        suffix, bound = ("xz", "Pmin") if "xz" in self.entries else ("rz", "dmin")
+        entry = self.entries[suffix]
+        symbol = entry.quantity.symbol
+        equation = next((case.expr for case in entry.cases if case.expr.has(symbol)), None)
+        with mp.workdps(self.digits):
+            if equation is None:
+                ring = Numbers.__call__(self, suffix)
+            else:
+                a, excess = self["a"], equation.lhs - equation.rhs
+                near = (a / 3, 2 * a / 3)
+                ring = mp.findroot(lambda x: evaluated(excess, {**self.values, symbol: x}), near, solver="anderson")
+        return Numbers(self.profile, self.entries, self.values | {symbol: ring}, self.digits)(bound)
 
     @property
     def depth(self) -> Any:
@@ -115,23 +131,6 @@ class StripNumbers(Numbers):
         load = share * (self.least if "Pmin" in self.entries else sp.Rational(1, 2))
         return sp.Rational(f"{float(load):.3g}")
 
-    @property
-    def least(self) -> sp.Rational:
-        """The least load of complete contact."""
-        ring = self("xz") if self.entries["xz"].status == "closed" else self._ring()
-        values = self.values | {nt.x_zero: ring}
-        found = Numbers(self.profile, self.entries, values, self.digits)("Pmin")
-        return sp.nsimplify(found, rational=True)
-
-    def _ring(self) -> Any:
-        case = next(c for c in self.entries["xz"].cases if c.expr.has(nt.x_zero))
-        equation = case.expr.lhs - case.expr.rhs
-        with mp.workdps(self.digits):
-            a = self["a"]
-            return mp.findroot(
-                lambda x: evaluated(equation, {**self.values, nt.x_zero: x}), (a / 3, 2 * a / 3), solver="anderson"
-            )
-
     def at(self, **changed: Any) -> Numbers:
         """The same strip with other values, by the names of their symbols."""
         values = self.values | {nt.describe(name).symbol: value for name, value in changed.items()}
@@ -143,10 +142,6 @@ class StripNumbers(Numbers):
         if suffix == "w":
             return self.depth - super().__call__("d", r)
         return super().__call__(suffix, self.reach if suffix == "d" and r is None else r)
-
-    def place(self, suffix: str) -> sp.Symbol:
-        """L for the depth, x for everything else."""
-        return nt.L if suffix == "d" else nt.x
 
     @property
     def reach(self) -> Any:
