@@ -225,7 +225,7 @@ def test_graded_plots_stand_with_the_graded_contact(models: Any) -> None:
     """Of the paraboloid and the cone; what grading does to them it does to the others."""
     assert models["loads.power"]["graded"] == models["power_law"]["graded"] == ()
     drawn = frames(load("paraboloid"), stored("paraboloid"), stored("paraboloid.fgm"))
-    shown = figures({"plots": (), "curves": (), "axes": (), "graded": drawn, "first": "normal"})
+    shown = figures({"plots": (), "curves": (), "axes": (), "graded": drawn, "stress": (), "first": "normal"})
     assert [figure.drawing.anchor for figure in shown["graded.normal"]] == [
         "plot.graded-pressure",
         "plot.graded-displacement",
