@@ -111,10 +111,8 @@ def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
     from ..chapter11.errata import record
 
     key = work.chapter_key()
-    kept = standing.get("record")
-    if not cache.fresh and kept is not None and standing["receipts"].get("record") == work.receipt(key, kept):
-        return dict(kept)
-    return dict(cache.made(key, lambda: record(run(jobs=jobs))))
+    kept = None if cache.fresh else work.taken_over(standing, "record", key)
+    return dict(cache.made(key, lambda: record(run(jobs=jobs))) if kept is None else kept)
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:

@@ -140,6 +140,12 @@ def receipt(key: str, found: object) -> str:
     return digest([key, found])[:32]
 
 
+def taken_over(standing: Mapping[str, Any], name: str, made_of: str) -> Any | None:
+    """What the catalogue holds under a name, if it was made of these inputs; None otherwise."""
+    found, known = standing.get(name), standing.get("receipts", {}).get(name)
+    return found if found is not None and known == receipt(made_of, found) else None
+
+
 def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None:
     """The outcome if both its halves are in the cache."""
     derivation = cache.get(derivation_key(problem))
@@ -181,11 +187,8 @@ def kept_checks(
     problem: Problem, entries: dict[str, Any], settings: Settings, standing: Mapping[str, Any]
 ) -> list[dict[str, Any]] | None:
     """The checks of the catalogue if they were made from these inputs; None otherwise."""
-    checks = standing.get("checks")
-    known = standing.get("receipts", {}).get("checks")
-    if checks is None or known != receipt(checking_key(problem, entries, settings), checks):
-        return None
-    return list(checks)
+    checks = taken_over(standing, "checks", checking_key(problem, entries, settings))
+    return None if checks is None else list(checks)
 
 
 def measured(made_of: str, cache: Cache, standing: Mapping[str, Any]) -> tuple[dict[str, Any] | None, bool]:
@@ -193,10 +196,8 @@ def measured(made_of: str, cache: Cache, standing: Mapping[str, Any]) -> tuple[d
 
     `made_of` is their `evaluation_key`, `standing` what the catalogue holds of the problem.
     """
-    errors, known = standing.get("evaluation"), standing.get("receipts", {}).get("evaluation")
-    if not cache.fresh and errors is not None and known == receipt(made_of, errors):
-        return dict(errors), True
-    return cache.get(made_of), False
+    errors = None if cache.fresh else taken_over(standing, "evaluation", made_of)
+    return (cache.get(made_of), False) if errors is None else (dict(errors), True)
 
 
 def evaluation(

@@ -90,9 +90,9 @@ class Draw:
         """A random stress, pressure or modulus: a force over the square of a length."""
         return self.quantity(-2, 1, lo, hi)
 
-    def power_sum(self, lo: float = 1.2, hi: float = 3.5, terms: int = 2) -> PowerSum:
+    def power_sum(self, terms: int = 2) -> PowerSum:
         """A random sum of real powers that grows with r."""
-        exponents = [self.number(lo, hi) for _ in range(terms)]
+        exponents = [self.number(1.2, 3.5) for _ in range(terms)]
         return PowerSum(tuple((self.quantity(1 - n, 0), n) for n in exponents))
 
     def even_sum(self, terms: int = 3) -> PowerSum:
