@@ -64,13 +64,27 @@ class Face(ABC):
             total += a ** (1 + self.k) * (depth - self.depth(a))
         return 2 * total / (1 + self.k)
 
-    @abstractmethod
     def depth_rate(self, a: Number) -> Number:
         """dg/da, the integral differentiated under its sign; each kink adds what its moving angle brings in."""
+        return self._rate(a, [(a - b) * (a + b) for b, _ in self.shape.kinks])
 
-    @abstractmethod
     def force_rate(self, a: Number) -> Number:
         """(dF/da)/H of the compact contact: the weight a**k s**2 f'(s) differentiated at constant angle."""
+        k = self.k
+        total = a ** (k - 1) * self._over(
+            a, lambda piece, s: (k * piece.slope(s) + piece.bend(s) + piece.slope(s)) * s * s
+        )
+        kinks = ((b, jump, (a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
+        total += mp.fsum(b**3 * jump * gap ** ((k - 1) / 2) / a for b, jump, gap in kinks)
+        return 2 * total / (1 + k)
+
+    def _rate(self, t: Number, gaps: list[Number]) -> Number:
+        """g'(t) with t**2 - b**2 given for every break b."""
+        return self._bend(t, gaps) + t**-self.k * mp.fsum(
+            b * jump * gap ** ((self.k - 1) / 2)
+            for (b, jump), gap in zip(self.shape.kinks, gaps, strict=True)
+            if gap > 0 and jump != 0
+        )
 
     @abstractmethod
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
@@ -81,23 +95,16 @@ class Face(ABC):
         """p(r)/H for 0 < r < a."""
 
     @abstractmethod
+    def _bend(self, t: Number, gaps: list[Number]) -> Number:
+        """The integral of (s f')' in g'(t)."""
+
+    @abstractmethod
     def _over(self, a: Number, integrand: Integrand) -> Number:
         """int integrand(s) sin(y)**k dy over the pieces below a."""
 
 
 class Homogeneous(Face):
     """The profile on the half-space of one modulus E*."""
-
-    def depth_rate(self, a: Number) -> Number:
-        """dg/da."""
-        total = self._over(a, lambda piece, s: piece.bend(s))
-        return total + mp.fsum(b * jump / mp.sqrt((a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
-
-    def force_rate(self, a: Number) -> Number:
-        """(dF/da)/E*."""
-        total = self._over(a, lambda piece, s: (piece.bend(s) + piece.slope(s)) * s * s / a)
-        kinks = ((b, jump) for b, jump in self.shape.kinks if b < a)
-        return 2 * (total + mp.fsum(b**3 * jump / (a * mp.sqrt((a - b) * (a + b))) for b, jump in kinks))
 
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
         """w(r) for r > a."""
@@ -120,6 +127,9 @@ class Homogeneous(Face):
         if depth is not None:
             total += (depth - self.depth(a)) / mp.sqrt((a - r) * (a + r))
         return total / mp.pi
+
+    def _bend(self, t: Number, gaps: list[Number]) -> Number:
+        return self._over(t, lambda piece, s: piece.bend(s))
 
     def _over(self, a: Number, integrand: Integrand) -> Number:
         return self._over_angle(a, lambda piece, s, z: integrand(piece, s), ())
@@ -223,20 +233,6 @@ BALLS = Arithmetic(rules.ball, lambda x: x.sin_cos()[::-1], rules.sum_over_balls
 class Graded(Face):
     """The profile on a half-space whose modulus is a power of the depth."""
 
-    def depth_rate(self, a: Number) -> Number:
-        """dg/da."""
-        return self._rate(a, [(a - b) * (a + b) for b, _ in self.shape.kinks])
-
-    def force_rate(self, a: Number) -> Number:
-        """(dF/da)/H."""
-        k = self.k
-        total = a ** (k - 1) * self._over(
-            a, lambda piece, s: (k * piece.slope(s) + piece.bend(s) + piece.slope(s)) * s * s
-        )
-        kinks = ((b, jump, (a - b) * (a + b)) for b, jump in self.shape.kinks if b < a)
-        total += mp.fsum(b**3 * jump * gap ** ((k - 1) / 2) / a for b, jump, gap in kinks)
-        return 2 * total / (1 + k)
-
     def displacement(self, a: Number, r: Number, depth: Number | None = None) -> Number:
         """w(r) for r > a."""
         k, q2 = self.k, (r - a) * (r + a)
@@ -272,14 +268,6 @@ class Graded(Face):
             return (x + (start - b)) * (x + start + b)
 
         return self._rate(start + x, [gap(b) for b, _ in self.shape.kinks]) * gap(r) ** ((self.k - 1) / 2)
-
-    def _rate(self, t: Number, gaps: list[Number]) -> Number:
-        """g'(t) with t**2 - b**2 given for every break b."""
-        return self._bend(t, gaps) + t**-self.k * mp.fsum(
-            b * jump * gap ** ((self.k - 1) / 2)
-            for (b, jump), gap in zip(self.shape.kinks, gaps, strict=True)
-            if gap > 0 and jump != 0
-        )
 
     def _bend(self, t: Number, gaps: list[Number]) -> Number:
         """The integral of (s f')' in it; that over c n**2 s**(n - 1) is a power of t times the one for t = 1."""
