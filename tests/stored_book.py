@@ -16,7 +16,7 @@ from axiderive.readback import front
 from axiderive.readback.claims import Line
 from axiderive.readback.compare import residuals, worst_residual
 from axiderive.readback.ranges import Place, misplaced, places_of
-from axiderive.rows import in_print
+from axiderive.rows import blocks
 from axiderive.rows.blocks import rows_of
 from axiderive.rows.row import Region, Row
 from axiderive.rows.special import HOSTS
@@ -81,7 +81,7 @@ def rows(key: str) -> list[Row]:
 @cache
 def printed(key: str) -> list[Row]:
     """The rows of a problem that stand in the book, those that are said by a rule marked as listed."""
-    return in_print.printed(problem(key).system, rows(key))
+    return blocks.printed(problem(key).system, rows(key))
 
 
 def residual(key: str, one: Row, count: int = 1, seed: int = SEED) -> Any:

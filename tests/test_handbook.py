@@ -26,8 +26,7 @@ from axiderive.physics.normal import derive
 from axiderive.physics.systems import problems
 from axiderive.print.words import prose
 from axiderive.profiles import NAMES, load
-from axiderive.rows.blocks import rows_of
-from axiderive.rows.in_print import printed
+from axiderive.rows.blocks import printed, rows_of
 from axiderive.rows.laws import universal_rows
 
 SAMPLE = ("cone", "rounded_punch", "capped_cylinder", "plane.wedge", "loads.power", "materials")

@@ -21,8 +21,9 @@ from axiderive.book.study import error
 from axiderive.figures.plots import frames
 from axiderive.figures.svg import Picture
 from axiderive.profiles import load
-from axiderive.web import html_sources, study
+from axiderive.web import html_sources
 from axiderive.web.page import figures
+from axiderive.web.site import studies_model
 
 SAMPLE = ("power_law", "rounded_punch", "plane.eccentric_punch", "loads.power")
 LARGEST = 1_000_000
@@ -104,7 +105,7 @@ def test_measured_errors_stand_with_the_evidence_of_their_formula(site: dict[str
 
 
 def _shown() -> dict[str, Any]:
-    return study.model(studies_of_book.figures(STUDIES, frozenset({"cone.p"})))
+    return studies_model(studies_of_book.figures(STUDIES, frozenset({"cone.p"})))
 
 
 def _decade(figure: Picture, upwards: bool) -> tuple[float, float]:
@@ -207,7 +208,7 @@ def test_frames_without_a_body_are_drawn(site: dict[str, str]) -> None:
 def test_a_study_that_was_not_made_leaves_its_part_out() -> None:
     one = copy.deepcopy(STUDIES)
     del one["maps"]
-    shown = study.model(studies_of_book.figures(one, frozenset()))
+    shown = studies_model(studies_of_book.figures(one, frozenset()))
     assert shown["maps"] is None
     assert len(shown["extremes"]) == len({(r["limit"], r["key"].rpartition(".")[0]) for r in one["extremes"]["rows"]})
 

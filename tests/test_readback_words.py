@@ -14,10 +14,10 @@ from stored_book import HANDBOOK, KEYS, PRINTED, evidence, stored
 from test_misprints import NOT_A_NUMBER
 
 from axiderive.physics.systems import pool_of, problem
-from axiderive.readback import ranges, sentences
+from axiderive.readback import front, ranges
 from axiderive.readback.claims import Line
 from axiderive.readback.compare import ENDS, KINDS, wrong
-from axiderive.readback.sentences import LISTED
+from axiderive.readback.front import LISTED
 from axiderive.readback.source import Inline, further, inline
 
 SOURCES = ("handbook.tex", *(f"profiles/{name}.tex" for name in PRINTED))
@@ -34,11 +34,11 @@ def said() -> tuple[Line, ...]:
     """The statements of the words that are compared, whichever page they stand on."""
     entries = {key: stored(key) for key in FOUND}
     return (
-        *sentences.in_front(stored("materials")),
-        *sentences.in_guide(stored("materials"), stored("paraboloid"), stored("paraboloid.adh")),
-        *sentences.stable_branch(stored("cone.adh")),
-        *sentences.derivations(entries),
-        *sentences.of_profiles(entries),
+        *front.in_front(stored("materials")),
+        *front.in_guide(stored("materials"), stored("paraboloid"), stored("paraboloid.adh")),
+        *front.stable_branch(stored("cone.adh")),
+        *front.derivations(entries),
+        *front.of_profiles(entries),
     )
 
 

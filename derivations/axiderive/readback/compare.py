@@ -19,8 +19,8 @@ from ..entry import Entry
 from ..oracle.evaluate import case_at, decades, evaluate, evaluated
 from ..physics.systems import of
 from ..rows import laws
+from ..rows.blocks import texts_of
 from ..rows.claims import Exact, claim, points_of
-from ..rows.in_print import texts_of
 from ..rows.row import Row, row
 from .claims import (
     CLOSE,

@@ -16,11 +16,12 @@ from markupsafe import Markup, escape
 from ..book import book
 from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.handbook import Model, page_models
+from ..book.study import error, maps
 from ..code.python import package_sources
+from ..figures.svg import Picture, svg
 from ..physics.systems import SYSTEMS, pool_of
-from ..print.words import prose
+from ..print.words import escaped, prose
 from ..profiles.pools import ROUND
-from . import study
 from .home import home
 from .page import Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
@@ -80,11 +81,53 @@ def html_sources(
     parts = [(title, address) for title, address, _ in PARTS if address.startswith("reading")]
     files["reading.html"] = site.render("reading", front | {"parts": parts})
     if studies:
-        files["study.html"] = site.render("study", study.model(front["studies"]))
+        files["study.html"] = site.render("study", studies_model(front["studies"]))
     if chapter11 is not None:
         files["chapter11.html"] = site.render("chapter11", {"chapter11": _with_errata(front["chapter11"])})
     files["assets/keys.js"] = search_index(models, derived, front, bool(studies))
     return files | assets()
+
+
+UNIT = 8.0
+"""SVG units to a millimetre."""
+
+
+def _panel(panel: error.Panel, whole: error.Figure) -> Picture:
+    return svg(error.picture(panel, whole), UNIT)
+
+
+def studies_model(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """What the page of the studies shows, from `book.study`; each part may be missing."""
+    shown: dict[str, Any] = {"error": None, "speed": figures["speed"], "maps": None, "extremes": None}
+    if figures["error"]:
+        whole = figures["error"]
+        shown["error"] = {"panels": [_panel(one, whole) for one in whole.panels], "methods": whole.methods}
+    if figures["maps"]:
+        found = figures["maps"]
+        shown["maps"] = {
+            "figures": [svg(maps.drawing(one, printed=False), UNIT) for one in (*found.square, *found.plain)],
+            "legend": found.legend,
+        }
+    if figures["extremes"]:
+        shown["extremes"] = [row | {"problem": _linked(row), "anchor": _address(row)} for row in figures["extremes"]]
+    return shown
+
+
+def _address(row: Mapping[str, Any]) -> str:
+    """extreme.b-to-0.cone: of the limit and the problem, which no other row has both."""
+    # the sign tells k to -1 and k to 1 apart
+    limit = slug(row["limit"].replace(r"\to", "to").replace("-", "minus ").translate(PLAIN))
+    return f"extreme.{limit}.{row['problem']}"
+
+
+PLAIN = str.maketrans({"$": None, "\\": None, "{": None, "}": None})
+"""What LaTeX puts around the letters of a limit."""
+
+
+def _linked(row: Mapping[str, Any]) -> str:
+    """The problem, linked to the first of its formulas in the row."""
+    problem, first = row["problem"], row["keys"].partition(",")[0]
+    return rf"\hyperref[eq:{problem}.{first}]{{{escaped(problem)}}}"
 
 
 COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
