@@ -54,13 +54,6 @@ def check_profile(own: Comparison) -> list[Evidence]:
     return checks + [continuity(own, suffix) for suffix in several] + simpler(own)
 
 
-def _judge(own: Comparison, suffix: str, identity: str, rows: Rows) -> Evidence:
-    if not rows:
-        reason = "no pair of cases that a formula of its own tells apart"
-        return not_available(own.entries[suffix].key, identity, reason)
-    return own.judge(suffix, identity, rows)
-
-
 def _at_cases(own: Comparison, suffix: str, each: int = EACH) -> list[Values]:
     """Random points in every case."""
     entry = own.entries[suffix]
@@ -74,16 +67,14 @@ def stiffness(own: Comparison) -> Evidence:
     places = [p.values for p in own.drawn("F", 1) if not p.extreme] if graded else _at_cases(own, "F")
     rows: Rows = []
     for values in places:
-        force = case_at(own.entries["F"], values).expr
-        if own.profile.complete:
-            slope = sp.diff(force, nt.d)
-        else:
-            slope = sp.diff(force, nt.a) / sp.diff(case_at(own.entries["d"], values).expr, nt.a)
+        slope = sp.diff(case_at(own.entries["F"], values).expr, nt.d if own.profile.complete else nt.a)
+        if own.profile.compact:
+            slope /= sp.diff(case_at(own.entries["d"], values).expr, nt.a)
         with mp.workdps(digits + GUARD):
             wanted = evaluate(case_at(own.entries["k"], values).expr, values, digits)
             got = _value(slope, values, digits) if graded else evaluate(slope, values, digits)
             rows.append((values, residual(got, wanted)))
-    return _judge(own, "k", f"dF/dd{'' if graded else ' = 2 E* a'}, by differentiating F and d", rows)
+    return own.judge("k", f"dF/dd{'' if graded else ' = 2 E* a'}, by differentiating F and d", rows)
 
 
 def edge(own: Comparison) -> Evidence:
@@ -103,7 +94,7 @@ def edge(own: Comparison) -> Evidence:
                 depth = evaluate(case_at(own.entries["d"], values).expr, values, digits)
             wanted = depth - shape(own.profile, values).height(evaluated(case.chain[position], values))
             rows.append((values, residual(evaluate_case(case, values, digits), wanted)))
-    return _judge(own, "w", "w(a) = d - f(a)", rows)
+    return own.judge("w", "w(a) = d - f(a)", rows)
 
 
 def profile_from_depth(own: Comparison) -> Evidence:
@@ -118,7 +109,7 @@ def profile_from_depth(own: Comparison) -> Evidence:
 
             total = over_contact(own.entries["d"], values, depth, own.digits)
             rows.append((values, residual(2 * total / mp.pi, shape(own.profile, values).height(a))))
-    return _judge(own, "d", "f recovered from g by (11.28)", rows)
+    return own.judge("d", "f recovered from g by (11.28)", rows)
 
 
 def force_of_pressure(own: Comparison) -> Evidence:
@@ -131,7 +122,7 @@ def force_of_pressure(own: Comparison) -> Evidence:
         drawn = points(own.profile, case.chain, EXTREME_PLANS + EACH, own.seed, fields(own.profile, entry))
         values = min((point.values for point in drawn), key=decades)
         rows.append((values, carried(case, entry, values, own.digits)))
-    return _judge(own, "F", identity, rows)
+    return own.judge("F", identity, rows)
 
 
 def traction_carried(own: Comparison) -> Evidence:
@@ -235,7 +226,9 @@ def continuity(own: Comparison, suffix: str) -> Evidence:
         swapped = _exchanged(left.chain[differing[0]], left.chain[differing[1]], values)
         here, there = (evaluate_case(case, at, digits) for case, at in ((left, values), (right, swapped)))
         rows.append((values, residual(here, there)))
-    return _judge(own, suffix, compared, rows)
+    if not rows:
+        return not_available(entry.key, compared, "no pair of cases that a formula of its own tells apart")
+    return own.judge(suffix, compared, rows)
 
 
 def _exchanged(lo: sp.Expr, hi: sp.Expr, values: Values) -> Values:
