@@ -26,7 +26,7 @@ scene.toml:10: unknown parameter of cone 'tehta'; did you mean 'theta'?
     10 | tehta = 1
 scene.toml:13: E must be a pressure, but '2 mm' is a length; write '5 MPa'
     13 | E  = "2 mm"
-scene.toml:14: nu = 0.7 is outside -1 < nu <= 0.5; 0.5 is an incompressible half-space
+scene.toml:14: nu = 0.7 is outside -1 < nu <= 1/2; change the value
     14 | nu = 0.7
 scene.toml:17: dgamma: unit 'mJ' in '50 mJ' is unknown; did you mean 'mJ/m^2'?
     17 | adhesive   = { dgamma = "50 mJ" }

@@ -225,9 +225,13 @@ def _listed(names: list[str]) -> str:
     return names[0] if len(names) == 1 else ", ".join(names[:-1]) + " and " + names[-1]
 
 
-def symbols(entries: Mapping[str, Entry]) -> set[str]:
-    """Names of the symbols that occur in the rows of a profile."""
-    found = {"a", "f", "g", "d", "F"}
+PANEL = ("a", "f", "g", "d", "F")
+"""Names of the symbols in the definition panel of a round profile."""
+
+
+def symbols(entries: Mapping[str, Entry], further: Iterable[str] = PANEL) -> set[str]:
+    """Names of the symbols that occur in the rows of a profile, and further ones."""
+    found = {*further}
     for entry in entries.values():
         printed_symbols = {s.name for case in entry.cases for s in case.expr.free_symbols if isinstance(s, sp.Symbol)}
         found |= printed_symbols | {s.name for s in (entry.quantity.symbol, *entry.quantity.arguments)}

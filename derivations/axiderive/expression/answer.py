@@ -13,7 +13,6 @@ import numpy as np
 import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
-from .. import notation as nt
 from ..abel.atoms import PowerAtom
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
@@ -30,7 +29,7 @@ from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile, Sketch
 from ..proof.certificate import Certificate, certify_profile
 from . import undetermined
-from .definition import Numeric, definition, quantity
+from .definition import Numeric, definition, lengths, quantity
 from .names import ExpressionError
 from .profile import OwnProfile
 from .undetermined import NotSolvableError
@@ -198,7 +197,7 @@ def answered(own: OwnProfile, values: Mapping[sp.Symbol, sp.Rational] | None = N
     known = {symbol: sp.Rational(str(value)) for symbol, value in profile.sketch.values} | given
     require_slopes(profile, _floats(known), own.expression.text)
     if not _real(profile, known):
-        known |= {p: LARGER * known[p] for p in _lengths(profile) if p not in (*profile.breaks, *given)}
+        known |= {p: LARGER * known[p] for p in lengths(profile.parameters) if p not in (*profile.breaks, *given)}
     validity = examine(profile, _floats(known), own.expression.text)
     if not _real(profile, known):
         message = (
@@ -227,15 +226,11 @@ def _real(profile: Profile, known: Mapping[sp.Symbol, sp.Rational]) -> bool:
     return bool(np.isfinite(numeric.slope(np.array([PAST * numeric.breaks[-1]]))).all())
 
 
-def _lengths(profile: Profile) -> list[sp.Symbol]:
-    return [p for p in profile.parameters if nt.describe(p).dimension == nt.LENGTH]
-
-
 def _placed(profile: Profile, known: Mapping[sp.Symbol, sp.Rational], end: float) -> Profile:
     """The profile drawn at the values at hand: beyond its breaks, else at its own length, before its end."""
     breaks = [float(known[b]) for b in profile.breaks]
-    lengths = [float(known[p]) for p in _lengths(profile)]
-    radius = 1.4 * breaks[-1] if breaks else min([0.8 * min(lengths) if lengths else profile.sketch.a, 0.8 * end])
+    sizes = [float(known[p]) for p in lengths(profile.parameters)]
+    radius = 1.4 * breaks[-1] if breaks else min([0.8 * min(sizes) if sizes else profile.sketch.a, 0.8 * end])
     return replace(profile, sketch=Sketch(tuple(_floats(known).items()), a=radius))
 
 

@@ -7,7 +7,7 @@ g, g' and F by a trapezoidal rule over the profile.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 from sympy.printing.numpy import NumPyPrinter
 
-from ..notation import E_star, r
+from ..notation import LENGTH, E_star, describe, known, r
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import Homogeneous, kernel
 from ..oracle.shape import Number, Shape, Stretch, number
@@ -130,6 +130,11 @@ def quantity(own: Definition, profile: Profile, suffix: str, a: sp.Expr, at: sp.
     with mp.workdps(own.digits + GUARD):
         values = {E_star: mp.mpf(1), r: number(at or 0)}
         return Defined(profile, values, own.digits, False, own).normal(suffix, number(a))
+
+
+def lengths(parameters: Iterable[sp.Symbol]) -> list[sp.Symbol]:
+    """Those that are lengths."""
+    return [p for p in parameters if known(p.name) and describe(p).dimension == LENGTH]
 
 
 Array = Any

@@ -12,10 +12,10 @@ from sympy.polys.polyerrors import BasePolynomialError
 
 from ..abel.radicals import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
-from ..notation import describe, r, theta
+from ..notation import r, theta
 from ..physics.general import layers
 from ..profiles.profile import Piece, Profile
-from .definition import Array, Numeric
+from .definition import Array, Numeric, lengths
 from .names import ExpressionError
 
 DECADES = 3
@@ -70,11 +70,14 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
     if any(piece.expr.xreplace(dict(values)).has(sp.zoo, sp.nan, sp.oo, sp.I) for piece in profile.pieces):
         message = f"f is no real number for any r ({where}); put numbers for parameters"
         raise ExpressionError(message, text)
-    if all(_rises(layer.shape, layer.start) for layer in layers(profile)):
-        ends = None if all(piece.expr.is_polynomial(r) for piece in profile.pieces) else _end(profile, values)
-        return Validity(True, None, where, ends=ends)
-    require_slopes(profile, values, text)
+    exact = all(_rises(layer.shape, layer.start) for layer in layers(profile))
+    if exact and all(piece.expr.is_polynomial(r) for piece in profile.pieces):
+        return Validity(True, None, where)
     numeric = Numeric(profile, values)
+    scale, radii = _sampled(numeric)
+    if exact:
+        return Validity(True, None, where, ends=_end(profile, numeric, radii, np.isfinite(numeric.slope(radii))))
+    require_slopes(profile, values, text)
     for b, kink in numeric.kinks():
         if kink < 0.0:
             message = (
@@ -82,7 +85,6 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
                 "and the contact has a gap; make the outer part steeper, or round the break"
             )
             raise ExpressionError(message, text)
-    scale, radii = _sampled(numeric)
     if profile.truncated:
         radii = numeric.breaks[0] * np.sqrt(1.0 + (radii / scale) ** 2)
     height, rate = numeric.height(radii), numeric.rate(radii)
@@ -94,15 +96,11 @@ def examine(profile: Profile, values: Mapping[sp.Symbol, float], text: str = "")
         message = f"f is 0 for every r ({where}); put numbers for parameters"
         raise ExpressionError(message, text)
     last = len(radii) if usable.all() else int(np.argmin(usable))
-    beyond_it = float(radii[min(last, len(radii) - 1)])
-    radii, height, rate = radii[:last], height[:last], rate[:last]
+    height, rate = height[:last], rate[:last]
     largest = np.maximum.accumulate(np.abs(rate))
     wrong = np.flatnonzero((rate < -ROUNDING * largest) | (height < 0.0))
     if not len(wrong):
-        if usable.all() or _overflows(profile, values, beyond_it):
-            return Validity(False, None, where)
-        end = _refined(numeric, radii[-1], radii[-1] * 10.0 ** (1.0 / PER_DECADE))
-        return Validity(False, None, where, ends=end)
+        return Validity(False, None, where, ends=_end(profile, numeric, radii, usable))
     first = int(wrong[0])
     if first == 0:
         below = "f < 0" if height[0] < 0.0 else "g' < 0"
@@ -139,17 +137,14 @@ def _broken(power: sp.Pow, start: sp.Expr) -> bool:
 
 def _sampled(numeric: Numeric) -> tuple[float, Array]:
     """A length of the profile, and radii around it."""
-    scale = max([*numeric.breaks, *_lengths(numeric.values)], default=1.0)
+    scale = max([*numeric.breaks, *(float(numeric.values[p]) for p in lengths(numeric.values))], default=1.0)
     return scale, scale * 10.0 ** np.linspace(-DECADES, DECADES, 2 * DECADES * PER_DECADE + 1)
 
 
-def _end(profile: Profile, values: Mapping[sp.Symbol, float]) -> float | None:
-    """The radius at which f ends."""
-    numeric = Numeric(profile, values)
-    _, radii = _sampled(numeric)
-    usable = np.isfinite(numeric.slope(radii))
+def _end(profile: Profile, numeric: Numeric, radii: Array, usable: Array) -> float | None:
+    """The radius at which f ends, from where its numbers are usable."""
     last = int(np.argmin(usable))
-    if usable.all() or _overflows(profile, values, float(radii[last])):
+    if usable.all() or _overflows(profile, numeric.values, float(radii[last])):
         return None
     return _refined(numeric, radii[last - 1], radii[last])
 
@@ -170,12 +165,6 @@ def _refined(numeric: Numeric, low: float, high: float) -> float:
         good = bool((numeric.rate(at) >= 0.0).all() and (numeric.height(at) >= 0.0).all())
         low, high = (middle, high) if good else (low, middle)
     return float(low)
-
-
-def _lengths(values: Mapping[sp.Symbol, float]) -> list[float]:
-    from .. import notation as nt
-
-    return [float(v) for s, v in values.items() if nt.known(s.name) and describe(s).dimension == nt.LENGTH]
 
 
 def _rises(shape: sp.Expr, start: sp.Expr) -> bool:

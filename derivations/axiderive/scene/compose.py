@@ -131,7 +131,7 @@ class _Composition:
         wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
         modules[OWN] = Module(OWN, "\n\n".join(texts))
         constants = {name: (value, self._comment(name)) for name, value in request.frozen.items()}
-        domains = {p: interface.interval(interface.record(p, self.profile)) for p in request.free}
+        domains = {p: interface.interval(interface.record(p, self.profile))[:2] for p in request.free}
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.record(name, self.profile).unit for name in {*fields, *request.free}}
         title = module.head(request, self.profile, self.answer, self.contact)

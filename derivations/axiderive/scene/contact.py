@@ -15,7 +15,7 @@ from ..code import example
 from ..entry import Entry
 from ..exits import FAILED, CommandError
 from ..expression import ExpressionError
-from ..expression.definition import Defined, Definition, Numeric, definition
+from ..expression.definition import Defined, Definition, Numeric, definition, lengths
 from ..expression.validity import examine
 from ..oracle.definitions import greatest
 from ..oracle.half_space import HalfSpace
@@ -27,12 +27,9 @@ if TYPE_CHECKING:
     from .reading import Scene
 
 DIGITS = 20
-UNITS = {"a": "m", "d": "m", "F": "N"}
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free."""
-SYMBOLS = {"H": nt.H, "k": nt.k, "dgamma": nt.dgamma, "H_x": nt.H_x, "mu": nt.mu, "G_star": nt.G_star}
-"""Of the half-space, by their letters."""
 
 
 def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float]:
@@ -61,11 +58,11 @@ def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
     """The free parameters as they are sketched, lengths to the scale of the frozen ones, so that all rules hold."""
     sketched, names = {p: float(v) for p, v in profile.sketch.values}, interface.parameters(profile)
     drawn = {name: sketched.get(p, 1.0) for name, p in names.items()}
-    lengths = [name for name, p in names.items() if nt.known(p.name) and nt.describe(p).dimension == nt.LENGTH]
-    scales = [abs(values[name] / drawn[name]) for name in lengths if name in values] or [1.0]
+    long = [name for name, p in names.items() if p in lengths([p])]
+    scales = [abs(values[name] / drawn[name]) for name in long if name in values] or [1.0]
     first = None
     for scale in (*scales, *(min(scales) * 10.0**-i for i in range(1, 7))):
-        known = {n: values.get(n, drawn[n] * (scale if n in lengths else 1.0)) for n in names}
+        known = {n: values.get(n, drawn[n] * (scale if n in long else 1.0)) for n in names}
         first = first or known
         exact = {p: sp.Float(known[n]) for n, p in names.items()}
         if all(rule.relation().xreplace(exact) == sp.true for rule in profile.rules):
@@ -90,8 +87,8 @@ def worked(contact: Contact) -> str:
         a = contact.worked
         name, value = contact.request.at or ("a", a)
         states = {"a": mp.mpf(a), "d": contact.load("d", a), "F": contact.load("F", a)}
-    shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {UNITS[k]}" for k, v in states.items() if k != name)
-    return f"Example: at {name} = {value:g} {UNITS[name]} it is {shown}."
+    shown = ", ".join(f"{k} = {mp.nstr(v, 7)} {nt.describe(k).unit}" for k, v in states.items() if k != name)
+    return f"Example: at {name} = {value:g} {nt.describe(name).unit} it is {shown}."
 
 
 class Contact:
@@ -123,9 +120,8 @@ class Contact:
             found = [*inner, 1.4 * breaks[-1]]
             return [x for x in found if x < self.reach] or [breaks[-1] + 0.5 * (self.reach - breaks[-1])]
         drawn = dict(self.profile.sketch.values)
-        lengths = [p for p in self.profile.parameters if nt.describe(p).dimension == nt.LENGTH]
-        scale = min((known[p] / float(drawn[p]) for p in lengths), default=1e-3)
-        top = scale * self.profile.sketch.a if lengths else 1e-3
+        scales = [known[p] / float(drawn[p]) for p in lengths(self.profile.parameters)]
+        top = min(scales) * self.profile.sketch.a if scales else 1e-3
         top = min(top, 0.8 * self.end())
         return [0.4 * top, top]
 
@@ -159,7 +155,7 @@ class Contact:
     def half_space(self, digits: int = DIGITS, **places: float) -> HalfSpace:
         """The half-space, graded or not, under this profile at the values of the scene; `places` are fields by name."""
         known = {nt.E_star: mp.mpf(self.all.get("E_star", 1.0))}
-        known |= {symbol: mp.mpf(self.all[name]) for name, symbol in SYMBOLS.items() if name in self.all}
+        known |= {interface.record(name).symbol: mp.mpf(self.all[name]) for name in self.request.kind.material}
         fields = {getattr(nt, name): mp.mpf(value) for name, value in places.items()}
         values = {**known, **self.given(), **fields}
         if self.request.kind.graded or not self.compact:

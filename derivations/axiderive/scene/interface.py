@@ -194,13 +194,12 @@ def record(name: str, profile: Profile | None = None) -> nt.Notation:
     return nt.describe(own.get(name, LETTERS.get(name, name)))
 
 
-def interval(record: nt.Notation) -> tuple[str, str]:
-    """The ends of the domain of a parameter, as Python writes them."""
+def interval(record: nt.Notation) -> tuple[str, str, str]:
+    """The ends of the domain of a parameter, as Python writes them, and which one is in it."""
     try:
-        low, high, _ = bounds(record.domain)
+        return bounds(record.domain)
     except (ValueError, TypeError):
-        low, high = "0.0" if record.symbol.is_positive else "-inf", "inf"
-    return low, high
+        return "0.0" if record.symbol.is_positive else "-inf", "inf", ""
 
 
 def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ...]:

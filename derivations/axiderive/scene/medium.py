@@ -30,6 +30,9 @@ KINDS: dict[str, dict[str, Fraction]] = {
     "angle": {"rad": Fraction(1), "deg": Fraction(0)},
     "number": {"1": Fraction(1)},
 }  # fmt: skip
+EXAMPLES = {"length": "mm", "pressure": "MPa", "force": "mN", "energy per area": "mJ/m^2", "angle": "deg",
+            "viscosity": "kPa s", "time": "s"}  # fmt: skip
+"""The unit that a message writes."""
 OTHERS = {"grad": "deg", "degree": "deg", "degrees": "deg", "n/mm^2": "MPa", "n/mm2": "MPa", "micron": "um"}
 """Other words for units, in small letters."""
 NOT_HERE = frozenset(["kg", "g"])
@@ -44,14 +47,7 @@ class UnitError(ValueError):
 
 def kind_of(record: nt.Notation) -> str:
     """What the values of a parameter are called."""
-    if record.unit == "rad":
-        return "angle"
-    known = {nt.LENGTH: "length", nt.STRESS: "pressure", nt.FORCE: "force", nt.NUMBER: "number"}
-    if record.unit in ("s", "Pa s"):
-        return "time" if record.unit == "s" else "viscosity"
-    if record.name == "dgamma":
-        return "energy per area"
-    return known.get(record.dimension, record.unit)
+    return next((kind for kind, units in KINDS.items() if record.unit in units), record.unit)
 
 
 def value_of(raw: object, kind: str) -> float:
@@ -122,61 +118,46 @@ def _article(kind: str) -> str:
 
 
 def _example(kind: str) -> str:
-    units = {
-        "length": "mm",
-        "pressure": "MPa",
-        "force": "mN",
-        "energy per area": "mJ/m^2",
-        "angle": "deg",
-        "viscosity": "kPa s",
-        "time": "s",
-    }
-    return f"5 {units[kind]}" if kind in units else "0.3" if kind == "number" else f"5 {kind}"
+    return "0.3" if kind == "number" else f"5 {EXAMPLES.get(kind, kind)}"
 
 
-def given(
-    text: SceneText, section: str, key: str, raw: object, kind: str, *, name: str = "", after: str = ""
-) -> float | None:
+def given(text: SceneText, section: str, key: str, raw: object, kind: str, name: str, after: str = "") -> float | None:
     """The value in SI units; None where it cannot be read, which is a problem of the text at this key."""
     try:
         return value_of(raw, kind)
     except UnitError as error:
         colon = "" if after or str(error).startswith("must") else ":"
-        text.problem(section, key, f"{name or key}{colon} {error}{after}")
+        text.problem(section, key, f"{name}{colon} {error}{after}")
         return None
 
 
 def frozen(
-    text: SceneText, values: dict[str, float], section: str, key: str, raw: Any, profile: Profile | None = None
-) -> None:
-    """Read, check and keep one value; `key` names a parameter of the functions."""
+    text: SceneText, values: dict[str, float], section: str, key: str, raw: Any, profile: Profile | None = None,
+    *, inside: str = "", kind: str = "", after: str = "",
+) -> None:  # fmt: skip
+    """Read, check and keep one value; `key` names a parameter of the functions or a constant of the half-space.
+
+    A table `inside` the section has all its values on its line.
+    """
     record = interface.record(key, profile)
-    value = given(text, section, key, raw, kind_of(record))
+    value = given(text, section, inside or key, raw, kind or kind_of(record), key, after)
     if value is None:
         return
-    low, high = map(float, interface.interval(record))
-    if not low < value < high:
-        bare = record.unit == "rad" and not isinstance(raw, str) and high < value < 90
+    low, high, closed = interface.interval(record)
+    if not (float(low) < value < float(high) or (closed == "high" and value == float(high))):
+        bare = record.unit == "rad" and not isinstance(raw, str) and float(high) < value < 90
         hint = f'degrees need a unit: {key} = "{value:g} deg"' if bare else "change the value"
         shown = repr(raw) if isinstance(raw, str) else f"{value:g}"
-        text.problem(section, key, f"{key} = {shown:.40} is outside {record.domain}; {hint}")
+        text.problem(section, inside or key, f"{key} = {shown:.40} is outside {record.domain}; {hint}")
         return
     values[key] = value
-
-
-def inline(text: SceneText, values: dict[str, float], name: str, key: str, value: Any) -> None:
-    """A value of an inline table: its line is that of the table."""
-    before = len(text.problems)
-    frozen(text, values, "physics", key, value)
-    line = text.line_of("physics", name)
-    for i in range(before, len(text.problems)):
-        message = text.problems[i][1].split(": ", 1)[1].split("\n  ")[0]
-        text.problems[i] = (line, text.at(line, message))
 
 
 MEDIA = {"homogeneous": ("E_star", "E", "nu", "G_star"), "power_law": ("H", "k", "H_x")}
 """The constants of a half-space."""
 KEYS = ("kind", *(key for keys in MEDIA.values() for key in keys))
+READ = {"homogeneous": ("", ""), "power_law": ("number", "; H and H_x are in Pa m^(-k), without a unit")}
+"""How a constant is read: those of a graded half-space have no unit that is not a power of its own."""
 FOREIGN = {
     "homogeneous": 'belongs to a graded half-space; add kind = "power_law", or leave it out',
     "power_law": "belongs to a homogeneous half-space; a graded one has H and k",
@@ -195,7 +176,7 @@ def medium_values(text: SceneText) -> dict[str, float]:
         if key not in MEDIA[kind]:
             text.problem("medium", key, f"{key} {FOREIGN[kind]}")
         else:
-            _constant(text, values, key, table[key], graded=kind == "power_law")
+            frozen(text, values, "medium", key, table[key], kind=READ[kind][0], after=READ[kind][1])
     if "E_star" in table and ("E" in table or "nu" in table):
         text.problem("medium", "E_star", "give either E_star, or E and nu of a half-space under a rigid indenter")
     elif ("E" in table) != ("nu" in table):
@@ -207,21 +188,3 @@ def medium_values(text: SceneText) -> dict[str, float]:
         values["E_star"] = E / ((1.0 - nu) * (1.0 + nu))
         values.setdefault("G_star", 2.0 * E / ((1.0 + nu) * (2.0 - nu)))
     return {key: value for key, value in values.items() if key not in ("E", "nu")}
-
-
-def _constant(text: SceneText, values: dict[str, float], key: str, raw: object, *, graded: bool) -> None:
-    """Read, check and keep one constant of the half-space."""
-    after = "; H and H_x are in Pa m^(-k), without a unit" if graded else ""
-    value = given(text, "medium", key, raw, "number" if graded or key == "nu" else "pressure", after=after)
-    if value is None:
-        return
-    rules = {
-        "nu": (-1.0 < value <= 0.5, "-1 < nu <= 0.5; 0.5 is an incompressible half-space"),
-        "k": (-1.0 < value < 1.0, "-1 < k < 1; change the value"),
-    }
-    positive = f"{key} > 0; {'change the value' if graded else 'a modulus is positive'}"
-    holds, rule = rules.get(key, (0.0 < value < math.inf, positive))
-    if holds:
-        values[key] = value
-    else:
-        text.problem("medium", key, f"{key} = {value:g} is outside {rule}")

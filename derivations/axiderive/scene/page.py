@@ -6,12 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from typing import Any
 
-import sympy as sp
-
 from .. import __version__
 from .. import notation as nt
 from ..book import notation_table
-from ..book.page import shape_tex, symbols
+from ..book.page import PANEL, shape_tex, symbols
 from ..build import pdf
 from ..build.work import read_entries
 from ..code.plane import document
@@ -27,7 +25,6 @@ from ..rows.laws import laws
 from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
 from ..rows.row import Row, ordered
-from ..store.index import NoCatalogueError, package
 from . import interface
 from .linker import sources
 from .reading import Scene
@@ -74,7 +71,7 @@ def page_sources(
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     name = request.kind.system.pool.id(profile.name)
     path = f"profiles/{name}.tex"
-    preamble = None if request.own else _stored("preamble.tex")
+    preamble = None if request.own else sources.stored("../handbook/preamble.tex")
     if preamble is None:
         closed = "d" not in entries or entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
@@ -89,8 +86,8 @@ def page_sources(
     material = (interface.record(name).name for name in request.kind.material)
     names = {*(p.name for p in profile.parameters if nt.known(p.name)), *material}
     here = {interface.record(name, profile).latex: f"; here {_number(v)}" for name, v in request.values.items()}
-    alone = request.kind.system.pool is not ROUND
-    meant, used = _meant(request, profile), names | (_printed(entries) if alone else symbols(entries))
+    panel = PANEL if request.kind.system.pool is ROUND else ()
+    meant, used = _meant(request, profile), names | symbols(entries, panel)
     rows = [
         f"${n['latex']}$ & {n['unit']} & {_math(n['domain'])} & "
         f"{meant.get(n['latex'], n['meaning'])}{here.get(n['latex'], '')}\\\\"
@@ -104,13 +101,6 @@ def page_sources(
         "laws": _law(request),
     }
     return {name: text.encode() for name, text in sorted({**texts, "page.tex": main}.items())}
-
-
-def _printed(entries: Mapping[str, Entry]) -> set[str]:
-    """Names of what the formulas are made of and of what they give."""
-    found = {s for entry in entries.values() for case in entry.cases for s in case.expr.free_symbols}
-    found |= {s for entry in entries.values() for s in (entry.quantity.symbol, *entry.quantity.arguments)}
-    return {s.name for s in found if isinstance(s, sp.Symbol)}
 
 
 def _meant(request: Scene, profile: Profile) -> dict[str, str]:
@@ -186,13 +176,6 @@ def _rows(rows: Sequence[Row], evidence: Mapping[str, Any]) -> Iterator[str]:
         yield from (
             rf"$\displaystyle {region.tex}{words}$ \quad {_math(region.condition)}\par" for region in row.regions
         )
-
-
-def _stored(path: str) -> str | None:
-    try:
-        return (package().parent / "handbook" / path).read_text()
-    except (NoCatalogueError, OSError):
-        return None
 
 
 def _number(value: float) -> str:

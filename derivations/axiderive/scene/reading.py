@@ -23,7 +23,7 @@ from ..profiles.profile import Profile
 from . import interface
 from .linker.sources import graded_refusal
 from .medium import KEYS as MEDIUM
-from .medium import frozen, given, inline, kind_of, medium_values
+from .medium import frozen, given, kind_of, medium_values
 from .text import SceneText, near
 
 SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want", "output")
@@ -326,7 +326,7 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
         return
     for key, value in raw.items():
         if key in names:
-            inline(text, scene.values, name, key, value)
+            frozen(text, scene.values, "physics", key, value, inside=name)
         else:
             text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")
 
@@ -397,7 +397,7 @@ def _example(text: SceneText, scene: Scene, raw: object) -> None:
         text.problem("want", "at", f"at names one field of the contact; write {form}")
         return
     ((key, at),) = raw.items()
-    value = given(text, "want", "at", at, kind_of(nt.describe(key)), name=key)
+    value = given(text, "want", "at", at, kind_of(nt.describe(key)), key)
     if value is None:
         return
     if not value > 0.0 and (key == "a" or not scene.kind.physics.tension):

@@ -107,10 +107,6 @@ class SceneText:
         source = f"\n  {line:4} | {_shown(lines[line - 1])}" if 0 < line <= len(lines) else ""
         return f"{where}: {message}{source}"
 
-    def unknown(self, section: str, key: str, kind: str, known: Iterable[str]) -> None:
-        """Collects an unknown word as a problem, with the known one most like it."""
-        self.problem(section, key, f"unknown {kind} {key[:40]!r}{near(key, known)}")
-
     def table(self, section: str, known: Iterable[str] | None = None) -> dict[str, Any]:
         """A section, empty if there is none; its unknown keys are problems."""
         table = self.values.get(section, {})
@@ -121,7 +117,7 @@ class SceneText:
         if known is not None:
             for key in table:
                 if key not in known:
-                    self.unknown(section, key, f"key in [{section}]", known)
+                    self.problem(section, key, f"unknown key in [{section}] {key[:40]!r}{near(key, known)}")
         return table
 
     def finish(self) -> None:

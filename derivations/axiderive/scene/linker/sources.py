@@ -77,9 +77,8 @@ def stored_entries(profile: Profile, kind: Kind) -> dict[str, Entry]:
 def evidence(name: str) -> dict[str, Any] | None:
     """The stored record of a profile of the catalogue."""
     try:
-        path = package().parent / "evidence" / f"{name}.json"
-        record: dict[str, Any] = json.loads(path.read_bytes())
-    except (NoCatalogueError, OSError, ValueError):
+        record: dict[str, Any] | None = json.loads(stored(f"../evidence/{name}.json") or "null")
+    except ValueError:
         return None
     return record
 
