@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly_ctx
 
-from .reading import Tree, UnknownError, symbols, tree
+from .functions import FUNCTIONS, Condition, Equation
+from .reading import Tree, UnknownError, symbols
 
 ROOM, PAIRS = 56, 4
 """Generators of a field; the last ones, in pairs, stand for where bounded ones are between their bounds."""
@@ -32,39 +33,6 @@ BOUNDS: dict[str, tuple[Fraction | int, Fraction | int]] = {
 }
 ANY_SIGN = {*BOUNDS, "sigma", "nu", "nu_1", "nu_2", "e", "log(t)"}
 """Symbols that are not simply positive; log(t) is that of the distance to an end of the domain."""
-SLOPES: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "asin": (("(1 - x**2)**(-1/2)",), ("1 - x**2",)),
-    "atan": (("1/(1 + x**2)",), ()),
-    "log": (("1/x",), ("x",)),
-    "sin": (("cos(x)",), ()),
-    "cos": (("-sin(x)",), ()),
-    "tan": (("",), ("cos(x)",)),
-    "gamma": (("",), ("x",)),
-    "Dawson": (("1 - 2*x*Dawson(x)",), ()),
-    "LegendreChi2": (("atanh(x)/x",), ("1 - x**2",)),
-    "ArctanIntegral": (("atan(x)/x",), ()),
-    "StruveH": (("", "StruveH(x - 1, y) - x/y*StruveH(x, y)"), ("y",)),
-    "IncompleteBeta": (("x**(y - 1)*(1 - x)**(z - 1)", "", ""), ("x", "1 - x")),
-    "elliptic_f": (("(1 - x**2)**(-1/2)*(1 - y*x**2)**(-1/2)", ""), ("1 - x**2", "1 - y*x**2")),
-    "elliptic_e": (("(1 - x**2)**(-1/2)*(1 - y*x**2)**(1/2)", ""), ("1 - x**2", "1 - y*x**2")),
-    "C0": (("", "", "acos(x/z)*(z**2 - y**2)**(-1/2)"), ("z - x", "z - y")),
-    "CapMoment": (
-        ("", "y*(z**2 - y**2)**(-1/2)*(u**2 - y**2)**((x - 1)/2)", "",
-         "-u*((z**2 - y**2)**(1/2)*(u**2 - y**2)**((x - 1)/2) - z*u**(x - 1) + x*CapMoment(x, y, z, u))"
-         "/(z**2 - u**2)"),
-        ("z - y", "u - y"),
-    ),
-    "Kummer": (("", "", "(y - 1 + (z - y + 1)*Kummer(1, y, z))/z"), ()),
-}  # fmt: skip
-"""Of every function the derivatives in its arguments x, y, z, u, and what must be positive for it to be analytic.
-
-Elliptic integrals take the sine of their angle; of 1F1 only that with a parameter 1 is left.
-"""
-POSITIVE = {"asin", "atan", "gamma", "IncompleteBeta", "elliptic_f", "elliptic_e", "Dawson", "C0", "tan", "exp"}
-"""Functions that are positive where their last argument is and their margins are."""
-ODD = {"asin", "atan", "LegendreChi2", "ArctanIntegral", "Dawson"}
-LINEAR = ODD | {"elliptic_f", "elliptic_e"}
-"""Functions f(x, ...) = x + O(x^2)."""
 
 
 class FinerError(Exception):
@@ -152,10 +120,14 @@ class Field:
 
     def reduced(self, poly: Any) -> Any:
         """The polynomial with powers of roots lowered by y**q = P."""
+        if poly.is_constant():
+            return poly
+        degrees = poly.degrees()
         for index in sorted(self.relations):
             degree, relation = self.relations[index]
-            if poly.degrees()[index] >= degree:
+            if degrees[index] >= degree:
                 poly = poly % relation
+                degrees = poly.degrees()
         return poly
 
     def name(self, poly: Any) -> str:
@@ -317,117 +289,56 @@ class Field:
     # functions
 
     def function(self, head: str, *args: Element) -> Element:
-        """A function through the member of its family that stands for it."""
-        x, last, half_pi = args[0], args[-1], self.symbol("pi") * HALF
-        env = dict(zip("xyzu", args, strict=False))
-        match head:
-            case "acos" if self.sign(self.number(1) - x * x) in (0, 1):
-                return half_pi - self.function("asin", x)
-            case "log":
-                return self.log(x)
-            case "atanh":
-                top, bottom = Element(self, x.num), Element(self, x.den)
-                return self.log(bottom + top) - self.log(bottom * bottom - top * top) * HALF
-            case "acosh" | "asinh":
-                return self.log(x + self.power(x * x - (1 if head == "acosh" else -1), self.number(HALF)))
-            case "sqrt":
-                return self.power(x, self.number(HALF))
-            case "IncompleteBeta" if x.number == 1 and self.sign(args[1]) == 1 and self.sign(last) == 1:
-                return self.by("gamma(y)*gamma(z)/gamma(y + z)", env)
-            case "IncompleteBeta" if args[1].number == last.number == HALF:
-                return self.by("2*asin(x**(1/2))", env)
-            case "IncompleteBeta" if args[1].number == HALF and last.number == 0:
-                return self.by("2*atanh(x**(1/2))", env)
-            case "IncompleteBeta" if last.number == 1:
-                return self.by("x**y/y", env)
-            case "cos" if x.num == 0:
-                return self.number(1)
-            case "asin" if x.number in (1, -1):
-                return half_pi * x
-            case "cos" | "sin" | "tan" if x.name == self.symbol("theta").name:
-                return self.opaque(head, x, positive=True)
-            case "cos" if x.name == (half_pi * self.symbol("k")).name:
-                return self.opaque(head, x, positive=True)
-            case "tan":
-                message = "a tangent of another angle than theta"
-                raise UnknownError(message)
-            case "gamma" if x.number == 1:
-                return self.number(1)
-            case "gamma" if x.number == HALF:
-                return self.power(self.symbol("pi"), x)
-            case "gamma" if self.sign(x - 1) == 1:
-                return self.by("(x - 1)*gamma(x - 1)", env)
-            case "gamma" if self.sign(x) != 1 and self.excess(x):
-                return self.by("(x - 1)*gamma(x - 1)" if self.excess(x) > 0 else "gamma(x + 1)/x", env)
-            case "IncompleteBeta" if x.num != 0 and self.excess(last, floor=True):
-                up = self.excess(last, floor=True) > 0
-                return self.by(
-                    "((z - 1)*IncompleteBeta(x, y, z - 1) + x**y*(1 - x)**(z - 1))/(y + z - 1)" if up else
-                    "((y + z)*IncompleteBeta(x, y, z + 1) - x**y*(1 - x)**z)/z", env)  # fmt: skip
-            case "IncompleteBeta" if x.num != 0 and self.excess(args[1]):
-                up = self.excess(args[1]) > 0
-                return self.by(
-                    "((y - 1)*IncompleteBeta(x, y - 1, z) - x**(y - 1)*(1 - x)**z)/(y + z - 1)" if up else
-                    "((y + z)*IncompleteBeta(x, y + 1, z) + x**y*(1 - x)**z)/y", env)  # fmt: skip
-            case "Kummer" | "Hypergeometric" if last.num == 0:
-                return self.number(1)
-            case "Kummer" if x.number == 2:
-                return self.by("y - 1 + (z - y + 2)*Kummer(1, y, z)", env)
-            case "Kummer" if self.excess(args[1]):
-                up = self.excess(args[1]) > 0
-                return self.by("(y - 1)*(Kummer(1, y - 1, z) - 1)/z" if up else "1 + z/y*Kummer(1, y + 1, z)", env)
-            case "Hypergeometric" if args[1].number == 2:
-                return self.by("(2 - z - (z - x - 1)*u/(1 - u))*Hypergeometric(x, 1, z, u) + (z - 1)/(1 - u)", env)
-            case "Hypergeometric" if args[1].number == 1 and self.sign(last) == 1:
-                return self.by("(z - 1)*u**(1 - z)*(1 - u)**(z - x - 1)*IncompleteBeta(u, z - 1, x - z + 1)", env)
-            case "Hypergeometric" if args[1].number == 1 and self.sign(last) == -1:
-                return self.by("(z - 1)*y**(1 - z)*(1 - y)**x*IncompleteBeta(y, z - 1, 1 - x)",
-                               env | {"y": last / (last - 1)})  # fmt: skip
-            case "StruveH" if self.excess(x) not in (-1, 0):
-                way = "-" if self.excess(x) > 0 else "+"
-                source = f"(y/2)**(x {way} 1)/(pi**(1/2)*gamma(x {way} 1 + 3/2))"
-                return self.by(f"2*(x {way} 1)/y*StruveH(x {way} 1, y) - StruveH(x {way} 2, y) + {source}", env)
-            case "C0" if (last - x).num == 0 or (last - args[1]).num == 0:
-                return self.number(0)
-            case "CapMoment" if args[1].num == 0:
-                return args[1]
-            case "sinh":
-                return self.by("(x - 1/x)/2", {"x": self.exp(x)})
-            case "CapMoment" if (last - args[1]).num == 0:
-                return self.by("(z**2 - y**2)**(x/2)*IncompleteBeta(y**2/z**2, (1 + x)/2, -x/2)/2", env)
-            case "asin" | "atan" | "elliptic_f" | "elliptic_e" | "ArctanIntegral" | "LegendreChi2" | "Dawson" if (
-                x.num == 0
-            ):
-                return x
-            case "IncompleteBeta" if x.num == 0 and self.sign(args[1]) == 1:
-                return x
-            case "StruveH" if last.num == 0 and self.sign(x + 1) == 1:
-                return last
-        if head in ODD and (x.num.leading_coefficient() < 0):
-            return self.opaque(head, x * -1) * -1
+        """A function by the first equation of the table that fits, else as a generator of its own."""
+        if head == "log":
+            return self.log(args[0])
+        known = FUNCTIONS.get(head)
+        if known is None or len(args) != len(known.letters):
+            message = f"{head} of {len(args)} arguments is not known"
+            raise UnknownError(message)
+        for equation in known.equations:
+            values = self.fitted(equation, known.letters, args)
+            if values is not None:
+                if equation.value == "positive":
+                    return self.opaque(head, *args, positive=True)
+                return self.read(equation.value, values)
+        if "odd" in known.flags and args[0].num.leading_coefficient() < 0:
+            return self.opaque(head, args[0] * -1) * -1
         return self.opaque(head, *args)
 
-    def by(self, formula: str, values: Mapping[str, Element]) -> Element:
-        """The element of a formula in Python's notation, with elements for its symbols."""
-        return self.read(tree(formula), values)
+    def fitted(self, equation: Equation, letters: Sequence[str], args: Sequence[Element]) -> dict[str, Element] | None:
+        """The arguments by their letters if they are as an equation asks, else None."""
+        values: dict[str, Element] = {}
+        for wanted, own in zip(equation.arguments, args, strict=True):
+            other = values.get(wanted) if wanted in letters else self.read(wanted)
+            if other is None:
+                values[wanted] = own
+            elif (other - own).num != 0:
+                return None
+        return values if all(one.met(self.compared(one, values)) for one in equation.conditions) else None
 
-    def excess(self, x: Element, *, floor: bool = False) -> int:
-        """How many units the constant part of a parameter lies above the interval (0, 1], or [0, 1)."""
-        constant = sum(c for c, unit in self.terms(x) if unit.number is not None)
-        return math.floor(constant) if floor else math.ceil(constant) - 1
+    def compared(self, condition: Condition, values: Mapping[str, Element]) -> int | None:
+        """The sign of the difference of the sides of a condition; of ceil and floor, that of the constant part."""
+        match condition.left:
+            case ("ceil" | "floor" as head, inner):
+                constant = sum(c for c, unit in self.terms(self.read(inner, values)) if unit.number is not None)
+                rounded = math.ceil(constant) if head == "ceil" else math.floor(constant)
+                return self.sign(self.read(rounded) - self.read(condition.right))
+        return self.sign(self.read(condition.left, values) - self.read(condition.right))
 
     def opaque(self, head: str, *args: Element, positive: bool = False) -> Element:
         """A function as a generator of its own, one for equal arguments."""
-        if head not in SLOPES or len(args) != len(SLOPES[head][0]):
-            message = f"{head} of {len(args)} arguments is not known"
+        known = FUNCTIONS[head]
+        if not (known.slopes or known.margins):
+            message = f"{head} is not known there"
             raise UnknownError(message)
         for index, kind in self.kind.items():
             if kind[0] == head and all((a - b).num == 0 for a, b in zip(kind[1], args, strict=True)):
                 return self._continuous(head, index in self.safe, Element(self, GENS[index]))
-        values = dict(zip("xyzu", args, strict=False))
-        safe = positive or all(self.sign(self.by(margin, values)) == 1 for margin in SLOPES[head][1])
+        values = dict(zip(known.letters, args, strict=True))
+        safe = positive or all(self.sign(self.read(margin, values)) == 1 for margin in known.margins)
         safe = safe and all(map(self.analytic, args))
-        positive = positive or (safe and head in POSITIVE and self.sign(args[0]) == 1)
+        positive = positive or (safe and "positive" in known.flags and self.sign(args[0]) == 1)
         key = f"{head}{[arg.name for arg in args]}"
         return self._continuous(head, safe, self.generator(key, (head, args), positive=positive, safe=safe))
 
@@ -543,14 +454,15 @@ class Field:
             growth = self.slope(base, name) * exponent / base
             change = self.slope(exponent, name)
             return own * (growth + change * self.log(base)) if change.num != 0 else own * growth
-        out, values = self.number(0), dict(zip("xyzu", rest[0], strict=False))
-        for formula, argument in zip(SLOPES[head][0], rest[0], strict=True):
+        known = FUNCTIONS[head]
+        out, values = self.number(0), dict(zip(known.letters, rest[0], strict=True))
+        for letter, argument in values.items():
             inner = self.slope(argument, name)
             if inner.num != 0:
-                if not formula:
+                if letter not in known.slopes:
                     message = f"the derivative of {head} in a parameter is not known"
                     raise UnknownError(message)
-                out = out + self.by(formula, values) * inner
+                out = out + self.read(known.slopes[letter], values) * inner
         return out
 
     def face(self, name: str) -> tuple[Tree, Field]:

@@ -7,7 +7,8 @@ from typing import Any
 
 from flint import fmpq
 
-from .field import LINEAR, Element, Field, as_fraction, used
+from .field import Element, Field, as_fraction, used
+from .functions import FUNCTIONS
 from .reading import Tree, UnknownError
 
 
@@ -95,7 +96,7 @@ class Limit:
         if head == "log":
             order, value = self.leading(rest[0][0].num)
             return none, order * face.symbol("log(t)") + face.log(value) if order.num != 0 else face.log(value)
-        if head in LINEAR or head == "IncompleteBeta":
+        if head == "IncompleteBeta" or "linear" in FUNCTIONS[head].flags:
             order, first = self.ratio(rest[0][0])
             if first.num != 0 and face.sign(order) == 1:
                 power = self.value(rest[0][1]) if head == "IncompleteBeta" else face.number(1)

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from .field import Element, Field
 from .limits import Limit, Substitution
-from .reading import Chain, Tree, UnknownError, heads, ordered, put, symbols, tree
-from .theory import SIGNS, THEORY, Line, Statement, chain, pairs, statements
+from .reading import SIGNS, Chain, Tree, UnknownError, heads, ordered, put, symbols, tree
+from .theory import THEORY, Line, Statement, chain, pairs, statements
 
 if TYPE_CHECKING:
     from .problem import Case, Problem

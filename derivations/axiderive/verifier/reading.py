@@ -18,6 +18,9 @@ ASSUMED = {"j": {"integer", "positive"}, "N": {"integer", "positive"},
            **dict.fromkeys(("e", "nu", "nu_1", "nu_2"), {"real"})}  # fmt: skip
 """What the text of a symbol says of it; of all others, that they are positive."""
 
+SIGNS = {"=": {0}, ">": {1}, "<": {-1}, ">=": {0, 1}, "<=": {-1, 0}}
+"""What a comparison asks of the sign of the difference of its sides."""
+
 
 class UnknownError(Exception):
     """Nothing is shown."""

@@ -7,12 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from .reading import Chain, Tree, UnknownError, ordered, tree
+from .reading import SIGNS, Chain, Tree, UnknownError, ordered, tree
 
 OWN = ("material", "defined", "graded", "profile", "composed", "beside", "root", "needs")
 WORDS = (*OWN, "as", "let", "order", "either", "level", "given", "case")
-SIGNS = {"=": {0}, ">": {1}, "<": {-1}, ">=": {0, 1}, "<=": {-1, 0}}
-"""What a comparison asks of the sign of the difference of its sides."""
 
 
 @dataclass(frozen=True)
