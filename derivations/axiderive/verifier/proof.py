@@ -46,6 +46,7 @@ class Proof:
 
     def __init__(self, problem: Problem, suffix: str) -> None:
         self.problem, self.suffix, self.section = problem, suffix, problem.section(suffix)
+        self.flags = problem.flags.union(*(symbols(case.expr) for case in problem.entries[suffix]))
         self.lines = [line for line in self.section.lines if self.holds(line.conditions)]
         self.asked = [line for line in self.lines if line.word == "show"]
         self.lets = [line for line in [*self.lines, *THEORY.lets] if line.word == "let"]
@@ -68,8 +69,7 @@ class Proof:
             return all(itertools.starmap(domain.below, itertools.pairwise(self.chained(text))))
         *other, flag = text.split(" ")
         record = self.problem.records[other[0] if other else self.suffix]
-        inside = set().union(*(symbols(case.expr) for case in self.problem.entries[self.suffix]))
-        return record["status"] == flag or flag in self.problem.flags | inside or bool(record.get(flag))
+        return record["status"] == flag or flag in self.flags or bool(record.get(flag))
 
     def chained(self, text: str) -> Chain:
         """An order of the table; its floor is the break up to which the face is level, if there is one."""
@@ -84,23 +84,17 @@ class Proof:
         problem = self.problem
         either = [chain(text) for line in self.lines if line.word == "either" for text in line.text.split(" | ")]
         stated = [self.chained(line.text) for line in self.lines if line.word == "case"]
-        given = [pairs(chain(line.text)) for line in self.lines if line.word == "given"]
+        given = [pair for line in self.lines if line.word == "given" for pair in pairs(chain(line.text))]
         out = []
         for known in either or [()]:
             part = Domain((), pairs(known))
             clauses = [[tuple(problem.breaks)], [problem.chain], [(problem.floor, "a")] if problem.floor else [()]]
-            clauses += [
-                [self.chained(one) for one in text.split(" or ")]
-                for line in self.lines
-                if line.word == "order" and self.holds(line.conditions, part)
-                for text in line.text.split(", ")
-            ]
+            orders = [line for line in self.lines if line.word == "order" and self.holds(line.conditions, part)]
+            clauses += [[self.chained(one) for one in line.text.split(" or ")] for line in orders]
             levels = {letter for line in self.levels for letter in symbols(line.named()[2])}
             members = {"a", *levels, *(m for clause in clauses for one in clause for m in one)}
             own = {"a", *levels, *self.section.letters, *problem.breaks, *problem.chain}
-            also = part.also + tuple(
-                (self.expand(low, part), self.expand(high, part)) for one in given for low, high in one
-            )
+            also = part.also + tuple((self.expand(low, part), self.expand(high, part)) for low, high in given)
             for order in itertools.permutations(sorted(members)):
                 if all(any(is_part(one, order) for one in clause) for clause in clauses):
                     out.append((Domain(order, also), known or tuple(m for m in order if m in own)))
@@ -110,30 +104,19 @@ class Proof:
 
     def needs(self) -> list[tuple[Problem, str]]:
         """The quantities that the statements name, of this problem and of the normal contact below."""
-        known: dict[str, list[Tree]] = {}
-        for line in self.lets:
-            known.setdefault(line.named()[0], []).append(line.named()[2])
-        lets, names = {*known, "f"}, list[str](self.section.first("needs"))
-
-        def visit(formula: Tree) -> None:
-            for part in formula[1:] if isinstance(formula, tuple) else ():
-                visit(part)
-            name = formula[0] if isinstance(formula, tuple) else formula
-            if isinstance(name, str):
-                for inner in known.pop(name.strip("[]"), ()):
-                    visit(inner)
-                if name.startswith("[") and name[1:-1] not in lets:
-                    names.append(name[1:-1])
-
-        for line in [*self.levels, *self.asked]:
-            if line.word == "level":
-                visit(line.named()[2])
-            for statement in statements(line.text) if line.word == "show" else ():
-                for part in (*statement.sides, *(value for _, value in statement.values)):
-                    visit(part)
+        lets = [(line.named()[0], line) for line in self.lets]
+        names, left = self.section.first("needs"), [*self.levels, *self.asked]
+        while left:
+            found = [name for formula in left.pop().formulas() for name in mentioned(formula)]
+            names += [name.strip("[]") for name in found if name.startswith("[")]
+            left += [line for name, line in lets if name in (one.strip("[]") for one in found)]
+            lets = [(name, line) for name, line in lets if line not in left]
+        quantities = {
+            name: None for name in names if name != "f" and all(line.named()[0] != name for line in self.lets)
+        }
         beside = {self.suffix, *self.section.first("beside")}
-        found = [self.source(name)[1:] for name in dict.fromkeys(names)]
-        return [(problem, suffix) for problem, suffix in found if problem is not self.problem or suffix not in beside]
+        sources = [self.source(name)[1:] for name in quantities]
+        return [(problem, suffix) for problem, suffix in sources if problem is not self.problem or suffix not in beside]
 
     # formulas
 
@@ -200,22 +183,21 @@ class Proof:
                 return radius
             if isinstance(member, tuple):
                 if (member, domain) not in self.places:
-                    self.places[member, domain] = self._border(member, name, level, radius, domain, asking)
+                    self.places[member, domain] = self.border(member, name, level, radius, domain, asking)
                 return self.places[member, domain]
-        found = values.get(member, member) if isinstance(member, str) else member
+        found = values.get(member) if isinstance(member, str) else None
         return found if isinstance(found, str) else member
 
-    def _border(self, member: Tree, name: str, level: Tree, radius: str, domain: Domain, asking: Proof) -> Tree:
-        known = self.expand(level, domain)
+    def border(self, member: Tree, name: str, level: Tree, radius: str, domain: Domain, asking: Proof) -> Tree:
+        """The length x with this value of a quantity, or for a radius as its formula that radius; else what it was."""
+        known, field = self.expand(level, domain), asking.problem.field(domain)
         if name in symbols(member):
-            pairs = [(put(member, {name: known}), radius)]
+            pairs = [(put(member, {name: known}), radius, radius)]
         else:
-            pairs = [(put(known, {radius: x}), x) for x in domain.order if x != radius]
-        field = asking.problem.field(domain)
-        for value, x in pairs:
+            pairs = [(put(known, {radius: x}), member, x) for x in domain.order if x != radius]
+        for one, other, x in pairs:
             try:
-                wanted = x if name in symbols(member) else member
-                if field.zero(field.read(value) - field.read(wanted)):
+                if field.zero(field.read(one) - field.read(other)):
                     return x
             except UnknownError:
                 continue
@@ -225,24 +207,23 @@ class Proof:
 
     def run(self) -> None:
         """Raises `UnknownError` unless every statement is shown in every order, each with one case of the formula."""
-        seen = set[int]()
         for suffix in self.section.first("beside"):
             self.problem.cases(suffix, "")
-        for domain, case in self.domains():
+        own, seen = {id(case) for case in self.problem.entries[self.suffix]}, set[int]()
+        for domain, stated in self.domains():
             self.used = []
             for line in self.asked:
                 if self.holds(line.conditions, domain):
                     self.check(line, domain)
-            own = {id(one) for one in self.problem.entries[self.suffix]}
-            found = [
-                (id(one), members) for one, members, order in self.used if order == domain.order and id(one) in own
-            ]
-            if not found or any(members != case for _, members in found):
+            found = {
+                (id(case), places) for case, places, order in self.used if order == domain.order and id(case) in own
+            }
+            seen |= {case for case, _ in found}
+            if {places for _, places in found} != {stated}:
                 message = "its cases are not every place in the order once"
                 raise UnknownError(message)
-            seen |= {one for one, _ in found}
-        if len(seen) != len(self.problem.entries[self.suffix]):
-            message = "its cases are not every place in the order once"
+        if seen != own:
+            message = "not all of its cases are looked at"
             raise UnknownError(message)
 
     def check(self, line: Line, domain: Domain) -> None:
@@ -307,10 +288,8 @@ class Proof:
             case ("lim", inner, name, point):
                 return self.limit(inner, domain, name, point, 1)
             case ("at", inner, name, place):
-                into = self.field(face)
-                return Substitution(self.field(domain), into, {name: into.read(place)}).value(
-                    self.field(domain).read(inner)
-                )
+                field, into = self.field(domain), self.field(face)
+                return Substitution(field, into, {name: into.read(place)}).value(field.read(inner))
         return self.field(face).read(side)
 
     def vanishes(self, gap: Element) -> None:
@@ -392,6 +371,11 @@ class Proof:
         if "A_j" in symbols(whole):
             total = total * field.symbol("A_j")
         self.vanishes(field.read(whole) - total)
+
+
+def mentioned(formula: Tree) -> set[str]:
+    """All names in a formula of the table, of symbols and of what is written with letters."""
+    return symbols(formula) | heads(formula)
 
 
 def is_part(one: Chain, order: Chain) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from .reading import SIGNS, Chain, Tree, UnknownError, ordered, tree
@@ -32,8 +33,13 @@ class Line:
     def named(self) -> tuple[str, tuple[str, ...], Tree]:
         """Name, letters and formula of "let x[a] = y" or "level x = y"."""
         left, right = self.text.split(" = ")
-        name, letters = lettered(left)
-        return name, letters, tree(right)
+        return (*lettered(left), tree(right))
+
+    def formulas(self) -> list[Tree]:
+        """All formulas in a let, a level or a statement."""
+        if self.word != "show":
+            return [self.named()[2]]
+        return [x for one in statements(self.text) for x in (*one.sides, *(value for _, value in one.values))]
 
 
 @dataclass(frozen=True)
@@ -133,6 +139,7 @@ def pairs(chained: Chain) -> tuple[tuple[Tree, Tree], ...]:
     return tuple((low, high) for i, low in enumerate(chained) for high in chained[i + 1 :])
 
 
+@cache
 def statements(text: str) -> list[Statement]:
     """What a line asks for; of several one has to be shown."""
     text, *given = text.split(" given ")
