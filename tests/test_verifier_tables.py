@@ -5,16 +5,19 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import mpmath as mp
 import pytest
+from false_entries import below, derived, record
 
 from axiderive.abel import masters
 from axiderive.verifier.field import Element, Field
 from axiderive.verifier.functions import FUNCTIONS
-from axiderive.verifier.reading import definition, tree
+from axiderive.verifier.problem import Problem
+from axiderive.verifier.reading import UnknownError, definition, tree
 from axiderive.verifier.theory import THEORY, statements
 
 VALUES = {
@@ -141,3 +144,52 @@ def test_a_definition_is_read_in_both_notations() -> None:
     )
     assert definition(stored) == definition("Eq(d, -Derivative(f(r), r)/(2*sqrt(k)))")
     assert definition(stored) != definition("Eq(d, Derivative(f(r), r)/(2*sqrt(k)))")
+
+
+WORDS = ("analytic", "nowhere negative")
+"""What a statement says without another side."""
+CHANGED = ("flat_punch.adh", "cone.adh", "paraboloid.tan", "materials")
+LONG = (
+    "cone",
+    "capped_cylinder",
+    "concave_paraboloid",
+    "power_law",
+    "rounded_punch",
+    "cone.vis",
+    "plane.eccentric_punch",
+)
+
+
+@pytest.mark.parametrize("key", [*CHANGED, *(pytest.param(key, marks=pytest.mark.slow) for key in LONG)])
+def test_no_statement_holds_with_another_side_or_sign(key: str) -> None:
+    """What a line of the table says is looked at: altered, it refuses the true formula."""
+    plain = below(key)
+    problem = Problem(record(key, derived(key)), Problem(plain) if plain else None)
+    for suffix in problem.records:
+        if problem.prove(suffix):
+            continue
+        proof, orders = problem.proof(suffix), problem.proof(suffix).domains()
+        true = proof.asked
+        for line in true:
+            changed = replace(line, text=_changed(line.text))
+            assert changed != line or line.text.partition(" is ")[2].partition(" with ")[0] in WORDS
+            if changed != line and any(proof.holds(line.conditions, domain) for domain, _ in orders):
+                proof.asked = [changed if other is line else other for other in true]
+                problem.end = time.process_time() + 60
+                with pytest.raises(UnknownError, match="vanish|sign"):
+                    proof.run()
+        proof.asked = true
+
+
+def _changed(text: str) -> str:
+    """The statement with one more than twice a side, or with the other sign."""
+    text, *values = re.split("(?= with | given )", text)
+    side = r"1 + 2*(\1) = \2" if " = at(" in text else r"\1 = 1 + 2*(\2)"
+    for verb, put in (
+        (" = ", side), (" by ", r"\1 by 2*(\2)"), (" integral of ", r"\1 integral of 2*(\2)"),
+        (" > ", r"\1 < \2"), (" < ", r"\1 > \2"), (" <= ", r"\1 > \2"), (" >= ", r"\1 < \2"),
+    ):  # fmt: skip
+        if verb in text:
+            text = re.sub(f"^(.*){verb}(.*?)(?= from |$)", put, text)
+            break
+    return "".join([text, *values])

@@ -13,7 +13,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import Any
 
-from flint import fmpq, fmpq_mpoly_ctx
+from flint import fmpq, fmpq_mpoly_ctx, fmpz
 
 from .functions import FUNCTIONS, Condition, Equation
 from .reading import Tree, UnknownError, symbols
@@ -199,7 +199,7 @@ class Field:
             sign *= -1 if unit < 0 else 1
             whole = as_fraction(unit)
             for number, way in ((abs(whole.numerator), direction), (whole.denominator, -direction)):
-                out += [(RING.constant(prime), way * times) for prime, times in primes(number)]
+                out += [(RING.constant(prime), way * times) for prime, times in fmpz(number).factor()]
             for factor, times in found:
                 own = self.poly_sign(factor)
                 if not own:
@@ -517,16 +517,4 @@ def between(poly: Any, index: int, low: Any, high: Any, u: Any, v: Any) -> Any:
     for powers, coefficient in poly.terms():
         rest = RING.from_dict({tuple(0 if i == index else m for i, m in enumerate(powers)): coefficient})
         out += rest * (low * u + high * v) ** int(powers[index]) * (u + v) ** int(degree - powers[index])
-    return out
-
-
-def primes(number: int) -> list[tuple[int, int]]:
-    """The prime factors of a positive integer with their multiplicities, ascending."""
-    out, prime = [], 2
-    while number > 1:
-        times = 0
-        while number % prime == 0:
-            number, times = number // prime, times + 1
-        out += [(prime, times)] if times else []
-        prime = prime + 1 if prime * prime <= number else number
     return out
