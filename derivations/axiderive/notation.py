@@ -117,6 +117,17 @@ stiffness = _define(
     "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
 )
 
+# fields below the surface
+z = _define("z", "z", LENGTH, "m", "z >= 0", "depth below the surface")
+S_0, S_1, S_2, S_3 = (
+    _define(f"S_{m}", f"S_{m}", NUMBER, "1", "", f"pressure below the surface, turned {m} times; pi p/E_star for m = 0")
+    for m in range(4)
+)
+D_0, D_1, D_2, D_3 = (
+    _define(f"D_{m}", f"D_{m}", NUMBER, "1", "", f"-z times the derivative of S_{m} by the depth") for m in range(4)
+)
+W = _define("W", "W", LENGTH, "m", "", "potential of the displacement, pi/2 of it on the surface")
+
 # material
 E_star = _define(
     "E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i"

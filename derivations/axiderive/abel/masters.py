@@ -13,6 +13,8 @@ The hypergeometric family: incomplete Beta, 2F1, 1F1, the moment of a cap, and G
 Integrals of inverse functions: dilogarithms and the one of a break without any shorter form.
 
 Functions of profiles with waves and bells: Struve and Dawson.
+
+Oblate coordinates, in which fields below the surface are elementary.
 """
 
 from __future__ import annotations
@@ -318,11 +320,61 @@ class Dawson(Master):
         return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
 
 
+class Oblate(Master):
+    """Common part of the oblate coordinates of the point (r, z) about the circle of radius t, z >= 0.
+
+    (xi + i eta)**2 = r**2 + (z + i t)**2 with xi, eta >= 0, so that xi eta = z t.
+    """
+
+    nargs = 3
+
+    @staticmethod
+    def pair(r: Number, z: Number, t: Number) -> tuple[Number, Number]:
+        """xi and eta; the smaller one from the product of both, where the difference of squares would cancel."""
+        rest = (r - t) * (r + t) + z * z
+        large = mp.sqrt((mp.hypot(r - t, z) * mp.hypot(r + t, z) + abs(rest)) / 2)
+        small = z * t / large if large else large
+        return (large, small) if rest >= 0 else (small, large)
+
+
+class Xi(Oblate):
+    """xi(r, z, t), the real part of sqrt(r**2 + (z + i t)**2): r and z far away, zero on the disc of radius t."""
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in r, z or t."""
+        r, z, t = self.args
+        eta = Eta(r, z, t)
+        above = (r * self, z * self + t * eta, z * eta - t * self)
+        return above[argindex - 1] / (self**2 + eta**2)
+
+    @staticmethod
+    def numeric(r: Number, z: Number, t: Number) -> Number:
+        """xi from square roots of sums without cancellation."""
+        return Oblate.pair(r, z, t)[0]
+
+
+class Eta(Oblate):
+    """eta(r, z, t), the imaginary part of sqrt(r**2 + (z + i t)**2): between 0 and t, zero beside the disc."""
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in r, z or t."""
+        r, z, t = self.args
+        xi = Xi(r, z, t)
+        above = (-r * self, t * xi - z * self, z * xi + t * self)
+        return above[argindex - 1] / (xi**2 + self**2)
+
+    @staticmethod
+    def numeric(r: Number, z: Number, t: Number) -> Number:
+        """eta from square roots of sums without cancellation."""
+        return Oblate.pair(r, z, t)[1]
+
+
 MASTERS: tuple[type[Master], ...] = (
-    C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson, Hypergeometric, Kummer, CapMoment,
+    C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson, Hypergeometric, Kummer, CapMoment, Xi,
+    Eta,
 )  # fmt: skip
 
 __all__ = [
-    "C0", "MASTERS", "ArctanIntegral", "CapMoment", "Dawson", "Hypergeometric", "IncompleteBeta", "Kummer",
-    "LegendreChi2", "Master", "StruveH", "StruveL", "gamma_normalised",
+    "C0", "MASTERS", "ArctanIntegral", "CapMoment", "Dawson", "Eta", "Hypergeometric", "IncompleteBeta", "Kummer",
+    "LegendreChi2", "Master", "StruveH", "StruveL", "Xi", "gamma_normalised",
 ]  # fmt: skip

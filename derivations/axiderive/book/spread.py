@@ -15,7 +15,7 @@ from ..figures.given import axes_of, load_sketch, tilted_sketch
 from ..figures.plots import SHOWN, frames, plots
 from ..figures.sketch import sketch
 from ..figures.values import Numbers, StripNumbers, sketch_values
-from ..physics.systems import SYSTEMS, Problem, pool_of
+from ..physics.systems import PRINTED, Problem, pool_of
 from ..print.words import prose
 from ..profiles.loads import Load
 from ..profiles.pools import ROUND
@@ -35,14 +35,14 @@ def problems_of(profile_id: str) -> list[Problem]:
     """The problems of a profile, of whatever system."""
     pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
     profile = pool.load(name)
-    return [Problem(s, name) for s in SYSTEMS if s.pool is pool and not s.refusal(profile)]
+    return [Problem(s, name) for s in PRINTED if s.pool is pool and not s.refusal(profile)]
 
 
 def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str, Any], number: str) -> dict[str, Any]:
     """What the template prints for one profile, whose problems are given by key."""
     pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
     profile = pool.load(name)
-    refusals = {s.name: message for s in SYSTEMS if s.pool is pool and (message := s.refusal(profile))}
+    refusals = {s.name: message for s in PRINTED if s.pool is pool and (message := s.refusal(profile))}
     own = {problem.key: derived[problem.key] for problem in problems_of(profile_id) if problem.key in derived}
     records = {key: evidence.get(key, {"entries": {}}) for key in own}
     main = next((entries for key, entries in own.items() if key == profile_id), {})
@@ -60,7 +60,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "subtitle": prose(profile.subtitle),
         "panel": panel(profile, main, pool.strip) if main else [],
         "place": str(pool.place),
-        "first": next(system.name for system in SYSTEMS if system.pool is pool),
+        "first": next(system.name for system in PRINTED if system.pool is pool),
         "rows": rows,
         "blocks": shown,
         "sources": [(prose(work), references.label(work)) for work in profile.sources],

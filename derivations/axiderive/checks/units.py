@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from .. import notation as nt
-from ..abel.masters import C0, CapMoment
+from ..abel.masters import C0, CapMoment, Eta, Xi
 from ..entry import Entry
 from ..notation import Dimension
 from ..profiles.profile import Profile
@@ -94,6 +94,8 @@ class Units:
             exponent, *lengths = expr.args
             self._common(sp.Tuple(*lengths))
             return nt.LENGTH**exponent
+        if isinstance(expr, Xi | Eta):
+            return self._common(expr)
         if isinstance(expr, sp.Function):
             for argument in expr.args:
                 self._number(argument, expr)

@@ -26,7 +26,7 @@ TITLES = {
     **{system.name: system.said.package for system in SYSTEMS if system.said.package},
 }
 """Of the packages, by their names below the first."""
-MEMBERS = {"": "attribute", "normal": "profile"}
+MEMBERS = {"": "attribute", "normal": "profile", "subsurface": "profile"}
 """What they call their modules in an error message, where it is another word."""
 Derived = Mapping[str, Mapping[str, Entry]]
 """Entries by key of the problem and suffix."""
@@ -49,10 +49,12 @@ def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, s
         below[system.name] = modules(system, found, below)
         files |= {module.path: module.source() for module in below[system.name].values()}
         files |= _refusals(system, found)
-    files |= subsurface.sources(below["normal"], found["normal"])
     for package, title in TITLES.items():
         place = "/".join([PACKAGE, *filter(None, package.split("."))])
-        files[f"{place}/__init__.py"] = package_source(title, _names(place, files), MEMBERS.get(package, "member"))
+        shared = subsurface.SHARED if package == subsurface.PHYSICS.name else ()
+        names = sorted([*_names(place, files), *shared])
+        text = package_source(title, names, MEMBERS.get(package, "member"))
+        files[f"{place}/__init__.py"] = subsurface.package(text) if shared else text
     return files | program_sources(files)
 
 

@@ -6,7 +6,7 @@ it (`runtime/subsurface/punches.py`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -18,9 +18,9 @@ from ..abel.reduce import parse
 from ..entry import Entry
 from ..letters import name_of
 from ..notation import C, a, coefficients, t
-from ..physics import Physics, Wording, normal
 from ..physics.complete import fixed_face
 from ..physics.medium import HOMOGENEOUS
+from ..physics.subsurface import PHYSICS
 from ..physics.systems import System
 from ..stable.forms import evaluation_form
 from ..stable.signs import facts_of
@@ -29,18 +29,12 @@ from . import docstring
 from .bodies.regimes import Regimes
 from .function import Function
 from .layout import from_import
-from .module import PACKAGE, PLACE, Module, package_source
+from .module import PLACE, Module
 from .private import PrivateFunctions
 from .text import python
 from .writer import required
 
-NAME = "subsurface"
-TITLE = "Stresses and displacements below a rigid indenter on an elastic half-space, under normal load and friction"
-BELOW = Physics(
-    NAME, {HOMOGENEOUS: Wording(place=0, title=TITLE)}, lambda *_: {}, over=normal.PHYSICS,
-    runtime=("subsurface.punches", "subsurface.stresses"),
-)  # fmt: skip
-SYSTEM = System(BELOW, HOMOGENEOUS)
+SYSTEM = System(PHYSICS, HOMOGENEOUS)
 SHARED = (
     "Displacement",
     "Greatest",
@@ -123,30 +117,37 @@ ASKED = (
 )  # fmt: skip
 
 
-def sources(modules: Mapping[str, Module], entries: Mapping[str, Mapping[str, Entry]]) -> dict[str, str]:
-    """The files of the package, for the modules of the normal contact and the entries behind them, by profile."""
-    files = {f"{PACKAGE}/{NAME}/{name}.py": _Source(module, entries[name]).text() for name, module in modules.items()}
-    family = package_source(TITLE, sorted([*modules, *SHARED]), "profile")
-    shared = "\n".join(from_import(f"..{PLACE}.{NAME}.stresses", SHARED))
-    return files | {f"{PACKAGE}/{NAME}/__init__.py": family.replace("\n__all__", f"\n{shared}\n\n__all__", 1)}
+def module(entries: Mapping[str, Entry], plain: Mapping[str, Entry], known: Mapping[str, Sequence[str]]) -> Module:
+    """The module of a profile, on that of the normal contact, whose entries are `plain` and whose functions take what
+    `known` says.
+    """
+    return _Source(entries, plain, known).module()
+
+
+def package(text: str) -> str:
+    """The text of the package of these modules, with what it gives besides them."""
+    shared = "\n".join(from_import(f"..{PLACE}.{PHYSICS.name}.stresses", SHARED))
+    return text.replace("\n__all__", f"\n{shared}\n\n__all__", 1)
 
 
 class _Source:
     """The module of one profile."""
 
-    def __init__(self, module: Module, entries: Mapping[str, Entry]) -> None:
-        self.known, self.entries = module.parameters, entries
-        self.name, self.profile = module.name, next(iter(entries.values())).profile
+    def __init__(
+        self, entries: Mapping[str, Entry], plain: Mapping[str, Entry], known: Mapping[str, Sequence[str]]
+    ) -> None:
+        self.known, self.numbers, self.entries = known, entries, plain
+        self.profile = next(iter(plain.values())).profile
         self.compact, self.summed = self.profile.compact, coefficients in self.profile.parameters
         self.geometry = [name_of(symbol) for symbol in self.profile.parameters]
         self.given = "a" if self.compact else "d"
 
-    def text(self) -> str:
+    def module(self) -> Module:
         """The whole module."""
         asked = [one for one in ASKED if self.compact or one.name != "partial_slip_stress"]
         shape = self.grown() if self.compact else self.fixed()
         public, title = [self.public(one) for one in asked], f"{self.profile.title}: stresses below the surface"
-        return Module(SYSTEM, self.name, title, self.profile.subtitle, public, shape).source()
+        return Module(SYSTEM, self.profile.name, title, self.profile.subtitle, public, shape)
 
     def public(self, asked: Asked) -> Function:
         """A function of the interface."""
@@ -183,7 +184,9 @@ class _Source:
                 "Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it"
             )
             rows += docstring.parameter("d", words, kind="array_like, optional")
-        notes = f"Valid for {self.profile.validity}. {asked.note} {NUMBERS}".replace("  ", " ")
+        first, last = (self.numbers[suffix].key for suffix in ("S0", "W"))
+        keys = f"Their formulas are {first} to S3, D0 to D3 and {last}."
+        notes = f"Valid for {self.profile.validity}. {asked.note} {NUMBERS} {keys}".replace("  ", " ")
         stated = [f"    {line}" for line in asked.stated] or ["    the largest of all points with z >= 0"]
         returns = (asked.returns.replace("Result", docstring.NUMBERS), RETURNS[asked.returns])
         return docstring.document(asked.summary, stated, rows, returns, notes, self.profile.sources, [])

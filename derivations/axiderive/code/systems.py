@@ -10,10 +10,11 @@ from ..physics import loads as prescribed
 from ..physics import materials as elastic
 from ..physics import normal as pressed
 from ..physics import plane as strips
+from ..physics import subsurface as deep
 from ..physics import tangential as slipping
 from ..physics import viscoelastic as creeping
 from ..physics.systems import System
-from . import normal
+from . import normal, subsurface
 from .graded import adhesive as graded_adhesive
 from .graded import compact, complete
 from .module import Module
@@ -58,6 +59,8 @@ def superposed(
 
     Without its `interface` it holds what that rests on.
     """
+    if system.physics is deep.PHYSICS:
+        return subsurface.module(entries, plain, normal)
     writer = Writer(system, entries, plain, normal)
     parts = SUPERPOSED.get(system.physics) or _adhesive(writer)
     parts.rules(writer)

@@ -32,9 +32,10 @@ def concrete(expr: sp.Expr, values: Values) -> sp.Expr:
     """The sum of a polynomial profile written out for the degree at hand, with a symbol for each coefficient."""
     if nt.N not in values or not expr.has(sp.Sum):
         return expr
-    spelled = expr.subs(nt.N, values[nt.N]).doit()
+    spelled = expr.subs(nt.N, values[nt.N]).replace(sp.Sum, lambda *args: sp.Sum(*args).doit())
+    found = spelled.xreplace({term: coefficient(int(term.indices[0])) for term in spelled.atoms(sp.Indexed)})
     # expanded, because the derivative of a sum leaves r in a denominator
-    return sp.expand(spelled.xreplace({term: coefficient(int(term.indices[0])) for term in spelled.atoms(sp.Indexed)}))
+    return found if found.has(sp.Integral) else sp.expand(found)
 
 
 def coefficient(index: int) -> sp.Symbol:

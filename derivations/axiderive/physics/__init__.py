@@ -122,7 +122,7 @@ class Physics:
     quantities: Mapping[str, Mapping[str, Quantity]] = field(default_factory=dict)
     """By the names of stored records: of a contact that grows, with a fixed edge, under a leaning load."""
     wanted: tuple[str, ...] = ()
-    """Functions that a scene gets if it asks for none."""
+    """Functions that a scene gets if it asks for none; empty where there are no scenes."""
     definitions: Callable[[Profile, Medium], dict[str, sp.Expr]] | None = None
     """What each of its quantities is, in `DEPTH`, `FORCE` and `PRESSURE` of the contact that it superposes."""
     compared: str = ""
@@ -133,6 +133,8 @@ class Physics:
     """The rules in print by quantity, with what prints an expression."""
     noted: str = ""
     """Behind the title of its rules in front of the book."""
+    printed: bool = True
+    """Whether its rows stand on the pages of the profiles."""
 
     def parameters(self, medium: Medium) -> tuple[sp.Symbol, ...]:
         """What its functions take of the material on a medium."""

@@ -117,6 +117,8 @@ def _physics() -> Iterator[Physics]:
 
 
 SYSTEMS = tuple(sorted((System(p, m) for p in _physics() for m in p.wording), key=lambda own: own.said.place))
+PRINTED = tuple(system for system in SYSTEMS if system.physics.printed)
+"""Those of which the pages of the book and of the web edition have rows."""
 BY_NAME = {system.name: system for system in SYSTEMS}
 
 

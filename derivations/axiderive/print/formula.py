@@ -83,6 +83,9 @@ class FunctionPrinter(ABC):
         if kind is masters.CapMoment:
             exponent, *lengths = map(self.sum, e.args)
             return r"\mathrm{J}" + bracket(f"{exponent};" + ",".join(lengths))
+        if kind in (masters.Xi, masters.Eta):
+            letter = r"\xi" if kind is masters.Xi else r"\eta"
+            return letter if e.args[2] == nt.a else f"{letter}_{{{self.exponent(e.args[2])}}}"
         name = {"w1D": r"w_{\mathrm{1D}}"}.get(kind.__name__, kind.__name__)
         return name + bracket(",".join(self.sum(x) for x in e.args))
 

@@ -15,6 +15,7 @@ from ..abel.form import Chain
 from ..entry import Entry
 from ..notation import F, d
 from ..physics import normal
+from ..physics import subsurface as deep
 from ..physics.medium import HOMOGENEOUS, Medium
 from ..physics.systems import of
 from ..profiles.loads import Load
@@ -22,7 +23,7 @@ from ..profiles.profile import Profile
 from . import frame
 from .algebra.domain import NotProvedError
 from .frame import Frames
-from .rules import adhesive, detachment, graded, loads, materials, peak, superposed, viscoelastic
+from .rules import adhesive, detachment, graded, loads, materials, peak, subsurface, superposed, viscoelastic
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
@@ -159,6 +160,9 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         rules = viscoelastic.rules(entries, plain.entries)
         frames = frame.relaxing(profile)
         return Prover(entries, frames, rules, lambda: viscoelastic.Viscoelastic(plain.built(), found), plain)
+    if physics is deep.PHYSICS:
+        own, build = subsurface.rules(profile.compact), subsurface.Subsurface
+        return Prover(entries, frame.below(profile), own, lambda: build(plain.built(), found), plain)
     if physics.proofs:
         proofs = physics.proofs(profile, graded.MEDIUM if medium.graded else medium)
         frames, shown = frame.superposed(physics, profile, medium), superposed.rules(proofs)

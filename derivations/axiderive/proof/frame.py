@@ -47,8 +47,9 @@ from ..notation import (
     x_zero,
     young_1,
     young_2,
+    z,
 )
-from ..physics import Physics, adhesive, detachment, loads, materials, normal, viscoelastic
+from ..physics import Physics, adhesive, detachment, loads, materials, normal, subsurface, viscoelastic
 from ..physics.medium import Medium
 from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
@@ -264,6 +265,23 @@ def superposed(physics: Physics, profile: Profile, medium: Medium) -> Frames:
             definition, (*profile.parameters, *physics.taken(definition, medium)),
         )
         for suffix, definition in physics.definitions(profile, medium).items()
+    }  # fmt: skip
+
+
+def below(profile: Profile) -> Frames:
+    """Fields below the surface: what remains of every wave of the pressure at a depth."""
+    wave = sp.Symbol("wave_number", positive=True)
+    pressed = g_(a) - g_(t) if profile.compact else w1D_(t)
+    remains = sp.Integral(pressed * sp.cos(wave * t), (t, 0, a)) * sp.exp(-wave * z)
+    table = subsurface.QUANTITIES if profile.compact else subsurface.QUANTITIES_COMPLETE
+    weights = {"S": wave, "D": z * wave**2, "W": sp.S.One}
+    return {
+        suffix: Frame(
+            f"{profile.name}.{subsurface.GROUP}.{suffix}", profile, quantity,
+            sp.Integral(weights[suffix[0]] * remains * sp.besselj(int(suffix[1:] or 0), wave * r), (wave, 0, sp.oo)),
+            profile.parameters,
+        )
+        for suffix, quantity in table.items()
     }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from ..entry import Entry
 from ..notation import a, b
 from ..physics.adhesive import CONTROLS
-from ..physics.systems import SYSTEMS, Problem, System, pool_of
+from ..physics.systems import PRINTED, Problem, System, pool_of
 from ..print.words import prose
 from ..profiles.pools import BODIES, ROUND
 from . import laws
@@ -56,7 +56,7 @@ def _heading(system: System, entries: Mapping[str, Entry]) -> tuple[str, str]:
 def every(profile_id: str, derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, list[Row]]:
     """All rows of the problems of a profile, by name of the system."""
     pool, name = pool_of(profile_id), profile_id.rpartition(".")[2]
-    own = [Problem(system, name) for system in SYSTEMS if system.pool is pool]
+    own = [Problem(system, name) for system in PRINTED if system.pool is pool]
     return {p.system.name: rows_of(p.system, derived[p.key], derived, name) for p in own if p.key in derived}
 
 
@@ -69,7 +69,7 @@ def blocks(
 ) -> dict[str, Block]:
     """Blocks by name of the system, in the order of the systems, of `every` row; `refusals` says why one has none."""
     found, pool, name = {}, pool_of(profile_id), profile_id.rpartition(".")[2]
-    for system in SYSTEMS:
+    for system in PRINTED:
         if system.pool is not pool:
             continue
         if system.name in refusals:

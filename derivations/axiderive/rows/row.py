@@ -14,7 +14,7 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
-from ..physics import adhesive, loads, materials, plane, viscoelastic
+from ..physics import adhesive, loads, materials, plane, subsurface, viscoelastic
 from ..physics.systems import System, of
 from ..print.box import brackets_around, size_around, width
 from ..print.formula import Printer
@@ -168,9 +168,19 @@ def _root_or_formula(entry: Entry) -> Row:
     return _formula(entry)
 
 
+def _unbroken(entry: Entry) -> Row:
+    """The formulas as they stand, each on one line: of an entry that no page shows."""
+    found = []
+    for pairs, expr in regions(entry):
+        printer = Printer(chain := chain_of(entry, expr))
+        found.append(Region(condition(entry, pairs, chain, printer), (f"{entry.quantity.left}={printer(expr)}",)))
+    return Row(entry, "formula", tuple(found))
+
+
 WITHOUT_RULE = {
     materials.PHYSICS: _constant,
     **dict.fromkeys((plane.PHYSICS, loads.PHYSICS, viscoelastic.PHYSICS), _root_or_formula),
+    subsurface.PHYSICS: _unbroken,
 }
 """Rows of the physics whose quantities follow from no rule."""
 BETTER = {

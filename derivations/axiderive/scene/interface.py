@@ -19,7 +19,6 @@ from ..physics.adhesive import pull_off_rule
 from ..physics.systems import SYSTEMS, System
 from ..physics.viscoelastic import Law
 from ..profiles import NAMES
-from ..profiles.pools import BODIES
 from ..profiles.profile import Profile, Rule
 
 LETTERS = {"tau": "relaxation", "t": "time"}
@@ -76,7 +75,7 @@ class Kind:
         return tuple(map(name_of, own))
 
 
-KINDS = {kind.name: kind for own in SYSTEMS if own.pool is not BODIES for kind in
+KINDS = {kind.name: kind for own in SYSTEMS if own.physics.wanted for kind in
          ([Kind(own, law) for law in own.physics.laws] or [Kind(own)])}  # fmt: skip
 NORMAL = KINDS["normal"]
 

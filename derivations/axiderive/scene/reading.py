@@ -30,7 +30,7 @@ SECTIONS = ("name", "title", "profile", "parameters", "medium", "physics", "want
 MEANT = {"material": "medium", "half_space": "medium", "contact": "physics", "load": "physics"}
 """Other names of sections."""
 
-PHYSICS = {own.physics.name: own.physics for own in SYSTEMS if own.pool is not BODIES}
+PHYSICS = {own.physics.name: own.physics for own in SYSTEMS if own.physics.wanted}
 """Kinds of contact by the keys of a scene."""
 PLAIN, *CHOICES = PHYSICS
 """What is meant where none is named, and the others."""

@@ -19,7 +19,7 @@ from ..book.handbook import Model, page_models
 from ..book.study import error, maps
 from ..code.python import package_sources
 from ..figures.svg import Picture, svg
-from ..physics.systems import SYSTEMS, pool_of
+from ..physics.systems import PRINTED, pool_of
 from ..print.words import escaped, prose
 from ..profiles.pools import ROUND
 from .home import home
@@ -130,7 +130,7 @@ def _linked(row: Mapping[str, Any]) -> str:
     return rf"\hyperref[eq:{problem}.{first}]{{{escaped(problem)}}}"
 
 
-COLUMNS = tuple(system.name for system in SYSTEMS if system.pool is ROUND)
+COLUMNS = tuple(system.name for system in PRINTED if system.pool is ROUND)
 """Systems of the matrix; the other profiles have one system each."""
 
 

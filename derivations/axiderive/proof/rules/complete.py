@@ -65,7 +65,7 @@ class Complete:
         """The formula of complete contact for a fixed face, and that the entry gives it with C = h/a^n."""
         entry = closed(self.entries[suffix])
         (fixed,) = entry.fixed_face
-        before, after = self._regions(suffix)
+        before, after = self.regions(suffix)
         require_regions(entry, before + after)
         steps, domain = self.face(), self.domain(REGIONS[suffix])
         require_analytic(fixed.expr, domain)
@@ -74,7 +74,7 @@ class Complete:
             steps = [*steps, require_zero(gap, domain, f"{suffix} is the formula of the fixed face")]
         return fixed.expr, steps + self._partial(suffix, [case for case in entry.cases if case.chain in before])
 
-    def _regions(self, suffix: str) -> tuple[tuple[Chain, ...], tuple[Chain, ...]]:
+    def regions(self, suffix: str) -> tuple[tuple[Chain, ...], tuple[Chain, ...]]:
         """Before the edge is reached and after: its radius, or its force, is the smaller one; r may be anywhere."""
         own = REGIONS[suffix]
         if self.concave or self.profile.pieces[0].expr == 0:

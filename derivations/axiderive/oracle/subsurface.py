@@ -1,0 +1,70 @@
+"""Fields below the surface straight from the transform of the pressure: integrals over the wave number of what remains
+of each wave at a depth.
+
+P(k) = int_0^a (d - g(t)) cos(k t) dt with the depths g of the definition, then the integrals over k of
+k**(1, 2, 0) P(k) exp(-k z) J_m(k r).  Neither a flat punch nor the slope g' enters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import mpmath as mp
+from flint import arb
+
+from .. import notation as nt
+from .half_space import HalfSpace
+from .integrals import Homogeneous
+from .rules import at_working_precision, ball, exponential_rule, gauss_rule, middle
+from .shape import Number, Shape
+
+PARTS, ORDER = 4, 44
+"""Panels of a stretch of the profile, and nodes of a panel that begins at no break."""
+TURNS = 24.0
+"""Radians of a wave in a panel of wave numbers."""
+
+
+def numbers(contact: HalfSpace) -> dict[str, Number]:
+    """S0 ... S3, D0 ... D3 and W at the place r, z of a contact, to about its digits where z is of the size of a."""
+    digits = contact.digits
+    with mp.workdps(digits + 20), at_working_precision():
+        r, z = contact.at(nt.r), contact.at(nt.z)
+        a, free = contact.contact(contact.at(nt.a))
+        pressed = list(_pressed(contact, a, free))
+        highest = (digits + 6) * mp.log(10) / z
+        panels = int(mp.ceil(highest * (a + r) / TURNS))
+        zero, one = arb(0), arb(1)
+        total = {name: zero for name in (*(f"{x}{m}" for x in "SD" for m in range(4)), "W")}
+        rule = [(ball(x), ball(w)) for x, w in gauss_rule(ORDER, int(mp.mp.prec))]
+        width, place, depth = ball(highest / panels), ball(r), ball(z)
+        for i in range(panels):
+            for x, weight in rule:
+                k = (i + x) * width
+                transform = sum((w * (k * t).cos() for t, w in pressed), zero)
+                wave = weight * width * transform * (-k * depth).exp()
+                for m in range(4):
+                    surface = wave * k * (k * place).bessel_j(arb(m) * one)
+                    total[f"S{m}"] += surface
+                    total[f"D{m}"] += surface * k * depth
+                total["W"] += wave * (k * place).bessel_j(zero)
+        return {name: middle(value) for name, value in total.items()}
+
+
+def _pressed(contact: HalfSpace, a: Number, free: Number | None) -> Iterator[tuple[arb, arb]]:
+    """Radii up to the edge, and weights times what a punch of the radius is pressed in by."""
+    whole = contact.face(a).shape
+    depth = _depth(whole, a, contact.digits) if free is None else free
+    for piece in whole.stretches:
+        length = (piece.hi - piece.lo) / PARTS
+        for i in range(PARTS):
+            rule = gauss_rule(ORDER, int(mp.mp.prec)) if i else exponential_rule(contact.digits, int(mp.mp.prec))
+            for x, weight in rule:
+                t = piece.lo + (i + x) * length
+                yield ball(t), ball(weight * length * (depth - _depth(whole, t, contact.digits)))
+
+
+def _depth(whole: Shape, t: Number, digits: int) -> Number:
+    """g(t) of a face that a concave one keeps while the radius varies."""
+    inside = tuple(replace(piece, hi=min(piece.hi, t)) for piece in whole.stretches if piece.lo < t)
+    return Homogeneous(replace(whole, stretches=inside), mp.mpf(0), digits).depth(t)
