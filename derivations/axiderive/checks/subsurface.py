@@ -64,7 +64,7 @@ def _places(own: Comparison, case: Case) -> list[Values]:
     fields = (nt.r, nt.z, *own.profile.free_depth)
     contacts = sorted(own.tame(case.chain, AMONG, fields), key=decades)[:EACH]
     dice = random.Random(f"{own.seed} {own.profile.name} {case.chain}")
-    out = []
+    out: list[Values] = []
     for values in contacts:
         r, z = (values[nt.a] * sp.Rational(dice.randint(*ends), 100) for ends in ((20, 160), (50, 120)))
         out.append({**values, nt.r: r, nt.z: z})

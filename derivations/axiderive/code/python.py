@@ -51,7 +51,7 @@ def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, s
         files |= _refusals(system, found)
     for package, title in TITLES.items():
         place = "/".join([PACKAGE, *filter(None, package.split("."))])
-        shared = subsurface.SHARED if package == subsurface.PHYSICS.name else ()
+        shared = subsurface.SHARED if package == subsurface.SYSTEM.name else ()
         names = sorted([*_names(place, files), *shared])
         text = package_source(title, names, MEMBERS.get(package, "member"))
         files[f"{place}/__init__.py"] = subsurface.package(text) if shared else text

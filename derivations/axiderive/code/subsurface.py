@@ -276,5 +276,5 @@ def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> st
     return f"Piece(PLAIN, {start}{'' if slope.has(t) else ', sharp=True'})"
 
 
-def _tuple(names: list[str]) -> str:
+def _tuple(names: Sequence[str]) -> str:
     return f"({names[0]},)" if len(names) == 1 else f"({', '.join(names)})"

@@ -128,15 +128,15 @@ def derive(
     face, coefficient = complete.fixed_face(profile)
     depth_there = parse(face).depth(Order((a,))).expr() if face[0].expr != 0 else sp.S.Zero
     fixed = {s: Case((a,), _with_edge(n, depth_there)) for s, n in NUMBERS.items()}
-    whole = {s: (Case((a,), case.expr.subs(C, coefficient)),) for s, case in fixed.items()}
+    whole: dict[str, tuple[Case, ...]] = {s: (Case((a,), case.expr.subs(C, coefficient)),) for s, case in fixed.items()}
     if coefficient == 0 and face[0].expr != 0:
         # it touches first like the unbounded profile, with a contact radius below that of the edge
         geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
         unbounded = replace(profile, contact="compact", parameters=geometry)
         radius, first = normal.derive(unbounded)["ad"].cases[0].expr, derive(unbounded)
         whole = {
-            s: (Case((radius, a), first[s].cases[0].expr.subs(a, radius)), Case((a, radius), after.expr))
-            for s, (after,) in whole.items()
+            s: (Case((radius, a), first[s].cases[0].expr.subs(a, radius)), Case((a, radius), after[0].expr))
+            for s, after in whole.items()
         }
     return {s: _entry(profile, s, q, whole[s], (fixed[s],)) for s, q in QUANTITIES_COMPLETE.items()}
 
