@@ -84,6 +84,7 @@ def stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -129,7 +130,7 @@ def displacement(
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -176,6 +177,7 @@ def surface_stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -216,7 +218,7 @@ def surface_displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLi
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -282,7 +284,7 @@ def sliding_stress(
     -----
     Valid for a << R. The traction mu p does not change the pressure. The whole stress is the `add` of this
     and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -324,7 +326,7 @@ def greatest_von_mises(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: Arra
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------
@@ -366,7 +368,7 @@ def greatest_shear(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLik
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_cylinder.sub.S0 to S3, D0 to D3 and capped_cylinder.sub.W.
 
     References
     ----------

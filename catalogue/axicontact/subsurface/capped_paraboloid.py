@@ -100,7 +100,7 @@ def stress(
     -----
     Valid for a << R2. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -158,7 +158,7 @@ def displacement(
     Notes
     -----
     Valid for a << R2. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -217,7 +217,7 @@ def surface_stress(
     -----
     Valid for a << R2. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -264,7 +264,7 @@ def surface_displacement(
     Notes
     -----
     Valid for a << R2. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -336,7 +336,7 @@ def sliding_stress(
     -----
     Valid for a << R2. The traction mu p does not change the pressure. The whole stress is the `add` of this
     and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -407,7 +407,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a << R2. The traction is mu times the difference of the pressures of radii a and c. S_m, D_m and
-    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas
+    are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -462,7 +463,7 @@ def greatest_von_mises(
     -----
     Valid for a << R2. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -517,7 +518,7 @@ def greatest_shear(
     -----
     Valid for a << R2. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------

@@ -96,7 +96,8 @@ def stress(
     -----
     Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
     and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -144,7 +145,8 @@ def displacement(
     Notes
     -----
     Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -193,7 +195,8 @@ def surface_stress(
     -----
     Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
     and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -238,7 +241,8 @@ def surface_displacement(
     Notes
     -----
     Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -307,7 +311,8 @@ def sliding_stress(
     -----
     Valid for small slopes; complete contact only. The traction mu p does not change the pressure. The whole
     stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -353,7 +358,8 @@ def greatest_von_mises(
     -----
     Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
     is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------
@@ -399,7 +405,8 @@ def greatest_shear(
     -----
     Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
     is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_power.sub.S0 to S3, D0 to D3 and
+    concave_power.sub.W.
 
     References
     ----------

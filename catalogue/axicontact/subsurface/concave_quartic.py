@@ -85,7 +85,8 @@ def stress(
     -----
     Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
     and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -131,7 +132,8 @@ def displacement(
     Notes
     -----
     Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -178,7 +180,8 @@ def surface_stress(
     -----
     Valid for small slopes; complete contact only. At the edge of a face, at a tip and at a kink the pressure,
     and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -219,7 +222,8 @@ def surface_displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLi
     Notes
     -----
     Valid for small slopes; complete contact only. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -285,7 +289,8 @@ def sliding_stress(
     -----
     Valid for small slopes; complete contact only. The traction mu p does not change the pressure. The whole
     stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -327,7 +332,8 @@ def greatest_von_mises(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: Arra
     -----
     Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
     is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------
@@ -369,7 +375,8 @@ def greatest_shear(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLik
     -----
     Valid for small slopes; complete contact only. Infinite where the pressure is, on the surface. The point
     is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up
-    to the contact, times g'(t), summed over t.
+    to the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
+    concave_quartic.sub.W.
 
     References
     ----------

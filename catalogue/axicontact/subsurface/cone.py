@@ -94,7 +94,7 @@ def stress(
     -----
     Valid for tan(theta) << 1; a << size of the body. At the edge of a face, at a tip and at a kink the
     pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and cone.sub.W.
 
     References
     ----------
@@ -140,7 +140,8 @@ def displacement(
     Notes
     -----
     Valid for tan(theta) << 1; a << size of the body. S_m, D_m and W are those of flat punches of all radii t
-    up to the contact, times g'(t), summed over t.
+    up to the contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and
+    cone.sub.W.
 
     References
     ----------
@@ -187,7 +188,7 @@ def surface_stress(
     -----
     Valid for tan(theta) << 1; a << size of the body. At the edge of a face, at a tip and at a kink the
     pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and cone.sub.W.
 
     References
     ----------
@@ -230,7 +231,8 @@ def surface_displacement(
     Notes
     -----
     Valid for tan(theta) << 1; a << size of the body. S_m, D_m and W are those of flat punches of all radii t
-    up to the contact, times g'(t), summed over t.
+    up to the contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and
+    cone.sub.W.
 
     References
     ----------
@@ -296,7 +298,8 @@ def sliding_stress(
     -----
     Valid for tan(theta) << 1; a << size of the body. The traction mu p does not change the pressure. The
     whole stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t
-    up to the contact, times g'(t), summed over t.
+    up to the contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and
+    cone.sub.W.
 
     References
     ----------
@@ -362,7 +365,7 @@ def partial_slip_stress(
     -----
     Valid for tan(theta) << 1; a << size of the body. The traction is mu times the difference of the pressures
     of radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and cone.sub.W.
 
     References
     ----------
@@ -406,7 +409,8 @@ def greatest_von_mises(
     -----
     Valid for tan(theta) << 1; a << size of the body. Infinite where the pressure is, on the surface. The
     point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii
-    t up to the contact, times g'(t), summed over t.
+    t up to the contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and
+    cone.sub.W.
 
     References
     ----------
@@ -450,7 +454,8 @@ def greatest_shear(
     -----
     Valid for tan(theta) << 1; a << size of the body. Infinite where the pressure is, on the surface. The
     point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii
-    t up to the contact, times g'(t), summed over t.
+    t up to the contact, times g'(t), summed over t. Their formulas are cone.sub.S0 to S3, D0 to D3 and
+    cone.sub.W.
 
     References
     ----------

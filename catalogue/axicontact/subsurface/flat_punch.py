@@ -80,7 +80,7 @@ def stress(r: ArrayLike, z: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: Ar
     -----
     Valid for sharp edge, frictionless. At the edge of a face, at a tip and at a kink the pressure, and with
     it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and flat_punch.sub.W.
 
     References
     ----------
@@ -122,7 +122,8 @@ def displacement(r: ArrayLike, z: ArrayLike, d: ArrayLike, *, a: ArrayLike, nu: 
     Notes
     -----
     Valid for sharp edge, frictionless. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and
+    flat_punch.sub.W.
 
     References
     ----------
@@ -165,7 +166,7 @@ def surface_stress(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: ArrayLik
     -----
     Valid for sharp edge, frictionless. At the edge of a face, at a tip and at a kink the pressure, and with
     it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and flat_punch.sub.W.
 
     References
     ----------
@@ -204,7 +205,8 @@ def surface_displacement(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, nu: ArrayL
     Notes
     -----
     Valid for sharp edge, frictionless. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and
+    flat_punch.sub.W.
 
     References
     ----------
@@ -267,7 +269,8 @@ def sliding_stress(
     -----
     Valid for sharp edge, frictionless. The traction mu p does not change the pressure. The whole stress is
     the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and
+    flat_punch.sub.W.
 
     References
     ----------
@@ -307,7 +310,8 @@ def greatest_von_mises(d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike, nu: Arr
     -----
     Valid for sharp edge, frictionless. Infinite where the pressure is, on the surface. The point is known to
     about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and
+    flat_punch.sub.W.
 
     References
     ----------
@@ -347,7 +351,8 @@ def greatest_shear(d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike, nu: ArrayLi
     -----
     Valid for sharp edge, frictionless. Infinite where the pressure is, on the surface. The point is known to
     about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are flat_punch.sub.S0 to S3, D0 to D3 and
+    flat_punch.sub.W.
 
     References
     ----------

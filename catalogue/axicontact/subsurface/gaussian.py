@@ -97,6 +97,7 @@ def stress(
     -----
     Valid for h << s. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -144,7 +145,7 @@ def displacement(
     Notes
     -----
     Valid for h << s. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -200,6 +201,7 @@ def surface_stress(
     -----
     Valid for h << s. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -244,7 +246,7 @@ def surface_displacement(
     Notes
     -----
     Valid for h << s. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -313,7 +315,7 @@ def sliding_stress(
     -----
     Valid for h << s. The traction mu p does not change the pressure. The whole stress is the `add` of this
     and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -381,7 +383,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for h << s. The traction is mu times the difference of the pressures of radii a and c. S_m, D_m and
-    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas
+    are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -427,7 +430,7 @@ def greatest_von_mises(
     -----
     Valid for h << s. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------
@@ -473,7 +476,7 @@ def greatest_shear(
     -----
     Valid for h << s. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are gaussian.sub.S0 to S3, D0 to D3 and gaussian.sub.W.
 
     References
     ----------

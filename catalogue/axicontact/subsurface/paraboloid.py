@@ -94,6 +94,7 @@ def stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -139,7 +140,7 @@ def displacement(
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -186,6 +187,7 @@ def surface_stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -228,7 +230,7 @@ def surface_displacement(
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -294,7 +296,7 @@ def sliding_stress(
     -----
     Valid for a << R. The traction mu p does not change the pressure. The whole stress is the `add` of this
     and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -359,7 +361,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a << R. The traction is mu times the difference of the pressures of radii a and c. S_m, D_m and
-    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas
+    are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -403,7 +406,7 @@ def greatest_von_mises(
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------
@@ -447,7 +450,7 @@ def greatest_shear(
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are paraboloid.sub.S0 to S3, D0 to D3 and paraboloid.sub.W.
 
     References
     ----------

@@ -95,7 +95,7 @@ def stress(
     -----
     Valid for small slopes. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -142,7 +142,7 @@ def displacement(
     Notes
     -----
     Valid for small slopes. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -190,7 +190,7 @@ def surface_stress(
     -----
     Valid for small slopes. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -234,7 +234,7 @@ def surface_displacement(
     Notes
     -----
     Valid for small slopes. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -301,7 +301,7 @@ def sliding_stress(
     -----
     Valid for small slopes. The traction mu p does not change the pressure. The whole stress is the `add` of
     this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -367,7 +367,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for small slopes. The traction is mu times the difference of the pressures of radii a and c. S_m,
-    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -412,7 +413,7 @@ def greatest_von_mises(
     -----
     Valid for small slopes. Infinite where the pressure is, on the surface. The point is known to about 1e-8
     of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------
@@ -457,7 +458,7 @@ def greatest_shear(
     -----
     Valid for small slopes. Infinite where the pressure is, on the surface. The point is known to about 1e-8
     of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are polynomial.sub.S0 to S3, D0 to D3 and polynomial.sub.W.
 
     References
     ----------

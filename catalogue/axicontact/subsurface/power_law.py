@@ -97,7 +97,7 @@ def stress(
     -----
     Valid for small slopes, n A a^(n-1) << 1. At the edge of a face, at a tip and at a kink the pressure, and
     with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and power_law.sub.W.
 
     References
     ----------
@@ -145,7 +145,8 @@ def displacement(
     Notes
     -----
     Valid for small slopes, n A a^(n-1) << 1. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and
+    power_law.sub.W.
 
     References
     ----------
@@ -201,7 +202,7 @@ def surface_stress(
     -----
     Valid for small slopes, n A a^(n-1) << 1. At the edge of a face, at a tip and at a kink the pressure, and
     with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and power_law.sub.W.
 
     References
     ----------
@@ -246,7 +247,8 @@ def surface_displacement(
     Notes
     -----
     Valid for small slopes, n A a^(n-1) << 1. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and
+    power_law.sub.W.
 
     References
     ----------
@@ -315,7 +317,8 @@ def sliding_stress(
     -----
     Valid for small slopes, n A a^(n-1) << 1. The traction mu p does not change the pressure. The whole stress
     is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and
+    power_law.sub.W.
 
     References
     ----------
@@ -384,7 +387,7 @@ def partial_slip_stress(
     -----
     Valid for small slopes, n A a^(n-1) << 1. The traction is mu times the difference of the pressures of
     radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and power_law.sub.W.
 
     References
     ----------
@@ -430,7 +433,8 @@ def greatest_von_mises(
     -----
     Valid for small slopes, n A a^(n-1) << 1. Infinite where the pressure is, on the surface. The point is
     known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and
+    power_law.sub.W.
 
     References
     ----------
@@ -476,7 +480,8 @@ def greatest_shear(
     -----
     Valid for small slopes, n A a^(n-1) << 1. Infinite where the pressure is, on the surface. The point is
     known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are power_law.sub.S0 to S3, D0 to D3 and
+    power_law.sub.W.
 
     References
     ----------

@@ -94,7 +94,7 @@ def stress(
     -----
     Valid for small slopes, 4 A a^3 << 1. At the edge of a face, at a tip and at a kink the pressure, and with
     it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -140,7 +140,7 @@ def displacement(
     Notes
     -----
     Valid for small slopes, 4 A a^3 << 1. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -187,7 +187,7 @@ def surface_stress(
     -----
     Valid for small slopes, 4 A a^3 << 1. At the edge of a face, at a tip and at a kink the pressure, and with
     it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -230,7 +230,7 @@ def surface_displacement(
     Notes
     -----
     Valid for small slopes, 4 A a^3 << 1. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -296,7 +296,7 @@ def sliding_stress(
     -----
     Valid for small slopes, 4 A a^3 << 1. The traction mu p does not change the pressure. The whole stress is
     the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -362,7 +362,7 @@ def partial_slip_stress(
     -----
     Valid for small slopes, 4 A a^3 << 1. The traction is mu times the difference of the pressures of radii a
     and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over
-    t.
+    t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -406,7 +406,7 @@ def greatest_von_mises(
     -----
     Valid for small slopes, 4 A a^3 << 1. Infinite where the pressure is, on the surface. The point is known
     to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------
@@ -450,7 +450,7 @@ def greatest_shear(
     -----
     Valid for small slopes, 4 A a^3 << 1. Infinite where the pressure is, on the surface. The point is known
     to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are quartic.sub.S0 to S3, D0 to D3 and quartic.sub.W.
 
     References
     ----------

@@ -97,7 +97,7 @@ def stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -152,7 +152,7 @@ def displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -208,7 +208,7 @@ def surface_stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -253,7 +253,7 @@ def surface_displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -322,7 +322,7 @@ def sliding_stress(
     -----
     Valid for tan(theta) << 1. The traction mu p does not change the pressure. The whole stress is the `add`
     of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -390,7 +390,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for tan(theta) << 1. The traction is mu times the difference of the pressures of radii a and c. S_m,
-    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -436,7 +437,7 @@ def greatest_von_mises(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------
@@ -482,7 +483,7 @@ def greatest_shear(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_cone.sub.S0 to S3, D0 to D3 and rounded_cone.sub.W.
 
     References
     ----------

@@ -100,7 +100,8 @@ def stress(
     -----
     Valid for a << R1, a - b << R2. At the edge of a face, at a tip and at a kink the pressure, and with it
     zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu)
     return stress_below(_shape, r, z, a, E_star, nu, R1=R1, R2=R2, b=b, **held(d))
@@ -154,7 +155,8 @@ def displacement(
     Notes
     -----
     Valid for a << R1, a - b << R2. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, nu=nu)
     return displacement_below(_shape, r, z, a, nu, R1=R1, R2=R2, b=b, **held(d))
@@ -209,7 +211,8 @@ def surface_stress(
     -----
     Valid for a << R1, a - b << R2. At the edge of a face, at a tip and at a kink the pressure, and with it
     zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu)
     return SurfaceStress(*stress_below(_shape, r, 0.0, a, E_star, nu, R1=R1, R2=R2, b=b, **held(d))[:2])
@@ -252,7 +255,8 @@ def surface_displacement(
     Notes
     -----
     Valid for a << R1, a - b << R2. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, nu=nu)
     return displacement_below(_shape, r, 0.0, a, nu, R1=R1, R2=R2, b=b, **held(d)).r
@@ -320,7 +324,8 @@ def sliding_stress(
     -----
     Valid for a << R1, a - b << R2. The traction mu p does not change the pressure. The whole stress is the
     `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, R1=R1, R2=R2, b=b, **held(d))
@@ -388,6 +393,7 @@ def partial_slip_stress(
     -----
     Valid for a << R1, a - b << R2. The traction is mu times the difference of the pressures of radii a and c.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, R1=R1, R2=R2, b=b)
@@ -438,7 +444,8 @@ def greatest_von_mises(
     -----
     Valid for a << R1, a - b << R2. Infinite where the pressure is, on the surface. The point is known to
     about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu)
     return greatest_below(_shape, von_mises, a, E_star, nu, R1=R1, R2=R2, b=b, **held(d))
@@ -489,7 +496,8 @@ def greatest_shear(
     -----
     Valid for a << R1, a - b << R2. Infinite where the pressure is, on the surface. The point is known to
     about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
-    contact, times g'(t), summed over t.
+    contact, times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
+    rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu)
     return greatest_below(_shape, largest_shear, a, E_star, nu, R1=R1, R2=R2, b=b, **held(d))

@@ -97,7 +97,7 @@ def stress(
     -----
     Valid for a - b << R (parabolic rounding). At the edge of a face, at a tip and at a kink the pressure, and
     with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
 
     References
     ----------
@@ -146,7 +146,8 @@ def displacement(
     Notes
     -----
     Valid for a - b << R (parabolic rounding). S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
+    rounded_punch.sub.W.
 
     References
     ----------
@@ -203,7 +204,7 @@ def surface_stress(
     -----
     Valid for a - b << R (parabolic rounding). At the edge of a face, at a tip and at a kink the pressure, and
     with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
 
     References
     ----------
@@ -249,7 +250,8 @@ def surface_displacement(
     Notes
     -----
     Valid for a - b << R (parabolic rounding). S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
+    rounded_punch.sub.W.
 
     References
     ----------
@@ -319,7 +321,8 @@ def sliding_stress(
     -----
     Valid for a - b << R (parabolic rounding). The traction mu p does not change the pressure. The whole
     stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
+    rounded_punch.sub.W.
 
     References
     ----------
@@ -389,7 +392,7 @@ def partial_slip_stress(
     -----
     Valid for a - b << R (parabolic rounding). The traction is mu times the difference of the pressures of
     radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
 
     References
     ----------
@@ -436,7 +439,8 @@ def greatest_von_mises(
     -----
     Valid for a - b << R (parabolic rounding). Infinite where the pressure is, on the surface. The point is
     known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
+    rounded_punch.sub.W.
 
     References
     ----------
@@ -483,7 +487,8 @@ def greatest_shear(
     -----
     Valid for a - b << R (parabolic rounding). Infinite where the pressure is, on the surface. The point is
     known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
+    rounded_punch.sub.W.
 
     References
     ----------

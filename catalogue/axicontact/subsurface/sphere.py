@@ -94,7 +94,8 @@ def stress(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. At the edge of a face, at a tip and at a kink
     the pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and
+    sphere.sub.W.
 
     References
     ----------
@@ -140,7 +141,8 @@ def displacement(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. S_m, D_m and W are those of flat punches of
-    all radii t up to the contact, times g'(t), summed over t.
+    all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to
+    D3 and sphere.sub.W.
 
     References
     ----------
@@ -187,7 +189,8 @@ def surface_stress(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. At the edge of a face, at a tip and at a kink
     the pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and
+    sphere.sub.W.
 
     References
     ----------
@@ -230,7 +233,8 @@ def surface_displacement(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. S_m, D_m and W are those of flat punches of
-    all radii t up to the contact, times g'(t), summed over t.
+    all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to
+    D3 and sphere.sub.W.
 
     References
     ----------
@@ -296,7 +300,8 @@ def sliding_stress(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. The traction mu p does not change the
     pressure. The whole stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches
-    of all radii t up to the contact, times g'(t), summed over t.
+    of all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0
+    to D3 and sphere.sub.W.
 
     References
     ----------
@@ -362,7 +367,7 @@ def partial_slip_stress(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. The traction is mu times the difference of
     the pressures of radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and sphere.sub.W.
 
     References
     ----------
@@ -406,7 +411,8 @@ def greatest_von_mises(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. Infinite where the pressure is, on the
     surface. The point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches
-    of all radii t up to the contact, times g'(t), summed over t.
+    of all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0
+    to D3 and sphere.sub.W.
 
     References
     ----------
@@ -450,7 +456,8 @@ def greatest_shear(
     -----
     Valid for a < R; the theory of small slopes asks for a << R. Infinite where the pressure is, on the
     surface. The point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches
-    of all radii t up to the contact, times g'(t), summed over t.
+    of all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0
+    to D3 and sphere.sub.W.
 
     References
     ----------

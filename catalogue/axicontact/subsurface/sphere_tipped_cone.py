@@ -97,7 +97,7 @@ def stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu)
     return stress_below(_shape, r, z, a, E_star, nu, R=R, theta=theta, **held(d))
@@ -148,7 +148,8 @@ def displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and
+    sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, nu=nu)
     return displacement_below(_shape, r, z, a, nu, R=R, theta=theta, **held(d))
@@ -200,7 +201,7 @@ def surface_stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu)
     return SurfaceStress(*stress_below(_shape, r, 0.0, a, E_star, nu, R=R, theta=theta, **held(d))[:2])
@@ -241,7 +242,8 @@ def surface_displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and
+    sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, nu=nu)
     return displacement_below(_shape, r, 0.0, a, nu, R=R, theta=theta, **held(d)).r
@@ -306,7 +308,8 @@ def sliding_stress(
     -----
     Valid for tan(theta) << 1. The traction mu p does not change the pressure. The whole stress is the `add`
     of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and
+    sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, R=R, theta=theta, **held(d))
@@ -370,7 +373,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for tan(theta) << 1. The traction is mu times the difference of the pressures of radii a and c. S_m,
-    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, R=R, theta=theta)
@@ -412,7 +416,8 @@ def greatest_von_mises(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and
+    sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu)
     return greatest_below(_shape, von_mises, a, E_star, nu, R=R, theta=theta, **held(d))
@@ -454,7 +459,8 @@ def greatest_shear(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are sphere_tipped_cone.sub.S0 to S3, D0 to D3 and
+    sphere_tipped_cone.sub.W.
     """
     require(R=R, theta=theta, E_star=E_star, nu=nu)
     return greatest_below(_shape, largest_shear, a, E_star, nu, R=R, theta=theta, **held(d))

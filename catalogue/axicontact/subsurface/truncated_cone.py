@@ -97,7 +97,7 @@ def stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and truncated_cone.sub.W.
 
     References
     ----------
@@ -153,7 +153,8 @@ def displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and
+    truncated_cone.sub.W.
 
     References
     ----------
@@ -210,7 +211,7 @@ def surface_stress(
     -----
     Valid for tan(theta) << 1. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is
     infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
-    over t.
+    over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and truncated_cone.sub.W.
 
     References
     ----------
@@ -256,7 +257,8 @@ def surface_displacement(
     Notes
     -----
     Valid for tan(theta) << 1. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and
+    truncated_cone.sub.W.
 
     References
     ----------
@@ -326,7 +328,7 @@ def sliding_stress(
     -----
     Valid for tan(theta) << 1. The traction mu p does not change the pressure. The whole stress is the `add`
     of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
-    g'(t), summed over t.
+    g'(t), summed over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and truncated_cone.sub.W.
 
     References
     ----------
@@ -395,7 +397,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for tan(theta) << 1. The traction is mu times the difference of the pressures of radii a and c. S_m,
-    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are truncated_cone.sub.S0 to S3, D0 to D3 and truncated_cone.sub.W.
 
     References
     ----------
@@ -442,7 +445,8 @@ def greatest_von_mises(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and
+    truncated_cone.sub.W.
 
     References
     ----------
@@ -489,7 +493,8 @@ def greatest_shear(
     -----
     Valid for tan(theta) << 1. Infinite where the pressure is, on the surface. The point is known to about
     1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are truncated_cone.sub.S0 to S3, D0 to D3 and
+    truncated_cone.sub.W.
 
     References
     ----------

@@ -97,6 +97,7 @@ def stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -145,7 +146,8 @@ def displacement(
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and
+    truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -202,6 +204,7 @@ def surface_stress(
     -----
     Valid for a << R. At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite.
     S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -247,7 +250,8 @@ def surface_displacement(
     Notes
     -----
     Valid for a << R. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and
+    truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -317,7 +321,8 @@ def sliding_stress(
     -----
     Valid for a << R. The traction mu p does not change the pressure. The whole stress is the `add` of this
     and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and
+    truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -386,7 +391,8 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a << R. The traction is mu times the difference of the pressures of radii a and c. S_m, D_m and
-    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
+    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas
+    are truncated_paraboloid.sub.S0 to S3, D0 to D3 and truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -433,7 +439,8 @@ def greatest_von_mises(
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and
+    truncated_paraboloid.sub.W.
 
     References
     ----------
@@ -480,7 +487,8 @@ def greatest_shear(
     -----
     Valid for a << R. Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the
     contact radius. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t.
+    summed over t. Their formulas are truncated_paraboloid.sub.S0 to S3, D0 to D3 and
+    truncated_paraboloid.sub.W.
 
     References
     ----------

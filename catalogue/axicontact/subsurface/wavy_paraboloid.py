@@ -100,7 +100,8 @@ def stress(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. At the edge of a face, at a tip and at a kink
     the pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0 to D3 and
+    wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -158,7 +159,8 @@ def displacement(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. S_m, D_m and W are those of flat punches of all
-    radii t up to the contact, times g'(t), summed over t.
+    radii t up to the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0
+    to D3 and wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -217,7 +219,8 @@ def surface_stress(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. At the edge of a face, at a tip and at a kink
     the pressure, and with it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t.
+    the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0 to D3 and
+    wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -271,7 +274,8 @@ def surface_displacement(
     Notes
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. S_m, D_m and W are those of flat punches of all
-    radii t up to the contact, times g'(t), summed over t.
+    radii t up to the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0
+    to D3 and wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -343,7 +347,8 @@ def sliding_stress(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. The traction mu p does not change the pressure.
     The whole stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all
-    radii t up to the contact, times g'(t), summed over t.
+    radii t up to the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0
+    to D3 and wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -415,7 +420,8 @@ def partial_slip_stress(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. The traction is mu times the difference of the
     pressures of radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t.
+    times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0 to D3 and
+    wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -470,7 +476,8 @@ def greatest_von_mises(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Infinite where the pressure is, on the surface.
     The point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all
-    radii t up to the contact, times g'(t), summed over t.
+    radii t up to the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0
+    to D3 and wavy_paraboloid.sub.W.
 
     References
     ----------
@@ -525,7 +532,8 @@ def greatest_shear(
     -----
     Valid for a << R; waves so flat that g' >= 0 for every a. Infinite where the pressure is, on the surface.
     The point is known to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all
-    radii t up to the contact, times g'(t), summed over t.
+    radii t up to the contact, times g'(t), summed over t. Their formulas are wavy_paraboloid.sub.S0 to S3, D0
+    to D3 and wavy_paraboloid.sub.W.
 
     References
     ----------
