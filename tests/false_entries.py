@@ -237,6 +237,7 @@ PROBLEMS = (
     *("paraboloid.fgm.tan", "truncated_cone.fgm.tan"),
     *("polynomial", "polynomial.adh", "polynomial.tan"),
     *("quartic", "rounded_punch", "power_law"),
+    *("cone.sub", "concave_paraboloid.sub"),
     *("cone.vis", "sphere.vis", "flat_punch.vis", "capped_cylinder.vis"),
     *PLANE,
     ECCENTRIC,

@@ -16,7 +16,7 @@ from axiderive.verifier.problem import Problem
 
 QUICK = (
     "paraboloid", "flat_punch", "capped_cylinder", "concave_paraboloid", "paraboloid.fgm", "flat_punch.fgm.adh",
-    "cone.adh", "paraboloid.tan", "plane.parabola", "plane.eccentric_punch", "loads.punch", "materials",
+    "cone.adh", "paraboloid.tan", "plane.parabola", "plane.eccentric_punch", "loads.punch", "materials", "cone.sub",
 )  # fmt: skip
 """One of every physics; the others run with -m slow."""
 AGAIN = (

@@ -9,7 +9,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import Case
+from ..entry import FOUR, Case
 from ..oracle.evaluate import decades, evaluated
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import Number, Values
@@ -17,6 +17,7 @@ from ..oracle.subsurface import numbers
 from ..physics.normal import derive
 from .comparison import Comparison, Evidence, Rows, formula_value, residual
 
+_, FORCE, PRESSURE, _ = FOUR
 DIGITS = 30
 """Of the integrals over wave numbers, which take seconds."""
 EACH, AMONG = 2, 24
@@ -25,8 +26,8 @@ SHALLOW, REMOTE = sp.Rational(1, 10**45), sp.Integer(10**16)
 """Depth of the surface and a far point, in radii of the contact; the contact seems a point to twice the digits."""
 INSIDE = mp.mpf(3) / 8
 """Where the pressure is compared, in radii of the contact."""
-OUT_OF_REACH = 60
-"""Digits that a closed formula loses at the far point."""
+OUT_OF_REACH = {"integral": 60, "closed": 160}
+"""Digits that formulas lose at the far point; a closed one of a high power loses some of them for each power."""
 
 
 def check_profile(own: Comparison) -> list[Evidence]:
@@ -89,15 +90,15 @@ def _surface(own: Comparison, case: int, values: Values) -> tuple[Values, Number
         plain, chain = derive(own.profile), own.entries["S0"].cases[case].chain
         radius = evaluated(chain[0] if own.profile.complete else nt.a, values)
         inside = {**values, nt.r: radius * INSIDE, nt.z: SHALLOW * values[nt.a]}
-        pressure = formula_value(plain["p"], inside, DIGITS) / evaluated(nt.E_star, inside)
+        pressure = formula_value(plain[PRESSURE], inside, DIGITS) / evaluated(nt.E_star, inside)
         return inside, residual(_value(own, "S0", case, inside), mp.pi * pressure)
 
 
 def _far(own: Comparison, case: int, values: Values) -> Number:
     """S0 + D0 = 3 pi F z**3/(2 pi E_star R**5) where the contact is a point."""
-    with mp.workdps(DIGITS + OUT_OF_REACH):
+    with mp.workdps(DIGITS + OUT_OF_REACH[own.entries["S0"].status]):
         away = {**values, nt.r: REMOTE * values[nt.a] * sp.Rational(3, 5), nt.z: REMOTE * values[nt.a]}
-        force = formula_value(derive(own.profile)["F"], away, DIGITS) / evaluated(nt.E_star, away)
+        force = formula_value(derive(own.profile)[FORCE], away, DIGITS) / evaluated(nt.E_star, away)
         r, z = (evaluated(symbol, away) for symbol in (nt.r, nt.z))
         wanted = 3 * force * z**3 / (2 * mp.hypot(r, z) ** 5)
         return residual(_value(own, "S0", case, away) + _value(own, "D0", case, away), wanted)

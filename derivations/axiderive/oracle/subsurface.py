@@ -7,8 +7,9 @@ k**(1, 2, 0) P(k) exp(-k z) J_m(k r).  Neither a flat punch nor the slope g' ent
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import mpmath as mp
 from flint import arb
@@ -16,13 +17,13 @@ from flint import arb
 from .. import notation as nt
 from .half_space import HalfSpace
 from .integrals import Homogeneous
-from .rules import at_working_precision, ball, exponential_rule, gauss_rule, middle
+from .rules import Rule, at_working_precision, ball, gauss_rule, integrate, middle
 from .shape import Number, Shape
 
-PARTS, ORDER = 4, 44
-"""Panels of a stretch of the profile, and nodes of a panel that begins at no break."""
-TURNS = 24.0
-"""Radians of a wave in a panel of wave numbers."""
+PARTS = 4
+"""Panels of a stretch of the profile at least, for the sake of the waves."""
+TURNS, ORDER = 24.0, 44
+"""Radians of a wave in a panel of wave numbers, and its nodes."""
 
 
 def numbers(contact: HalfSpace) -> dict[str, Number]:
@@ -56,12 +57,18 @@ def _pressed(contact: HalfSpace, a: Number, free: Number | None) -> Iterator[tup
     whole = contact.face(a).shape
     depth = _depth(whole, a, contact.digits) if free is None else free
     for piece in whole.stretches:
-        length = (piece.hi - piece.lo) / PARTS
-        for i in range(PARTS):
-            rule = gauss_rule(ORDER, int(mp.mp.prec)) if i else exponential_rule(contact.digits, int(mp.mp.prec))
-            for x, weight in rule:
-                t = piece.lo + (i + x) * length
-                yield ball(t), ball(weight * length * (depth - _depth(whole, t, contact.digits)))
+        nodes: list[tuple[Number, Number]] = []
+
+        def noted(f: object, rule: Callable[..., Rule], of: tuple[Any, ...], start: Number, length: Number) -> Number:
+            nodes.extend((start + length * x, abs(length) * weight) for x, weight in rule(*of))  # noqa: B023
+            return length
+
+        singular = (0j, *(z - complex(piece.lo) for z in piece.singular))
+        longest = float(piece.hi - piece.lo) / PARTS
+        integrate(None, mp.mpf(0), piece.hi - piece.lo, singular, 2 * contact.digits, panel=noted, longest=longest)
+        for away, weight in nodes:
+            t = piece.lo + away
+            yield ball(t), ball(weight * (depth - _depth(whole, t, contact.digits)))
 
 
 def _depth(whole: Shape, t: Number, digits: int) -> Number:

@@ -76,7 +76,7 @@ class Complete:
 
     def regions(self, suffix: str) -> tuple[tuple[Chain, ...], tuple[Chain, ...]]:
         """Before the edge is reached and after: its radius, or its force, is the smaller one; r may be anywhere."""
-        own = REGIONS[suffix]
+        own = REGIONS.get(suffix, (a,))
         if self.concave or self.profile.pieces[0].expr == 0:
             return (), (own,)
         if suffix == "dF":

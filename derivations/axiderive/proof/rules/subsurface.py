@@ -84,7 +84,7 @@ class Subsurface:
         """S_m and W: their growth with the radius, and zero without a contact."""
         if isinstance(self.below, Complete):
             return self.fixed(suffix, self.below)
-        entry, depth = closed(self.entries[suffix]), self.below.entry("d")
+        entry, depth = closed(self.entries[suffix]), self.below.entry(Compact.base)
         require_regions(entry, tuple(case.chain for case in depth.cases))
         (case,), (regime,) = entry.cases, depth.cases
         return [*self.coordinates(), *self._growth(suffix, case.expr, sp.diff(regime.expr, a))]
@@ -95,15 +95,15 @@ class Subsurface:
         gap = rate(found, GROWS) - slope * punch(suffix)
         start = normal(canonical(found, domain), domain)
         return [
-            require_zero(gap, domain, f"d{suffix}/da = g'(a) times that of a flat punch"),
+            require_zero(gap, domain, f"{suffix} grows with a by g'(a) times that of a flat punch"),
             require_zero(at(start, a, sp.S.Zero), domain.at(a, sp.S.Zero), f"{suffix} -> 0 as a -> 0"),
         ]
 
     def fixed(self, suffix: str, face: Complete) -> list[str]:
         """The same of a fixed face, after d - g(a) times a flat punch of the radius of the edge."""
         expr = self._fixed_face(suffix, face)
-        edge = face.gap * sp.S(1)
-        rest = normal(canonical(placed(expr) - edge * punch(suffix), self.domain((a,))), self.domain((a,)))
+        domain = self.domain((a,))
+        rest = normal(canonical(placed(expr) - face.gap * punch(suffix), domain), domain)
         steps = [*face.face(), *self.coordinates(), *self._growth(suffix, rest, -sp.diff(face.gap, a))]
         return [*steps, *self._cases(suffix, expr, face)]
 
@@ -114,7 +114,7 @@ class Subsurface:
 
     def _cases(self, suffix: str, expr: sp.Expr, face: Complete) -> list[str]:
         """The formula with C put in, and before the edge is reached that of the unbounded profile."""
-        entry, (before, after) = closed(self.entries[suffix]), face.regions("F")
+        entry, (before, after) = closed(self.entries[suffix]), face.regions(suffix)
         require_regions(entry, before + after)
         domain, steps = self.domain((a,)), list[str]()
         for case in entry.cases:
@@ -147,7 +147,7 @@ class Subsurface:
 
 def rules(grows: bool) -> dict[str, Rule]:
     """What each number rests on, and what is shown for it, of a contact that grows or has a fixed edge."""
-    found: dict[str, Rule] = {"W": (("plain.d",) if grows else (), lambda proof: proof.grown("W"))}
+    found: dict[str, Rule] = {"W": ((f"plain.{Compact.base}",) if grows else (), lambda proof: proof.grown("W"))}
     for m in range(4):
         found[f"S{m}"] = found["W"][0], lambda proof, own=f"S{m}": proof.grown(own)  # type: ignore[misc]
         found[f"D{m}"] = (f"S{m}",), lambda proof, own=f"D{m}": proof.lost(own)  # type: ignore[misc]

@@ -1,0 +1,92 @@
+"""Numbers of fields below the surface as entries: which are proved, that false ones are not, and what ties them."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from typing import Any
+
+import mpmath as mp
+import pytest
+import sympy as sp
+from false_entries import with_formula
+from selected import few
+from test_mutations import differs, flipped_sign, wrong_exponent, wrong_factor
+
+from axiderive import notation as nt
+from axiderive.abel.field_moments import Moments, kernel
+from axiderive.oracle.evaluate import evaluated
+from axiderive.physics import systems
+from axiderive.profiles.pools import ROUND
+from axiderive.proof.certificate import certify, certify_profile
+
+ELEMENTARY = (
+    "cone", "paraboloid", "quartic", "sextic", "flat_punch", "capped_cylinder", "concave_paraboloid", "concave_quartic",
+)  # fmt: skip
+QUICK = ("cone", "flat_punch", "capped_cylinder", "concave_paraboloid")
+
+
+def entries(name: str) -> dict[str, Any]:
+    return systems.problem(f"{name}.sub").derive()
+
+
+def test_every_profile_has_all_numbers_and_polynomial_slopes_need_no_integral() -> None:
+    closed = set()
+    for name in ROUND.names:
+        found = entries(name)
+        assert set(found) == {"W", *(f"{letter}{m}" for letter in "SD" for m in range(4))}
+        if all(entry.status == "closed" for entry in found.values()):
+            closed.add(name)
+        else:
+            assert {entry.status for entry in found.values()} == {"integral"}
+    assert closed == set(ELEMENTARY)
+
+
+@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK, pytest.mark.slow))
+def test_elementary_numbers_are_certified(name: str) -> None:
+    found = certify_profile(ROUND.load(name), entries(name))
+    assert not [own.reason for own in found.values() if not own.proved]
+
+
+@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK, pytest.mark.slow))
+def test_a_formula_with_one_error_is_not_certified(name: str) -> None:
+    dice, profile, true = random.Random(name), ROUND.load(name), entries(name)
+    for suffix, entry in true.items():
+        for change in (flipped_sign, wrong_factor, wrong_exponent):
+            index = dice.randrange(len(entry.cases))
+            wrong = change(entry.cases[index].expr, dice)
+            if wrong is None or not differs(wrong, entry.cases[index]):
+                continue
+            false = with_formula(entry, index, wrong)
+            assert not certify(profile, {**true, suffix: false}, suffix).proved, (suffix, change.__name__, wrong)
+
+
+def test_what_stands_beside_a_formula_is_not_certified_if_it_is_another() -> None:
+    profile, true = ROUND.load("cone"), entries("cone")
+    loss = true["D1"]
+    for false in (
+        replace(loss, definition=true["D2"].definition),
+        replace(loss, cases=(*loss.cases, *loss.cases)),
+        replace(loss, cases=true["S1"].cases),
+        replace(loss, cases=tuple(replace(case, expr=case.expr.subs(nt.a, nt.R)) for case in loss.cases)),
+        replace(loss, parameters=()),
+    ):
+        assert not certify(profile, {**true, "D1": false}, "D1").proved
+    assert not certify(profile, {**true, "S1": replace(true["S1"], cases=true["S2"].cases)}, "D1").proved
+
+
+@pytest.mark.parametrize(("j", "m"), [(0, 0), (0, 3), (1, 0), (2, 1), (4, 3)])
+def test_moments_are_integrals_of_the_field_of_a_punch(j: int, m: int) -> None:
+    values = {nt.r: sp.Rational(7, 10), nt.z: sp.Rational(2, 5), nt.a: sp.Rational(13, 10)}
+    moment = Moments()(j, m)
+    with mp.workdps(40):
+        r, z, a = (mp.mpf(x.p) / x.q for x in values.values())
+
+        def field(t: Any) -> Any:
+            rho = mp.sqrt(z + 1j * (t - r)) * mp.sqrt(z + 1j * (t + r))
+            return (r / (rho + z + 1j * t)) ** m / rho
+
+        wanted = mp.quad(lambda t: t**j * field(t), [0, r, a])
+        assert abs(evaluated(moment.real.expr(), values) - wanted.real) < 1e-35
+        assert abs(evaluated(moment.imaginary.expr(), values) - wanted.imag) < 1e-35
+        assert abs(evaluated(kernel(m, nt.a).imaginary.expr(), values) - field(a).imag) < 1e-35
