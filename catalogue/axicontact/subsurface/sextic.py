@@ -1,0 +1,469 @@
+"""Sextic profile: stresses below the surface.
+
+Flatter at the tip than the quartic: most of the load is carried near the rim of the contact.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, require
+from .._runtime.subsurface.punches import PLAIN, Piece
+from .._runtime.subsurface.stresses import (
+    Displacement,
+    Greatest,
+    SlidingStress,
+    Stress,
+    SurfaceStress,
+    displacement_below,
+    greatest_below,
+    held,
+    largest_shear,
+    sliding_below,
+    stress_below,
+    von_mises,
+)
+from ..normal import sextic as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "displacement",
+    "greatest_shear",
+    "greatest_von_mises",
+    "partial_slip_stress",
+    "sliding_stress",
+    "stress",
+    "surface_displacement",
+    "surface_stress",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def stress(
+    r: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    *,
+    A: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> Stress:
+    """Stress below the contact.
+
+        zz = -E_star*(S_0 + D_0)/pi
+        rz = -E_star*D_1/pi
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Stress
+        Named tuple of rr, tt, zz and rz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. At the edge of a face, at a tip and at a kink the pressure, and with
+    it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
+    g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu)
+    return stress_below(_shape, r, z, a, E_star, nu, A=A, **held(d))
+
+
+def displacement(
+    r: ArrayLike, z: ArrayLike, a: ArrayLike, *, A: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Displacement:
+    """Displacement below the contact.
+
+        z = (2*W + z*S_0/(1 - nu))/pi
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Displacement
+        Named tuple of r and z [m], away from the axis and into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. S_m, D_m and W are those of flat punches of all radii t up to the
+    contact, times g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, nu=nu)
+    return displacement_below(_shape, r, z, a, nu, A=A, **held(d))
+
+
+def surface_stress(
+    r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> SurfaceStress:
+    """Stress of the surface.
+
+        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
+        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    SurfaceStress
+        Named tuple of rr and tt [Pa], tension positive.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. At the edge of a face, at a tip and at a kink the pressure, and with
+    it zz, is infinite. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
+    g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu)
+    return SurfaceStress(*stress_below(_shape, r, 0.0, a, E_star, nu, A=A, **held(d))[:2])
+
+
+def surface_displacement(
+    r: ArrayLike, a: ArrayLike, *, A: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Result:
+    """Displacement of the surface away from the axis.
+
+        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    float or ndarray
+        Displacement away from the axis [m].
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. S_m, D_m and W are those of flat punches of all radii t up to the
+    contact, times g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, nu=nu)
+    return displacement_below(_shape, r, 0.0, a, nu, A=A, **held(d)).r
+
+
+def sliding_stress(
+    r: ArrayLike,
+    phi: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    *,
+    A: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    mu: ArrayLike,
+    d: ArrayLike | None = None,
+) -> SlidingStress:
+    """Stress that friction adds where the whole contact slides.
+
+        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
+        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
+        zz = -mu*E_star*D_1*cos(phi)/pi
+        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
+        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
+        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    phi : array_like
+        Angle from the direction of the traction on the half-space [rad].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    SlidingStress
+        Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. The traction mu p does not change the pressure. The whole stress is
+    the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the
+    contact, times g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu, mu=mu)
+    return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, A=A, **held(d))
+
+
+def partial_slip_stress(
+    r: ArrayLike,
+    phi: ArrayLike,
+    z: ArrayLike,
+    a: ArrayLike,
+    c: ArrayLike,
+    *,
+    A: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    mu: ArrayLike,
+) -> SlidingStress:
+    """Stress that friction adds where the contact sticks within the radius c.
+
+        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
+        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
+        zz = -mu*E_star*D_1*cos(phi)/pi
+        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
+        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
+        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    phi : array_like
+        Angle from the direction of the traction on the half-space [rad].
+    z : array_like
+        Depth below the surface [m]; NaN above it.
+    a : array_like
+        Contact radius [m].
+    c : array_like
+        Radius of the stick zone [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    mu : array_like
+        Coefficient of friction [1], mu >= 0.
+
+    Returns
+    -------
+    SlidingStress
+        Named tuple of rr, tt, zz, rt, rz and tz [Pa], tension positive, z into the half-space.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. The traction is mu times the difference of the pressures of radii a
+    and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over
+    t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu, mu=mu)
+    return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, A=A)
+
+
+def greatest_von_mises(
+    a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Greatest:
+    """The greatest stress of von Mises below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Infinite where the pressure is, on the surface. The point is known
+    to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
+    contact, times g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu)
+    return greatest_below(_shape, von_mises, a, E_star, nu, A=A, **held(d))
+
+
+def greatest_shear(
+    a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike, nu: ArrayLike, d: ArrayLike | None = None
+) -> Greatest:
+    """The greatest shear stress below the contact.
+
+        the largest of all points with z >= 0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    d : array_like, optional
+        Depth [m] of a contact whose edge is under tension or pressed in, as with adhesion; g(a) without it.
+
+    Returns
+    -------
+    Greatest
+        Named tuple of value [Pa], r and z [m], the point at which it is.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Infinite where the pressure is, on the surface. The point is known
+    to about 1e-8 of the contact radius. S_m, D_m and W are those of flat punches of all radii t up to the
+    contact, times g'(t), summed over t. Their formulas are sextic.sub.S0 to S3, D0 to D3 and sextic.sub.W.
+
+    References
+    ----------
+    Schubert 1942.
+    """
+    require(A=A, E_star=E_star, nu=nu)
+    return greatest_below(_shape, largest_shear, a, E_star, nu, A=A, **held(d))
+
+
+def _shape(a: Array, A: Array, d: Array | None = None) -> tuple[Array, Array, tuple[Piece, ...]]:
+    """Contact radius, what its edge is pressed in beyond g, and the slope g' piece by piece."""
+    depth = normal._depth(a, A)
+    radius = np.where(np.isnan(depth), np.nan, a)
+    edge = 0.0 if d is None else d - depth
+    tip = Piece(PLAIN, 0.0, a, normal._slope, (A,))
+    return radius, edge, (tip,)
