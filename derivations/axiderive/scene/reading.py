@@ -18,7 +18,7 @@ from ..expression.profile import OwnProfile
 from ..physics.medium import GRADED, HOMOGENEOUS
 from ..physics.systems import SYSTEMS, on
 from ..physics.viscoelastic import LAWS, Law
-from ..profiles.pools import BODIES, PRESSURES, ROUND, STRIPS
+from ..profiles.pools import PRESSURES, ROUND, STRIPS
 from ..profiles.profile import Profile
 from . import interface
 from .linker.sources import graded_refusal
