@@ -44,9 +44,9 @@ def test_the_error_panels_show_every_method_where_the_record_has_it(records: dic
         for line, rows in zip(panel.lines, plot.values(), strict=True):
             for (x, y), (ratio, worst) in zip(line.points, rows, strict=True):
                 assert low + (x - x0) * (high - low) / (x1 - x0) == pytest.approx(math.log10(ratio), abs=0.02)
-                assert y / figure.height * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
-            assert 0 <= line.place[0] <= figure.width
-            assert 0 <= line.place[1] <= figure.height
+                assert y / error.HEIGHT * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
+            assert 0 <= line.place[0] <= error.WIDTH
+            assert 0 <= line.place[1] <= error.HEIGHT
 
 
 def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, Any]) -> None:
@@ -92,7 +92,7 @@ def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> N
     figure = error.figure(record, frozenset())
     assert figure.panels[-1].key == "cone.fgm.adh.p"
     assert figure.methods[-1][1] == r"a\_method \& more"
-    assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= figure.width
+    assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= error.WIDTH
     assert figures({}, frozenset()) == {"error": None, "speed": None, "maps": None, "extremes": None}
 
 

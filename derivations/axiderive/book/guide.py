@@ -7,8 +7,9 @@ says, so that none is typed.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
+from types import MappingProxyType
 from typing import Any
 
 import mpmath as mp
@@ -96,157 +97,135 @@ Paragraph = tuple[str, str]
 """Its first words, in bold, and the rest."""
 
 
+READING = r"""
+**Where to begin.** If you know the shape of the body, use the drawing on page \pageref{part:chart}. If you know its
+name, use the table of all profiles on page \pageref{part:master} or the word index on page \pageref{part:words}. Before
+you trust a number, read page \pageref{part:validity}.
+
+**An entry** begins with what is looked up most: the profile, and depth, force, pressure and displacement without
+adhesion and friction. Adhesion, friction, graded and viscoelastic half-spaces and a worked example follow.
+
+**A row** has a label on the left, below it in grey the range in which the formula holds, then the formula, and its key
+on the right. On the border of two ranges either formula may be used. Letters that are defined behind a formula hold in
+that row only.
+
+**The key** is the number of the formula, and it is never changed: \eqr{cone.p} is the pressure of the cone. Within an
+entry only its end is printed. The key is also the address in the web edition, \code{cone.html\#p}, and it names the
+function in Python, \code{axicontact.normal.cone.pressure}.
+
+**Rules** that hold for every profile are not repeated in the entries: the inverse relations, adhesion, partial slip and
+the graded half-space stand on page \pageref{part:rules}. An entry prints such a quantity only where its own formula is
+shorter than the rule.
+
+**Equations to be solved.** Where the contact radius cannot be given in closed form, the row names the equation for it.
+The function in Python solves it.
+
+**Figures** show the exact solution. The sketch is to scale, and its parameters are those of the check values. Plots are
+dimensionless.
+
+**Check values** are there to test a program of your own. They are dimensionless and rounded in the last digit.
+"""
+
+
 def reading() -> list[Paragraph]:
     """How to find an entry and read it."""
-    return _cited([
-        ("Where to begin.", (
-            r"If you know the shape of the body, use the drawing on page \pageref{part:chart}. If you know its name, "
-            r"use the table of all profiles on page \pageref{part:master} or the word index on page "
-            r"\pageref{part:words}. Before you trust a number, read page \pageref{part:validity}."
-        )),
-        ("An entry", (
-            "begins with what is looked up most: the profile, and depth, force, pressure and displacement without "
-            "adhesion and friction. Adhesion, friction, graded and viscoelastic half-spaces and a worked example "
-            "follow."
-        )),
-        ("A row", (
-            "has a label on the left, below it in grey the range in which the formula holds, then the formula, and its "
-            "key on the right. On the border of two ranges either formula may be used. Letters that are defined behind "
-            "a formula hold in that row only."
-        )),
-        ("The key", (
-            r"is the number of the formula, and it is never changed: \eqr{cone.p} is the pressure of the cone. Within "
-            r"an entry only its end is printed. The key is also the address in the web edition, \code{cone.html\#p}, "
-            r"and it names the function in Python, \code{axicontact.normal.cone.pressure}."
-        )),
-        ("Rules", (
-            "that hold for every profile are not repeated in the entries: the inverse relations, adhesion, partial "
-            "slip "
-            r"and the graded half-space stand on page \pageref{part:rules}. An entry prints such a quantity only where "
-            "its own formula is shorter than the rule."
-        )),
-        ("Equations to be solved.", (
-            "Where the contact radius cannot be given in closed form, the row names the equation for it. The function "
-            "in Python solves it."
-        )),
-        ("Figures", (
-            "show the exact solution. The sketch is to scale, and its parameters are those of the check values. "
-            "Plots are dimensionless."
-        )),
-        ("Check values", (
-            "are there to test a program of your own. They are dimensionless and rounded in the last digit."
-        )),
-    ])  # fmt: skip
+    return _paragraphs(READING)
+
+
+CONVENTIONS = r"""
+**The bodies.** A rigid indenter touches a half-space that is homogeneous, isotropic and linearly elastic, without
+friction unless the row is about friction. Two elastic bodies are covered too: the profile is then the gap between them
+before loading, and $d$ is their approach.
+
+**Which modulus.** $1/E^{*}=(1-\nu_1^2)/E_1+(1-\nu_2^2)/E_2$ is the contact modulus, which nanoindentation calls the
+reduced modulus. For a rigid indenter it is $E^{*}=E/(1-\nu^2)$, with Young's modulus $E$ of the half-space. For
+friction $1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)$.
+
+**Half-angles.** $\theta$ is measured from the surface, so a cone of half-angle $\alpha$ has $\theta=\pi/2-\alpha$. The
+cone that has the area of a Berkovich or a Vickers pyramid has the half-angle @berkovich:.1f@°, and its flank is
+inclined by @inclination:.1f@°. A cube corner, with @corner:.1f@°, is too steep for this book.
+
+**Signs.** Forces that press are positive, and so are pressures in compression; pull-off forces are negative.
+Displacements and depths are positive into the half-space.
+
+**Depth** is the displacement of the point $r=0$ of the indenter. In a plane contact it grows without bound with the
+size of the body; it is therefore given relative to the surface at the distance $L$.
+
+**Functions.** Elliptic integrals carry the modulus $k$; SciPy and mpmath expect $m=k^2$. Roots are positive, inverse
+functions have their principal values, and angles are in radians. All units are those of the SI.
+
+**Shorthands** that return in many rows: $\varphi_0=\arccos(b/a)$, $\psi=\arcsin(a/r)$, $s=\sqrt{r^2-a^2}$. Each row
+that uses one states it again.
+"""
 
 
 def conventions() -> list[Paragraph]:
     """What the letters stand for where books differ."""
     berkovich, corner = half_angle(BERKOVICH), half_angle(CUBE_CORNER)
-    return _cited([
-        ("The bodies.", (
-            "A rigid indenter touches a half-space that is homogeneous, isotropic and linearly elastic, without "
-            "friction unless the row is about friction. Two elastic bodies are covered too: the profile is then the "
-            "gap between them before loading, and $d$ is their approach."
-        )),
-        ("Which modulus.", (
-            r"$1/E^{*}=(1-\nu_1^2)/E_1+(1-\nu_2^2)/E_2$ is the contact modulus, which nanoindentation calls the "
-            r"reduced modulus. For a rigid indenter it is $E^{*}=E/(1-\nu^2)$, with Young's modulus $E$ of the "
-            r"half-space. For friction $1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)$."
-        )),
-        ("Half-angles.", (
-            r"$\theta$ is measured from the surface, so a cone of half-angle $\alpha$ has $\theta=\pi/2-\alpha$. The "
-            r"cone "
-            f"that has the area of a Berkovich or a Vickers pyramid has the half-angle {berkovich:.1f}°, and its flank "
-            f"is inclined by {90 - berkovich:.1f}°. A cube corner, with {corner:.1f}°, is too steep for this book."
-        )),
-        ("Signs.", (
-            r"Forces that press are positive, and so are pressures in compression; pull-off forces are negative. "
-            "Displacements and depths are positive into the half-space."
-        )),
-        ("Depth", (
-            r"is the displacement of the point $r=0$ of the indenter. In a plane contact it grows without bound with "
-            r"the "
-            "size of the body; it is therefore given relative to the surface at the distance $L$."
-        )),
-        ("Functions.", (
-            r"Elliptic integrals carry the modulus $k$; SciPy and mpmath expect $m=k^2$. Roots are positive, inverse "
-            "functions have their principal values, and angles are in radians. All units are those of the SI."
-        )),
-        ("Shorthands", (
-            r"that return in many rows: $\varphi_0=\arccos(b/a)$, $\psi=\arcsin(a/r)$, $s=\sqrt{r^2-a^2}$. Each row "
-            r"that "
-            "uses one states it again."
-        )),
-    ])  # fmt: skip
+    numbers = {"berkovich": berkovich, "inclination": 90 - berkovich, "corner": corner}
+    return _paragraphs(CONVENTIONS, numbers)
+
+
+VALIDITY = r"""
+**Small slopes.** All formulas are those of linear elasticity for small slopes. The error is of the order of the slope
+at the edge of the contact, and smallest for $\nu=\tfrac12$. A cone of half-angle 70.3° ($\nu=0.3$) is @cone:.0f@ \%
+stiffer than its formula says (\work{Hay, Bolshakov & Pharr 1999}).
+
+**A paraboloid for a ball.** At the same contact radius a sphere carries more force than its paraboloid: @small:.1f@ \%
+more at $a=0.1\,R$ and @large:.0f@ \% at $a=0.3\,R$. The \hyperref[sec:sphere]{sphere} has an entry of its own, which
+keeps the shape, but not large strains.
+
+**A half-space.** The body must be large against the contact. A layer on a rigid base, bonded to it and ten times as
+thick as $\sqrt{R\,d}$, carries @soft:.0f@ \% more force at the same depth than the half-space for $\nu=\tfrac12$, and
+@stiff:.0f@ \% more for $\nu=0.3$ (paraboloid; see also \work{Dimitriadis et al. 2002}).
+
+**Adhesion of short range.** The formulas with adhesion (JKR) hold where its range $z_0$, about the distance of atoms,
+is small against the retraction $\Delta\ell$. For a paraboloid this is a matter of Tabor's number, $\mu_{\mathrm
+T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}$: under given force $\Delta\ell=@pulled:.2f@\,\mu_{\mathrm T}\,z_0$
+at pull-off. Above $\mu_{\mathrm T}=5$ use JKR, with the pull-off force $-\tfrac32\pi\Delta\gamma R$. Below $0.1$ the
+limit of Derjaguin, Muller and Toporov holds, $-2\pi\Delta\gamma R$. Between them lies the transition of \work{Maugis
+1992} (\work{Tabor 1977}, \work{Johnson & Greenwood 1997}).
+
+**First yield.** Under a paraboloid the shear stress is greatest below the surface: $@shear:.4f@\,p_0$ at the depth
+$@depth:.4f@\,a$ ($\nu=0.3$), where $p_0$ is the pressure at the middle. A metal of yield stress $Y$ yields at
+$p_0=@yield:.1f@\,Y$ (\work{Johnson 1985}), that is at the force $\pi^3R^2p_0^3/(6E^{*2})$. Where the formula gives an
+infinite pressure, at a sharp edge or tip, a metal yields under any load.
+
+**Friction and pressure apart.** Normal and tangential contact are treated as independent. They are so where both bodies
+are of the same material or both incompressible, that is where Dundurs' second constant vanishes; for a rigid indenter
+it is $(1-2\nu)/(2-2\nu)$. The error is small: a flat punch that cannot slip is stiffer by the factor
+$(1-\nu)\ln(3-4\nu)/(1-2\nu)$ (\work{Spence 1968}), @stuck:.0f@ \% for $\nu=0.3$ and @sticky:.0f@ \% for $\nu=0$.
+
+**Growing contact.** The formulas for viscoelastic half-spaces need a constant Poisson ratio and a contact that has
+never shrunk.
+
+**Outside its range** a formula means nothing, even if it gives a number. The functions in Python return NaN where there
+is no such contact; beyond the edge of a contact the pressure is zero.
+"""
 
 
 def validity() -> list[Paragraph]:
     """When a formula holds, and how wrong it is where it nearly does."""
-    cone = 100 * (slope_factor(70.3, 0.3) - 1)
-    small, large = (100 * (sphere_over_paraboloid(ratio) - 1) for ratio in (0.1, 0.3))
-    soft, stiff = (100 * (layer_factor(0.1, nu) - 1) for nu in (0.5, 0.3))
+    factors = {
+        "cone": slope_factor(70.3, 0.3),
+        **{name: sphere_over_paraboloid(ratio) for name, ratio in (("small", 0.1), ("large", 0.3))},
+        **{name: layer_factor(0.1, nu) for name, nu in (("soft", 0.5), ("stiff", 0.3))},
+        **{name: without_slip(nu) for name, nu in (("stuck", 0.3), ("sticky", 0.0))},
+    }
     shear, depth = first_yield(0.3)
-    stuck, sticky = (100 * (without_slip(nu) - 1) for nu in (0.3, 0.0))
-    pulled = retraction_at_pull_off()
-    return _cited([
-        ("Small slopes.", (
-            "All formulas are those of linear elasticity for small slopes. The error is of the order of the slope at "
-            "the "
-            rf"edge of the contact, and smallest for $\nu=\tfrac12$. A cone of half-angle 70.3° ($\nu=0.3$) is "
-            rf"{cone:.0f} \% stiffer than its formula says (\work{{Hay, Bolshakov & Pharr 1999}})."
-        )),
-        ("A paraboloid for a ball.", (
-            r"At the same contact radius a sphere carries more force than its paraboloid: "
-            rf"{small:.1f} \% more at $a=0.1\,R$ and {large:.0f} \% at $a=0.3\,R$. The "
-            r"\hyperref[sec:sphere]{sphere} has an entry of its own, which keeps the shape, but not large strains."
-        )),
-        ("A half-space.", (
-            r"The body must be large against the contact. A layer on a rigid base, bonded to it and ten times as thick "
-            r"as "
-            rf"$\sqrt{{R\,d}}$, carries {soft:.0f} \% more force at the same depth than the half-space for "
-            rf"$\nu=\tfrac12$, and {stiff:.0f} \% more for $\nu=0.3$ (paraboloid; see also "
-            r"\work{Dimitriadis et al. 2002})."
-        )),
-        ("Adhesion of short range.", (
-            r"The formulas with adhesion (JKR) hold where its range $z_0$, about the distance of atoms, is small "
-            r"against the retraction $\Delta\ell$. For a paraboloid this is a matter of Tabor's number, "
-            r"$\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}$: under given force "
-            rf"$\Delta\ell={pulled:.2f}\,\mu_{{\mathrm T}}\,z_0$ at pull-off. Above $\mu_{{\mathrm T}}=5$ use JKR, "
-            rf"with the "
-            r"pull-off force $-\tfrac32\pi\Delta\gamma R$. Below $0.1$ the limit of Derjaguin, Muller and Toporov "
-            r"holds, $-2\pi\Delta\gamma R$. Between them lies the transition of \work{Maugis 1992} "
-            r"(\work{Tabor 1977}, \work{Johnson & Greenwood 1997})."
-        )),
-        ("First yield.", (
-            rf"Under a paraboloid the shear stress is greatest below the surface: ${shear:.4f}\,p_0$ at the depth "
-            rf"${depth:.4f}\,a$ ($\nu=0.3$), where $p_0$ is the pressure at the middle. A metal of yield stress $Y$ "
-            rf"yields at $p_0={1 / (2 * shear):.1f}\,Y$ (\work{{Johnson 1985}}), that is at the force "
-            r"$\pi^3R^2p_0^3/(6E^{*2})$. Where the formula gives an infinite pressure, at a sharp edge or tip, a metal "
-            "yields under any load."
-        )),
-        ("Friction and pressure apart.", (
-            r"Normal and tangential contact are treated as independent. They are so where both bodies are of the same "
-            r"material or both incompressible, that is where Dundurs' second constant vanishes; for a rigid indenter "
-            r"it is $(1-2\nu)/(2-2\nu)$. The error is small: a flat punch that cannot slip is "
-            rf"stiffer by the factor $(1-\nu)\ln(3-4\nu)/(1-2\nu)$ (\work{{Spence 1968}}), {stuck:.0f} \% for "
-            rf"$\nu=0.3$ and {sticky:.0f} \% for $\nu=0$."
-        )),
-        ("Growing contact.", (
-            "The formulas for viscoelastic half-spaces need a constant Poisson ratio and a contact that has never "
-            "shrunk."
-        )),
-        ("Outside its range", (
-            "a formula means nothing, even if it gives a number. The functions in Python return NaN where there is no "
-            "such contact; beyond the edge of a contact the pressure is zero."
-        )),
-    ])  # fmt: skip
+    numbers = {name: 100 * (factor - 1) for name, factor in factors.items()}
+    numbers |= {"shear": shear, "depth": depth, "yield": 1 / (2 * shear), "pulled": retraction_at_pull_off()}
+    return _paragraphs(VALIDITY, numbers)
 
 
-def _cited(paragraphs: list[Paragraph]) -> list[Paragraph]:
-    """The works as links to their references."""
-    return [(first, _WORK.sub(_linked, text)) for first, text in paragraphs]
+def _paragraphs(text: str, numbers: Mapping[str, float] = MappingProxyType({})) -> list[Paragraph]:
+    """The paragraphs of a text with its numbers put in, and the works as links to their references."""
+    text = _NUMBER.sub(lambda match: format(numbers[match[1]], match[2]), _WORK.sub(_linked, text))
+    found = (" ".join(paragraph.split()).removeprefix("**").partition("** ") for paragraph in text.split("\n\n"))
+    return [(first, rest) for first, _, rest in found]
 
 
+_NUMBER = re.compile(r"@(\w+):([.\w]+)@")
 _WORK = re.compile(r"\\work\{([^}]*)\}")
 
 

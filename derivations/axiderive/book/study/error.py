@@ -70,9 +70,6 @@ class Figure:
     methods: tuple[tuple[str, str], ...]
     xticks: tuple[tuple[float, int], ...]
     yticks: tuple[tuple[float, int], ...]
-    width: float
-    height: float
-    names: tuple[str, str] = NAMES
 
 
 def picture(panel: Panel, whole: Figure, first: bool | None = None) -> Drawing:
@@ -80,17 +77,17 @@ def picture(panel: Panel, whole: Figure, first: bool | None = None) -> Drawing:
 
     There the names of the axes stand in the corners, and the key is the caption.
     """
-    wide, high = whole.width, whole.height
+    wide, high = WIDTH, HEIGHT
     if first is None:
         figure = Drawing("study", (-8.5, -8.5), (wide + 2.5, high + 5.5), captioned(panel.key, panel.known))
-        figure.label(whole.names[0], (wide, -8.5), "south east")
-        figure.label(whole.names[1], (-8.5, high + 5.5), "north west")
+        figure.label(NAMES[0], (wide, -8.5), "south east")
+        figure.label(NAMES[1], (-8.5, high + 5.5), "north west")
     else:
         figure = Drawing("study", (-12.0 if first else -8.5, -8.0), (wide, high + 5.0))
-        figure.label(whole.names[0], (wide / 2, -4.7), "north", "note")
+        figure.label(NAMES[0], (wide / 2, -4.7), "north", "note")
         figure.label(referred(panel.key, panel.known), (0.0, high + 2.2), "base west")
         if first:
-            figure.label(whole.names[1], (-9.6, high / 2), "base", "note", turned=True)
+            figure.label(NAMES[1], (-9.6, high / 2), "base", "note", turned=True)
     lines = ", ".join(f"{line.letter}{' (this catalogue)' * line.own}" for line in panel.lines)
     figure.seen = f"Worst relative error of {panel.key} over the run time: lines {lines}"
     figure.anchor = f"error.{panel.key}"
@@ -138,7 +135,7 @@ def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
     letters = {method: chr(ord("a") + i) for i, method in enumerate(methods)}
     ratios = [x for plot in found.values() for points in plot.values() for x, _ in points]
     first, last = math.floor(math.log10(min(ratios))), math.ceil(math.log10(max(ratios)))
-    scale = Scale(first, last, WIDTH, HEIGHT)
+    scale = Scale(first, last)
     panels = tuple(Panel(key, key in keys, tuple(_lines(plot, letters, scale))) for key, plot in found.items())
     step = max(1, math.ceil((last - first) / 5))
     return Figure(
@@ -146,8 +143,6 @@ def figure(record: Mapping[str, Any], keys: frozenset[str]) -> Figure:
         tuple((letter, METHODS.get(method, escaped(method))) for method, letter in letters.items()),
         tuple((round(scale.x(10.0**power), 2), power) for power in range(-(-first // step) * step, last + 1, step)),
         tuple((round(scale.y(10.0**power), 2), power) for power in range(LOWEST, 1, 4)),
-        WIDTH,
-        HEIGHT,
     )
 
 
@@ -157,17 +152,15 @@ class Scale:
 
     first: int
     last: int
-    width: float
-    height: float
 
     def x(self, ratio: float) -> float:
         """Place in millimetres of a ratio of times on the logarithmic horizontal axis."""
-        return self.width * (math.log10(ratio) - self.first) / (self.last - self.first)
+        return WIDTH * (math.log10(ratio) - self.first) / (self.last - self.first)
 
     def y(self, error: float) -> float:
         """Place in millimetres of an error on the logarithmic vertical axis; errors off the axis stand at its ends."""
         power = min(max(math.log10(error), LOWEST), 0.0)
-        return self.height * (power - LOWEST) / -LOWEST
+        return HEIGHT * (power - LOWEST) / -LOWEST
 
 
 def _lines(plot: Mapping[str, Sequence[Point]], letters: Mapping[str, str], scale: Scale) -> Iterator[Line]:
@@ -186,7 +179,7 @@ def _free(own: Sequence[Point], taken: Sequence[Point], scale: Scale) -> Point:
     """Beside one of the points, where points and letters are farthest away."""
 
     def room(place: Point) -> float:
-        inside = 1.0 <= place[0] <= scale.width - 1.0 and 1.0 <= place[1] <= scale.height
+        inside = 1.0 <= place[0] <= WIDTH - 1.0 and 1.0 <= place[1] <= HEIGHT
         return min(math.dist(place, other) for other in taken) if inside else -1.0
 
     places = [(x + dx, y + dy) for x, y in own for dx, dy in AROUND]
