@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import doctest
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import mpmath as mp
@@ -20,7 +20,7 @@ from ..print.formula import Printer
 from ..print.words import domain, prose
 from ..profiles.loads import Load
 from ..profiles.materials import PROFILE as ELASTIC
-from ..profiles.profile import Profile
+from ..profiles.profile import Piece, Profile
 from ..rows.row import kappa_row
 
 INSIDE = ("0.1", "0.25", "0.5", "0.75", "0.9", "0.99")
@@ -200,15 +200,21 @@ def derivation(profile_id: str, profile: Profile, entries: Mapping[str, Entry]) 
 def slopes(profile: Profile) -> list[str]:
     """The slope of every piece of a profile, with where it holds."""
     found = []
-    lower = None
-    for piece in profile.pieces:
+    for piece, where in _pieces(profile, "r"):
         derivative = sp.diff(piece.expr, nt.r)
         by_terms = sp.Add(*map(sp.factor, sp.Add.make_args(derivative)))
         slope = min((Printer()(form) for form in (derivative, by_terms, sp.factor(derivative))), key=width)
-        side, end = (r"\le ", piece.upper) if piece.upper is not None else (">", lower)
-        found.append(f"$f'(r)={slope}$" + (f" for $r{side}{Printer()(end)}$" if end is not None else ""))
-        lower = piece.upper
+        found.append(f"$f'(r)={slope}${where}")
     return found
+
+
+def _pieces(profile: Profile, place: str) -> Iterator[tuple[Piece, str]]:
+    """Every piece of a profile with the words on where it holds, none of a profile of one piece."""
+    lower = None
+    for piece in profile.pieces:
+        side, end = (r"\le ", piece.upper) if piece.upper is not None else (">", lower)
+        yield piece, f" for ${place}{side}{Printer()(end)}$" if end is not None else ""
+        lower = piece.upper
 
 
 def _functions(entries: Mapping[str, Entry]) -> list[str]:
@@ -318,16 +324,10 @@ def _load_panel(profile: Profile) -> list[tuple[str, str]]:
 def shape_tex(profile: Profile, place: str = "r") -> str:
     """f(r), piece by piece."""
     texts = []
-    lower = None
-    for piece in profile.pieces:
+    for piece, where in _pieces(profile, place):
         expr = Printer((nt.describe(place).symbol, piece.upper) if piece.upper is not None else ())(piece.expr)
-        side, end = (r"\le ", piece.upper) if piece.upper is not None else (">", lower)
         built_up = r"\rule[-3.6mm]{0pt}{8.4mm}" if r"\frac" in expr or r"\sum" in expr else ""
-        texts.append(
-            rf"{built_up}$\displaystyle f({place})={expr}$"
-            + (f" for ${place}{side}{Printer()(end)}$" if end is not None else "")
-        )
-        lower = piece.upper
+        texts.append(rf"{built_up}$\displaystyle f({place})={expr}${where}")
     return r",\newline ".join(texts)
 
 
