@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from test_interface import PARAMETERS
 
+from axicontact._runtime.interface import KEPT
 from axicontact._runtime.physics import branches as arrays
 from axicontact._runtime.physics import single
 
@@ -36,7 +37,7 @@ def test_plain_numbers_find_the_branches_of_arrays(name: str, control: str) -> N
 
 def sampled(steepness: Any, radii: np.ndarray) -> arrays.Samples:
     with np.errstate(all="ignore"):
-        return arrays.Samples(radii[:, None], steepness(radii)[:, None], np.inf)
+        return arrays.Samples(radii[:, None], steepness(radii)[:, None], np.inf, {})
 
 
 RADII = 10.0 ** np.linspace(-8.0, 8.0, 40)
@@ -48,6 +49,26 @@ CURVES: dict[str, tuple[Any, float, list[float], list[float]]] = {
     "a maximum": (lambda a: a / (1.0 + a * a), 0.4, [0.5], [2.0]),
     "never": (lambda a: 1.0 / (1.0 + a), 2.0, [], []),
 }
+
+
+def test_the_branches_of_a_geometry_are_searched_for_once() -> None:
+    steepness, level, *_ = CURVES["a maximum"]
+    known, calls = sampled(steepness, RADII), [0]
+
+    def counted(a: Any) -> Any:
+        calls[0] += 1
+        return steepness(a)
+
+    found = single.branches(counted, known, level)
+    first = calls[0]
+    assert first > 0
+    assert single.branches(counted, known, level) == found
+    assert calls[0] == first
+    assert single.branches(counted, known, 0.9 * level) != found
+    assert calls[0] > first
+    for dgamma in range(2 * KEPT):
+        single.branches(counted, known, 0.01 * (1.0 + dgamma))
+    assert len(known.found) <= KEPT
 
 
 @pytest.mark.parametrize("name", CURVES)

@@ -15,6 +15,7 @@ from private_bodies import EPS, MODULES, bodies, body
 from written import needs_arrays, plain
 
 import axicontact
+from axicontact._programs.graded.normal import gaussian as bump
 from axicontact._runtime.integrals import STRIPS
 from axicontact._runtime.plain import PANELS, rule
 from axicontact.normal import capped_cylinder, power_law, rounded_punch, truncated_cone
@@ -66,6 +67,13 @@ def test_a_minimum_keeps_what_is_no_number() -> None:
     assert found is not None
     assert found(2.0, 3.0) == 2.0
     assert found(0.5, 3.0) is None
+
+
+def test_what_no_contact_carries_is_said_without_the_arrays() -> None:
+    """A load beyond the largest of a bump has no radius; next to the ends of the range the arrays have to say so."""
+    assert bump.radius_from_depth(0.3, 0.7, 1.0, 0.3) is not None
+    assert math.isnan(bump.radius_from_depth(1.3, 0.7, 1.0, 0.3))
+    assert bump.radius_from_depth(1.3e13, 0.7, 1.0, 0.3) is None
 
 
 def least_or_nan(x: Any, y: Any) -> Any:

@@ -21,6 +21,7 @@ from written import plain, program
 from axicontact._programs.normal import cone as cone_programs
 from axicontact._programs.normal import paraboloid as paraboloid_programs
 from axicontact._runtime import interface
+from axicontact._runtime.arrays.blocks import Program
 from axicontact._runtime.interface import BLOCK, elementwise
 from axicontact.normal import (
     cone,
@@ -179,7 +180,7 @@ def test_shapes_and_strides() -> None:
 
 def test_a_block_out_of_range_is_evaluated_again_alone() -> None:
     """R*a of the middle block has 340 decades; its neighbours keep their bits."""
-    assert not paraboloid_programs.BLOCKS["_force", 1, "a", "R", "E_star"][("a",)].scratch
+    assert not Program(*paraboloid_programs.BLOCKS["_force", 1, "a", "R", "E_star"][("a",)]).scratch
     a, size = np.linspace(0.5, 1.0, 6 * BLOCK), 2 * BLOCK
     wanted = paraboloid.force(a, R=2.0, E_star=3.0)
     a[size + 5] = 1e-150

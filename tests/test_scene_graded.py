@@ -69,7 +69,7 @@ def test_radii_under_tension_are_found_again(profile, k):
         ("adhesive", "- graded_retraction(a, H, k, dgamma)", "+ graded_retraction(a, H, k, dgamma)"),
         ("adhesive", "- tension(r, a, H, k, dgamma)", "- 2.0 * tension(r, a, H, k, dgamma)"),
         ("tangential", "return mu * (2.0 * H / (1.0 + k)) * gain", "return 2.0 * H / (1.0 + k) * gain"),
-        ("tangential", "return mu * np.where(r < c, H / np.pi * gain", "return mu * np.where(r < c, H * gain"),
+        ("tangential", "lambda: H / np.pi * gain()", "lambda: H * gain()"),
     ],
 )
 def test_a_wrong_rule_does_not_pass(kind, right, wrong, monkeypatch):

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 import axicontact
-from axicontact._runtime.arrays.blocks import Program, largest
+from axicontact._runtime.arrays.blocks import Program
+from axicontact._runtime.interface import largest
 from axicontact._runtime.plain import rule
 from axiderive.code.programs.blocks import Blocks
 from axiderive.code.programs.bodies import Twins
@@ -50,11 +51,10 @@ def program(formula: Callable[..., Any], count: int, arrays: Sequence[bool]) -> 
     constants: dict[str, str] = {}
     given = [name for name, more in zip(names, arrays, strict=True) if more]
     writer = Blocks(result, names, given, names[:count], constants)
-    space: dict[str, Any] = {"np": np, "largest": largest, "Program": Program}
+    space: dict[str, Any] = {"np": np, "largest": largest}
     exec(writer.written("one"), space)
     space |= {name: np.array(eval(value, {"np": np})) for value, name in constants.items()}
-    found: Program = eval(writer.record("one"), space)
-    return found
+    return Program(*eval(writer.record("one"), space))
 
 
 def needs_arrays(formula: Callable[..., Any]) -> bool:

@@ -170,8 +170,12 @@ class _Normal:
     def through(self, outer: str, inner: str, field: str, needs: Mapping[str, list[str]]) -> list[str]:
         """F(a(d)) or d(a(F)); the radius is rounded, and dF/dd makes good what it lost."""
         radius = f"_radius_from_{inner}({', '.join([field, *needs[inner]])})"
-        if self.family.power is not None:
-            return [f"return _{outer}({', '.join([radius, *needs[outer]])})"]
+        if (power := self.family.power) is not None:
+            # F/d is a lower power of the radius than either, and takes up less of its rounding
+            ((n,), gain) = power.texts, f"stiffness = punch_stiffness({radius}, H, k)"
+            stiffness = f"stiffness * ({n} / ({n} + (1.0 + k)))"
+            value = f"d * ({stiffness})" if outer == "force" else f"F / ({stiffness})"
+            return [gain, f"return np.where(({field} > 0.0) & ({field} < np.inf), {value}, {field})"]
         if self.end:
             names, at, found = ["a", "root"], "_at", radius.replace("_radius", "_contact", 1)
         else:

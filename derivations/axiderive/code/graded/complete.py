@@ -131,8 +131,9 @@ class _Complete:
         self.concave_pressure(order, complete)
         self.rule(
             "_displacement", ["r", "d"], self.geometry, complete,
-            f"outside = d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
-            f"return np.where(complete, np.where(r > a, outside, d - {self.shape()}), np.nan)",
+            f"outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
+            f"value = either(r > a, outside, lambda: d - {self.shape()})",
+            "return np.where(complete, value, np.nan)",
         )  # fmt: skip
         self.rule("_stiffness", [], ["a", "H", "k"], "return punch_stiffness(a, H, k)")
         self.rule(

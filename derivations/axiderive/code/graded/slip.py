@@ -20,10 +20,11 @@ def gains(writer: Writer) -> tuple[list[str], list[str], list[str]]:
     def limited(value: str) -> str:
         return f"return np.where({limit}, {value}, np.nan)" if limit else f"return {value}"
 
-    traction = f"mu * np.where(r < c, H / np.pi * gain, {writer.call('_pressure', 'r', 'a')})"
+    traction = f"mu * either(r < c, lambda: H / np.pi * gain(), lambda: {writer.call('_pressure', 'r', 'a')})"
+    inside = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside"), "return gain"]
     return (
         [*_gains(own, "force"), limited("mu * (2.0 * H / (1.0 + k)) * gain")],
-        ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside"), limited(traction)],
+        ["def gain() -> Array:", *(f"    {line}" for line in inside), limited(traction)],
         [*_gains(own, "depth"), limited("mu * (H / H_x) * gain")],
     )
 

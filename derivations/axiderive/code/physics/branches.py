@@ -98,7 +98,7 @@ def search(
     own = [name for name in needs if name in geometry or re.search(rf"\b{name}\b", grid)]
     end = "a[-1]" if profile.largest is not None or (profile.chain and not profile.breaks) else "np.inf"
     found = f"return branches(lambda a: {steepness}, _samples({', '.join(own)}), {level})"
-    return own, [f"a = {grid}", f"return Samples(a, {steepness}, {end})"], [found]
+    return own, [f"a = {grid}", f"return Samples(a, {steepness}, {end}, {{}})"], [found]
 
 
 def pull_off(units: Sequence[str], needs: Sequence[str]) -> list[str]:

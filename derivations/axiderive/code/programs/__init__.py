@@ -22,7 +22,7 @@ from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import Twins
 from .graph import Lengths, Node, needed, trace
-from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum
+from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum, settled
 from .sharing import Shared
 
 FOLDER = "_programs"
@@ -219,7 +219,7 @@ class _Module:
         elif self.twins.add(calls[0].formula):
             self.bodies.add(name)
             ranges |= dict.fromkeys((name for call in calls for name in call.signed), (-LARGE, LARGE))
-            lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED]
+            lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED, *settled(ranges)]
         else:
             return
         orders = dict.fromkeys(order for call in calls for order in call.orders if ranges.keys() >= {*order})
@@ -253,7 +253,7 @@ class _Module:
         lines = [f'"""Programs of {PACKAGE}.{self.path}."""', "", "from __future__ import annotations", ""]
         lines += [f"from math import {', '.join(math_names)}", ""] if math_names else []
         lines += ["import numpy as np", ""] if self.records else []
-        lines += [f"from {level}{PLACE}.arrays.blocks import Program, largest"] if self.records else []
+        lines += [f"from {level}{PLACE}.interface import largest"] if self.records else []
         lines += [f"from {level}{PLACE}.plain import rule"] if self.rules else []
         if self.bodies:
             folder, _, name = f"bodies.{self.path}".rpartition(".")

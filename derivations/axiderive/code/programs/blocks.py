@@ -190,14 +190,8 @@ class Blocks:
 
     def record(self, name: str) -> str:
         """The program as the run time knows it."""
-        said = {
-            "scratch": self.count,
-            "masks": self.mask_count,
-            "filled": tuple(self.filled),
-            "positive": self.positive,
-        }
-        rest = "".join(f", {key}={value!r}" for key, value in said.items() if value)
-        return f"Program({tuple(self.given)!r}, prepare_{name}, block_{name}{rest})"
+        said = self.count, self.mask_count, tuple(self.filled), self.positive
+        return f"({tuple(self.given)!r}, prepare_{name}, block_{name}, {', '.join(map(repr, said))})"
 
     def of(self, node: Node) -> str:
         """The name of a value, or of the array it stands in."""

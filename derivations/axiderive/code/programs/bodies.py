@@ -24,6 +24,7 @@ COUNTERPARTS = {
     "_runtime.integrals": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
     "_runtime.graded.rules": "_runtime.graded.single",
+    "_runtime.graded.waves": "_runtime.graded.single",
 }
 """Modules of which another one has functions of the same name for plain numbers."""
 RULES = ("_runtime.integrals", "_runtime.graded.rules")
@@ -98,9 +99,6 @@ class Twins:
             elif isinstance(value, ModuleType):
                 twin.others.add(value.__name__)
             else:
-                twin.imports.setdefault(own, set()).add(name)
-        for name in sorted(_annotated(self._text(function))):
-            if name in space and name != "np":
                 twin.imports.setdefault(own, set()).add(name)
 
     def _body(self, value: Any) -> FunctionType | None:
@@ -231,7 +229,10 @@ class Twins:
 
 
 class _Single(ast.NodeTransformer):
-    """What a body becomes: a choice is evaluated in one branch alone, and what it imports itself has its own `home`."""
+    """What a body becomes: a choice is evaluated in one branch alone, and what it imports itself has its own `home`.
+
+    Annotations go: the first call would import what they name.
+    """
 
     def __init__(self, module: str, home: Callable[[str, str], str]) -> None:
         self.module, self.home = module, home
@@ -240,6 +241,22 @@ class _Single(ast.NodeTransformer):
         """Python's choice for NumPy's."""
         self.generic_visit(node)
         return ast.IfExp(*node.args) if ast.unparse(node.func) == "np.where" else node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        """Without the kind of its result."""
+        self.generic_visit(node)
+        node.returns = None
+        return node
+
+    def visit_arg(self, node: ast.arg) -> ast.AST:
+        """The name alone."""
+        return ast.arg(node.arg)
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        """The value alone."""
+        self.generic_visit(node)
+        assert node.value is not None
+        return ast.Assign([node.target], node.value, lineno=node.lineno)
 
     def visit_ImportFrom(self, node: ast.ImportFrom) -> list[ast.stmt]:
         """One import for each home."""
@@ -310,15 +327,3 @@ def _decorators(text: str) -> frozenset[str]:
     (function,) = ast.parse(text).body
     assert isinstance(function, ast.FunctionDef)
     return frozenset(part.id for one in function.decorator_list for part in ast.walk(one) if isinstance(part, ast.Name))
-
-
-@cache
-def _annotated(text: str) -> frozenset[str]:
-    """The names that the annotations of a function use."""
-    found = set()
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.FunctionDef):
-            given = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
-            notes = [*(one.annotation for one in given), node.returns]
-            found |= {part.id for note in notes if note for part in ast.walk(note) if isinstance(part, ast.Name)}
-    return frozenset(found - set(dir(__builtins__)) - {"tuple", "float", "str", "int", "bool"})

@@ -7,7 +7,7 @@ as a formula.  `np.where` becomes an if: nothing is evaluated outside its branch
 from __future__ import annotations
 
 import ast
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from .bounds import Bound, bounds
 from .graph import Lengths, Node, Path, needed, places
@@ -17,6 +17,8 @@ SMALL, LARGE = 1e-30, 1e30
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
 TRUSTED = (f"if value > {LEAST} and value < {GREATEST} or {LEAST} < -value < {GREATEST}:", "    return value")
+NEAR, WIDE = 1e-12, 1e12
+"""Arguments between these leave the range nowhere: where a body has no value, there is none."""
 OPERATORS = {
     "add": "+", "subtract": "-", "multiply": "*", "divide": "/", "less": "<", "less_equal": "<=", "greater": ">",
     "greater_equal": ">=", "equal": "==", "not_equal": "!=", "bitwise_and": "and", "bitwise_or": "or",
@@ -68,6 +70,12 @@ def function(
     return ast.unparse(ast.parse(text))
 
 
+def settled(arguments: Iterable[str]) -> list[str]:
+    """The lines for a result that is no number, where no argument is far out: an inverse of what no contact carries."""
+    ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in arguments]
+    return [f"if {' and '.join(['value != value', *ordinary])}:", "    return value"]
+
+
 class Lines:
     """Lines of one function: what occurs once is written where it is used, the rest has a name.
 
@@ -75,7 +83,7 @@ class Lines:
     """
 
     def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]], rules: dict[Lengths, str]) -> None:
-        self.nodes = needed(result)
+        self.nodes, self.arguments = needed(result), tuple(ranges)
         self.loops = loops(self.nodes)
         self.paths = {node: self._outside(node, path) for node, path in places(self.nodes).items()}
         self.rules = rules
@@ -163,7 +171,9 @@ class Lines:
         value = self.expression(node) if self.paths[node] == path and not is_sum(node) else self.of(node)
         if certain and (node in self.proved or node.name == "number"):
             return [*text, f"return {value}"]
-        return [*text, f"value = {value}", *TRUSTED, "return None"]
+        # what has no rule takes the arrays no longer
+        sure = settled(self.arguments) if any(map(is_sum, self.nodes)) else []
+        return [*text, f"value = {value}", *TRUSTED, *sure, "return None"]
 
     def _is_first(self, node: Node) -> bool:
         """Whether this is minimum(x, y) where x < y has been decided."""

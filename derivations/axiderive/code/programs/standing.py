@@ -123,6 +123,22 @@ def _over_waves(graph: Graph, value: Traced, waves: Traced, power: int) -> Trace
     return start.root(curve, value, np.inf, (SLACK, np.inf))
 
 
+def _waves(graph: Graph, a: Traced, q: Traced, k: Traced, of: Callable[..., Traced], factor: Any) -> Traced:
+    """A panel of some waves with the weight, then plain ones, whatever the phase."""
+    phase = q * a
+    first = np.minimum(np.pi / 2.0, 8.0 / np.maximum(phase, 1e-300))
+
+    def over(y: Traced) -> Traced:
+        return of(phase * np.cos(y), np.cos(y))
+
+    def over_angle(y: Traced) -> Traced:
+        return np.where(y > 0.0, np.sin(y) / np.where(y > 0.0, y, 1.0), 1.0)
+
+    near = _weighted(graph, lambda y: over(y) * over_angle(y) ** k, first, k)
+    rest = _panels(graph, lambda y: over(first + y) * np.sin(first + y) ** k, np.pi / 2.0 - first, first, 64)
+    return first * first**k * near + rest
+
+
 def _bell(graph: Graph, a: Traced, s: Traced, k: Traced, of: Callable[[Traced], Traced]) -> Traced:
     square = (a / s) ** 2
     return _weighted(graph, lambda x: of((1.0 - x) * (1.0 + x) * square), _traced(graph, 1.0), k)
@@ -202,8 +218,7 @@ STANDING: dict[tuple[str, str], Any] = {
     ("graded.inverse", "gaussian_reach"): _gaussian_reach,
     ("graded.inverse", "radius_across"): _radius_across,
     ("graded.displacement", "_to_axis"): lambda graph, q: _traced(graph, np.pi / 3.0),
-    ("graded.waves", "_far"): lambda graph, *given: 0.0,
-    ("graded.waves", "FAR"): np.inf,
+    ("graded.waves", "_waves"): _waves,
 }
-"""By the module of the run time and the name; lengths and stresses keep their units, phases have no end."""
+"""By the module of the run time and the name; lengths and stresses keep their units."""
 BUILTINS = {"enumerate": _enumerate, "sum": _sum, "reduce": _reduce, "len": _len}
