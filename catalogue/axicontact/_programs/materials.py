@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._runtime.arrays.blocks import Program, largest
+from .._runtime.interface import largest
 from .._programs.bodies import materials as bodies
 
 C0 = np.array(1.0)
@@ -69,6 +69,8 @@ def graded_modulus(E_0, c_0, k, nu):
             value = bodies._graded_modulus(E_0, c_0, k, nu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(E_0) < 1000000000000.0 and (1e-12 < abs(c_0) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(nu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -80,6 +82,8 @@ def h_N(k, nu):
             value = bodies._h_N(k, nu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(k) < 1000000000000.0 and (1e-12 < abs(nu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -87,9 +91,9 @@ def h_N(k, nu):
 
 BLOCKS = {
     ('_effective_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
-        ('E_1', 'nu_1', 'E_2', 'nu_2'): Program(('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_modulus_all_signed, block_effective_modulus_all_signed, scratch=2),
+        ('E_1', 'nu_1', 'E_2', 'nu_2'): (('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_modulus_all_signed, block_effective_modulus_all_signed, 2, 0, (), False),
     },
     ('_effective_shear_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
-        ('E_1', 'nu_1', 'E_2', 'nu_2'): Program(('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_shear_modulus_all_signed, block_effective_shear_modulus_all_signed, scratch=2),
+        ('E_1', 'nu_1', 'E_2', 'nu_2'): (('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_shear_modulus_all_signed, block_effective_shear_modulus_all_signed, 2, 0, (), False),
     },
 }

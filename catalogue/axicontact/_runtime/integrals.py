@@ -8,6 +8,7 @@ miss it by 3 units.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from functools import cache, partial, wraps
 from typing import Any, TypeAlias
@@ -67,6 +68,9 @@ def summed(parts: Iterable[Array]) -> Array:
 
 
 def _of_neighbours(rows: Array) -> Array:
+    if rows.size == len(rows) and np.sum(np.abs(rows)) < np.inf:
+        # of one point in a third of the time
+        return np.full(rows.shape[1:], np.sum(rows) if np.iscomplexobj(rows) else math.fsum(rows.ravel().tolist()))
     while len(rows) > 1:
         pairs = rows[0:-1:2] + rows[1::2]
         rows = np.concatenate([pairs, rows[-1:]]) if len(rows) % 2 else pairs

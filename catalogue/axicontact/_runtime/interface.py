@@ -32,6 +32,7 @@ BLOCK = 32768
 """Some arrays of this many numbers stay in the cache of a core."""
 PROGRAMS = f"{__name__.split('._runtime')[0]}._programs"
 """What the build wrote for plain numbers and for blocks of arrays, in modules named as those it belongs to."""
+INFINITE = np.array(np.inf).view(np.uint64)[()]
 _plain: dict[Callable[..., Array], Callable[..., float | None]] = {}
 
 
@@ -77,6 +78,12 @@ class Kept:
         with np.errstate(all="ignore"):
             result = self.function(*given)
         return result if isinstance(result, tuple) else float(result)
+
+
+def largest(block: Array) -> float:
+    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
+    bits = np.maximum.reduce(block.view(np.uint64))
+    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
 
 
 def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:

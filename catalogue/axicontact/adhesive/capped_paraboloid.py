@@ -504,7 +504,7 @@ def _rate(a: Array, R1: Array, R2: Array, b: Array) -> Array:
 def _samples(R1: Array, R2: Array, b: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_around(b)
-    return Samples(a, np.sqrt(a) * _rate(a, R1, R2, b), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, R1, R2, b), np.inf, {})
 
 
 def _branches(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -468,7 +468,7 @@ def _rate(a: Array, h: Array, b: Array) -> Array:
 def _samples(h: Array, b: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_below(b)
-    return Samples(a, np.sqrt(a) * _rate(a, h, b), a[-1])
+    return Samples(a, np.sqrt(a) * _rate(a, h, b), a[-1], {})
 
 
 def _branches(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

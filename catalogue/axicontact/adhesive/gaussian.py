@@ -470,7 +470,7 @@ def _rate(a: Array, h: Array, s: Array) -> Array:
 def _samples(h: Array, s: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_to(1.5019752682686114 * s)
-    return Samples(a, np.sqrt(a) * _rate(a, h, s), a[-1])
+    return Samples(a, np.sqrt(a) * _rate(a, h, s), a[-1], {})
 
 
 def _branches(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

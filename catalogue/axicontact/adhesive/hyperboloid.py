@@ -469,7 +469,7 @@ def _rate(a: Array, theta: Array, b: Array) -> Array:
 def _samples(theta: Array, b: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = decades()
-    return Samples(a, np.sqrt(a) * _rate(a, theta, b), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, theta, b), np.inf, {})
 
 
 def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -460,7 +460,7 @@ def _rate(a: Array, A: Array) -> Array:
 def _samples(A: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = decades()
-    return Samples(a, np.sqrt(a) * _rate(a, A), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, A), np.inf, {})
 
 
 def _branches(A: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -457,7 +457,7 @@ def _rate(a: Array, R: Array) -> Array:
 def _samples(R: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_below(R)
-    return Samples(a, np.sqrt(a) * _rate(a, R), a[-1])
+    return Samples(a, np.sqrt(a) * _rate(a, R), a[-1], {})
 
 
 def _branches(R: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

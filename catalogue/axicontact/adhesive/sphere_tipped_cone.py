@@ -481,7 +481,7 @@ def _rate(a: Array, R: Array, theta: Array) -> Array:
 def _samples(R: Array, theta: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_around(R * np.sin(theta))
-    return Samples(a, np.sqrt(a) * _rate(a, R, theta), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, R, theta), np.inf, {})
 
 
 def _branches(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -473,7 +473,7 @@ def _rate(a: Array, R: Array, b: Array) -> Array:
 def _samples(R: Array, b: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_beyond(b)
-    return Samples(a, np.sqrt(a) * _rate(a, R, b), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, R, b), np.inf, {})
 
 
 def _branches(R: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

@@ -521,7 +521,7 @@ def _rate(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
 def _samples(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_of_waves(wavelength, (np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0))
-    return Samples(a, np.sqrt(a) * _rate(a, R, h, wavelength), np.inf)
+    return Samples(a, np.sqrt(a) * _rate(a, R, h, wavelength), np.inf, {})
 
 
 def _branches(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array, control: str) -> Branches:

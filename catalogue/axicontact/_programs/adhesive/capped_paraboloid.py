@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import capped_paraboloid as bodies
 
@@ -146,6 +146,8 @@ def displacement(r, a, R1, R2, b, E_star, dgamma):
                 v179 = (a * a / R1 if a < b else a * (a + v65 / R2 * sqrt(v15 * v17)) / R1) - (r * r / v169 if r < b else v71 / v169 + v8 * v11 / (2.0 * R2))
             value = v179 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v24) if v178 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -319,6 +321,8 @@ def pressure(r, a, R1, R2, b, E_star, dgamma):
             value = v98 - v116
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -331,6 +335,8 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R1, R2, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R1) < 1000000000000.0 and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -341,6 +347,8 @@ def radius_from_depth(d, R1, R2, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -353,6 +361,8 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -360,11 +370,11 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 1, (), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): (('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 1, (), False),
     },
     ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=10, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 5, 1, (), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): (('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 10, 1, (), False),
     },
 }

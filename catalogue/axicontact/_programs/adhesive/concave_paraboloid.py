@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(-2.0)
 C1 = np.array(6.283185307179586)
@@ -66,9 +66,9 @@ def block_pull_off_force_all_signed(out, a, h, E_star, dgamma, t0):
 
 BLOCKS = {
     ('_pull_off_depth', 0, 'a', 'h', 'E_star', 'dgamma'): {
-        ('a', 'h', 'E_star', 'dgamma'): Program(('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=2),
+        ('a', 'h', 'E_star', 'dgamma'): (('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, 2, 0, (), False),
     },
     ('_pull_off_force', 0, 'a', 'h', 'E_star', 'dgamma'): {
-        ('a', 'h', 'E_star', 'dgamma'): Program(('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=1),
+        ('a', 'h', 'E_star', 'dgamma'): (('a', 'h', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, 1, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(0.5)
 C1 = np.array(1.75)
@@ -200,9 +200,9 @@ def block_pull_off_force_all_signed(out, a, h, n, E_star, dgamma, t0, t1, t2, t3
 
 BLOCKS = {
     ('_pull_off_depth', 0, 'a', 'h', 'n', 'E_star', 'dgamma'): {
-        ('a', 'h', 'n', 'E_star', 'dgamma'): Program(('a', 'h', 'n', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=4, masks=1),
+        ('a', 'h', 'n', 'E_star', 'dgamma'): (('a', 'h', 'n', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, 4, 1, (), False),
     },
     ('_pull_off_force', 0, 'a', 'h', 'n', 'E_star', 'dgamma'): {
-        ('a', 'h', 'n', 'E_star', 'dgamma'): Program(('a', 'h', 'n', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=4, masks=1),
+        ('a', 'h', 'n', 'E_star', 'dgamma'): (('a', 'h', 'n', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, 4, 1, (), False),
     },
 }

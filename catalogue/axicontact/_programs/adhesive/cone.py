@@ -6,7 +6,7 @@ from math import atan, atan2, log1p, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.adhesive import cone as bodies
 
 C0 = np.array(3.141592653589793)
@@ -477,6 +477,8 @@ def pull_off_depth(a, theta, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -487,6 +489,8 @@ def pull_off_force(a, theta, E_star, dgamma, control):
         try:
             value = bodies._pull_off_force(a, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -499,6 +503,8 @@ def pull_off_radius(theta, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(theta) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -509,6 +515,8 @@ def radius_from_depth(d, theta, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -521,6 +529,8 @@ def radius_from_force(F, theta, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -528,21 +538,21 @@ def radius_from_force(F, theta, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'theta', 'E_star', 'dgamma'): Program(('a', 'theta', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'theta', 'E_star', 'dgamma'): (('a', 'theta', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'theta', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=4, masks=1, filled=(0.0,)),
-        ('r', 'a', 'theta', 'E_star', 'dgamma'): Program(('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=5, masks=1, filled=(0.0,)),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 3, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 4, 1, (0.0,), False),
+        ('r', 'a', 'theta', 'E_star', 'dgamma'): (('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, 5, 1, (0.0,), False),
     },
     ('_force', 1, 'a', 'theta', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'theta', 'E_star', 'dgamma'): Program(('a', 'theta', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'theta', 'E_star', 'dgamma'): (('a', 'theta', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 3, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'theta', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=3, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
-        ('r', 'a', 'theta', 'E_star', 'dgamma'): Program(('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=5, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 3, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
+        ('r', 'a', 'theta', 'E_star', 'dgamma'): (('r', 'a', 'theta', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 5, 2, (0.0,), False),
     },
 }

@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(6.283185307179586)
 C1 = np.array(-2.0)
@@ -58,9 +58,9 @@ def block_pull_off_force_all_signed(out, a, E_star, dgamma, t0):
 
 BLOCKS = {
     ('_pull_off_depth', 0, 'a', 'E_star', 'dgamma'): {
-        ('a', 'E_star', 'dgamma'): Program(('a', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=1),
+        ('a', 'E_star', 'dgamma'): (('a', 'E_star', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, 1, 0, (), False),
     },
     ('_pull_off_force', 0, 'a', 'E_star', 'dgamma'): {
-        ('a', 'E_star', 'dgamma'): Program(('a', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=1),
+        ('a', 'E_star', 'dgamma'): (('a', 'E_star', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, 1, 0, (), False),
     },
 }

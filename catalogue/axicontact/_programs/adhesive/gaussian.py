@@ -6,7 +6,7 @@ from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import gaussian as bodies
 
@@ -222,6 +222,8 @@ def displacement(r, a, h, s, E_star, dgamma):
             value = v146 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * v12 if v144 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -249,6 +251,8 @@ def force(a, h, s, E_star, dgamma):
                 v81 = nan
             value = v81 - v6 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -290,6 +294,8 @@ def pressure(r, a, h, s, E_star, dgamma):
             value = v95 - v108
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -302,6 +308,8 @@ def pull_off_radius(h, s, E_star, dgamma, control):
             value = bodies._pull_off_radius(h, s, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(h) < 1000000000000.0 and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -312,6 +320,8 @@ def radius_from_depth(d, h, s, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, h, s, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -324,6 +334,8 @@ def radius_from_force(F, h, s, E_star, dgamma):
             value = bodies._radius_from_force(F, h, s, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -331,7 +343,7 @@ def radius_from_force(F, h, s, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'h', 's', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
-        ('a', 'h', 's', 'E_star', 'dgamma'): Program(('a', 'h', 's', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=3, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 1, (), False),
+        ('a', 'h', 's', 'E_star', 'dgamma'): (('a', 'h', 's', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 3, 1, (), False),
     },
 }

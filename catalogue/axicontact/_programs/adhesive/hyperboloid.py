@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import hyperboloid as bodies
 
@@ -112,6 +112,8 @@ def displacement(r, a, theta, b, E_star, dgamma):
                 v81 = v51 * a * atan(a / b) - v51 * v73 / (sqrt(v73 + v57) + b)
             value = v81 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v16) if v80 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -308,6 +310,8 @@ def pressure(r, a, theta, b, E_star, dgamma):
             value = v62 - v75
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -320,6 +324,8 @@ def pull_off_radius(theta, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(theta) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -330,6 +336,8 @@ def radius_from_depth(d, theta, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -342,6 +350,8 @@ def radius_from_force(F, theta, b, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -349,11 +359,11 @@ def radius_from_force(F, theta, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): (('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_force', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1, filled=(1.0,)),
-        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=7, masks=1, filled=(1.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 5, 1, (1.0,), False),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): (('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 7, 1, (1.0,), False),
     },
 }

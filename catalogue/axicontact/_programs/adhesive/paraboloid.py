@@ -6,7 +6,7 @@ from math import atan2, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.adhesive import paraboloid as bodies
 
 C0 = np.array(2.0)
@@ -598,6 +598,8 @@ def pull_off_depth(a, R, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -608,6 +610,8 @@ def pull_off_force(a, R, E_star, dgamma, control):
         try:
             value = bodies._pull_off_force(a, R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -620,6 +624,8 @@ def pull_off_radius(R, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -630,6 +636,8 @@ def radius_from_depth(d, R, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -642,6 +650,8 @@ def radius_from_force(F, R, E_star, dgamma):
             value = bodies._radius_from_force(F, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -649,21 +659,21 @@ def radius_from_force(F, R, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'R', 'E_star', 'dgamma'): (('a', 'R', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'R', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=5, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=7, masks=1, filled=(0.0,)),
-        ('r', 'a', 'R', 'E_star', 'dgamma'): Program(('r', 'a', 'R', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(0.0,)),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 5, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 7, 1, (0.0,), False),
+        ('r', 'a', 'R', 'E_star', 'dgamma'): (('r', 'a', 'R', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, 7, 1, (0.0,), False),
     },
     ('_force', 1, 'a', 'R', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'R', 'E_star', 'dgamma'): (('a', 'R', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 3, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'R', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=3, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
-        ('r', 'a', 'R', 'E_star', 'dgamma'): Program(('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=5, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 3, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
+        ('r', 'a', 'R', 'E_star', 'dgamma'): (('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 5, 2, (0.0,), False),
     },
 }

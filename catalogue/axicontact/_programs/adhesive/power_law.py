@@ -6,7 +6,7 @@ from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import power_law as bodies
 
@@ -226,6 +226,8 @@ def displacement(r, a, A, n, E_star, dgamma):
                 v129 = 1.7724538509055159 * A * v74 * v70 - A * pow(r, n)
             value = v129 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (r + a))) if v128 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -453,6 +455,8 @@ def pressure(r, a, A, n, E_star, dgamma):
             value = v143 - v161
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -465,6 +469,8 @@ def pull_off_depth(a, A, n, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -475,6 +481,8 @@ def pull_off_force(a, A, n, E_star, dgamma, control):
         try:
             value = bodies._pull_off_force(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -487,6 +495,8 @@ def pull_off_radius(A, n, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(A) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -497,6 +507,8 @@ def radius_from_depth(d, A, n, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -509,6 +521,8 @@ def radius_from_force(F, A, n, E_star, dgamma):
             value = bodies._radius_from_force(F, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -516,11 +530,11 @@ def radius_from_force(F, A, n, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'A', 'n', 'E_star', 'dgamma'): Program(('a', 'A', 'n', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'A', 'n', 'E_star', 'dgamma'): (('a', 'A', 'n', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 4, 1, (), False),
     },
     ('_force', 1, 'a', 'A', 'n', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'A', 'n', 'E_star', 'dgamma'): Program(('a', 'A', 'n', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'A', 'n', 'E_star', 'dgamma'): (('a', 'A', 'n', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 4, 1, (), False),
     },
 }

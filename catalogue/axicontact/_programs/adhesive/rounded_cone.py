@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import rounded_cone as bodies
 
@@ -158,6 +158,8 @@ def displacement(r, a, theta, b, E_star, dgamma):
                 v175 = v164 - (v63 / v65 * (r * r) if r < b else v63 * (r - b / 2.0))
             value = v175 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v23) if v174 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -337,6 +339,8 @@ def pressure(r, a, theta, b, E_star, dgamma):
             value = v88 - v106
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -349,6 +353,8 @@ def pull_off_radius(theta, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(theta) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -359,6 +365,8 @@ def radius_from_depth(d, theta, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -371,6 +379,8 @@ def radius_from_force(F, theta, b, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -378,11 +388,11 @@ def radius_from_force(F, theta, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=3, masks=1),
-        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 3, 1, (), False),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): (('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 4, 1, (), False),
     },
     ('_force', 1, 'a', 'theta', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
-        ('a', 'theta', 'b', 'E_star', 'dgamma'): Program(('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=7, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 5, 1, (), False),
+        ('a', 'theta', 'b', 'E_star', 'dgamma'): (('a', 'theta', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 7, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import rounded_curved_punch as bodies
 
@@ -248,6 +248,8 @@ def displacement(r, a, R1, R2, b, E_star, dgamma):
                 v216 = v204 - (v208 if r < b else v208 + v8 * v8 / (2.0 * R2))
             value = v216 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v24) if v215 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -500,6 +502,8 @@ def pressure(r, a, R1, R2, b, E_star, dgamma):
             value = v89 - v107
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -512,6 +516,8 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R1, R2, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R1) < 1000000000000.0 and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -522,6 +528,8 @@ def radius_from_depth(d, R1, R2, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -534,6 +542,8 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -541,11 +551,11 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=7, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 7, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): (('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 8, 2, (0.42,), False),
     },
     ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=12, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 11, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'): (('a', 'R1', 'R2', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 12, 2, (0.42,), False),
     },
 }

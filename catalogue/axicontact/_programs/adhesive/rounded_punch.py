@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import rounded_punch as bodies
 
@@ -217,6 +217,8 @@ def displacement(r, a, R, b, E_star, dgamma):
                 v135 = nan
             value = v135 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v22) if v132 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -432,6 +434,8 @@ def pressure(r, a, R, b, E_star, dgamma):
             value = v76 - v94
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -444,6 +448,8 @@ def pull_off_radius(R, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -454,6 +460,8 @@ def radius_from_depth(d, R, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -466,6 +474,8 @@ def radius_from_force(F, R, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -473,11 +483,11 @@ def radius_from_force(F, R, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=6, masks=1, filled=(0.42,)),
-        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=6, masks=1, filled=(0.42,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 6, 1, (0.42,), False),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): (('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 6, 1, (0.42,), False),
     },
     ('_force', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=7, masks=1, filled=(0.42,)),
-        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=8, masks=1, filled=(0.42,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 7, 1, (0.42,), False),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): (('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 8, 1, (0.42,), False),
     },
 }

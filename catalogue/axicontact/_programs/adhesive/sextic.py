@@ -6,7 +6,7 @@ from math import atan2, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.adhesive import sextic as bodies
 
 C0 = np.array(6.0)
@@ -652,6 +652,8 @@ def pull_off_depth(a, A, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -662,6 +664,8 @@ def pull_off_force(a, A, E_star, dgamma, control):
         try:
             value = bodies._pull_off_force(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -674,6 +678,8 @@ def pull_off_radius(A, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(A) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -684,6 +690,8 @@ def radius_from_depth(d, A, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -696,6 +704,8 @@ def radius_from_force(F, A, E_star, dgamma):
             value = bodies._radius_from_force(F, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -703,21 +713,21 @@ def radius_from_force(F, A, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'A', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'A', 'E_star', 'dgamma'): (('a', 'A', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=5, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=7, masks=1, filled=(0.0,)),
-        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(0.0,)),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 5, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 7, 1, (0.0,), False),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): (('r', 'a', 'A', 'E_star', 'dgamma'), prepare_displacement_all, block_displacement_all, 7, 1, (0.0,), False),
     },
     ('_force', 1, 'a', 'A', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'A', 'E_star', 'dgamma'): Program(('a', 'A', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=3),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'A', 'E_star', 'dgamma'): (('a', 'A', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 3, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'A', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=4, masks=1, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=5, masks=2, filled=(0.0,)),
-        ('r', 'a', 'A', 'E_star', 'dgamma'): Program(('r', 'a', 'A', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=6, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 4, 1, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 5, 2, (0.0,), False),
+        ('r', 'a', 'A', 'E_star', 'dgamma'): (('r', 'a', 'A', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 6, 2, (0.0,), False),
     },
 }

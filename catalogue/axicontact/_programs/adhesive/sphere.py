@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import sphere as bodies
 
@@ -151,6 +151,8 @@ def displacement(r, a, R, E_star, dgamma):
                 v95 = 1.0
             value = v87 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * v95
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -842,6 +844,8 @@ def pull_off_radius(R, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -852,6 +856,8 @@ def radius_from_depth(d, R, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -864,6 +870,8 @@ def radius_from_force(F, R, E_star, dgamma):
             value = bodies._radius_from_force(F, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -871,16 +879,16 @@ def radius_from_force(F, R, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'R', 'E_star', 'dgamma'): (('a', 'R', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_force', 1, 'a', 'R', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=6, masks=1, filled=(1.0,)),
-        ('a', 'R', 'E_star', 'dgamma'): Program(('a', 'R', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=7, masks=1, filled=(1.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 6, 1, (1.0,), False),
+        ('a', 'R', 'E_star', 'dgamma'): (('a', 'R', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 7, 1, (1.0,), False),
     },
     ('_pressure', 2, 'r', 'a', 'R', 'E_star', 'dgamma'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=12, masks=2, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=12, masks=3, filled=(0.0,)),
-        ('r', 'a', 'R', 'E_star', 'dgamma'): Program(('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, scratch=13, masks=3, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 12, 2, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 12, 3, (0.0,), False),
+        ('r', 'a', 'R', 'E_star', 'dgamma'): (('r', 'a', 'R', 'E_star', 'dgamma'), prepare_pressure_all, block_pressure_all, 13, 3, (0.0,), False),
     },
 }

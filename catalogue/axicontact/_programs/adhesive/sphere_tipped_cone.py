@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, exp, expm1, fsum, inf, log1p, nextafter, sin
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import sphere_tipped_cone as bodies
 
@@ -246,6 +246,8 @@ def displacement(r, a, R, theta, E_star, dgamma):
             value = v203 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v92) if v202 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -287,6 +289,8 @@ def force(a, R, theta, E_star, dgamma):
             v131 = fsum(v131) * v86
             value = E_star * (v22 * v22 * v30 + R * R * v76) + v80 * v131 - v80 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -384,6 +388,8 @@ def pressure(r, a, R, theta, E_star, dgamma):
             value = v233 - v251
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -396,6 +402,8 @@ def pull_off_radius(R, theta, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -406,6 +414,8 @@ def radius_from_depth(d, R, theta, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -418,6 +428,8 @@ def radius_from_force(F, R, theta, E_star, dgamma):
             value = bodies._radius_from_force(F, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -425,7 +437,7 @@ def radius_from_force(F, R, theta, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'theta', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=4, masks=1, filled=(0.0,)),
-        ('a', 'R', 'theta', 'E_star', 'dgamma'): Program(('a', 'R', 'theta', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 4, 1, (0.0,), False),
+        ('a', 'R', 'theta', 'E_star', 'dgamma'): (('a', 'R', 'theta', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 8, 2, (0.0,), False),
     },
 }

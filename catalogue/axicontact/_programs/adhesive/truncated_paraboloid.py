@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import truncated_paraboloid as bodies
 
@@ -113,6 +113,8 @@ def displacement(r, a, R, b, E_star, dgamma):
                 v92 = nan
             value = v92 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v22) if v89 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -248,6 +250,8 @@ def pressure(r, a, R, b, E_star, dgamma):
             value = v79 - v97
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -260,6 +264,8 @@ def pull_off_radius(R, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -270,6 +276,8 @@ def radius_from_depth(d, R, b, E_star, dgamma):
         try:
             value = bodies._radius_from_depth(d, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -282,6 +290,8 @@ def radius_from_force(F, R, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -289,11 +299,11 @@ def radius_from_force(F, R, b, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): (('a', 'R', 'b', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 2, 0, (), False),
     },
     ('_force', 1, 'a', 'R', 'b', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'R', 'b', 'E_star', 'dgamma'): Program(('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=4),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'R', 'b', 'E_star', 'dgamma'): (('a', 'R', 'b', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 4, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.adhesive import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -578,6 +578,8 @@ def displacement(r, a, R, h, wavelength, E_star, dgamma):
         try:
             value = bodies._displacement(r, a, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1328,6 +1330,8 @@ def pressure(r, a, R, h, wavelength, E_star, dgamma):
             value = bodies._pressure(r, a, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -1338,6 +1342,8 @@ def pull_off_radius(R, h, wavelength, E_star, dgamma, control):
         try:
             value = bodies._pull_off_radius(R, h, wavelength, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1350,6 +1356,8 @@ def radius_from_depth(d, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -1361,6 +1369,8 @@ def radius_from_force(F, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_force(F, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -1368,11 +1378,11 @@ def radius_from_force(F, R, h, wavelength, E_star, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=5, masks=1, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): Program(('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, scratch=6, masks=1, filled=(4.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 5, 1, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): (('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'), prepare_depth_all, block_depth_all, 6, 1, (4.0,), False),
     },
     ('_force', 1, 'a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=1, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): Program(('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'), prepare_force_all, block_force_all, scratch=11, masks=1, filled=(4.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 11, 1, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'): (('a', 'R', 'h', 'wavelength', 'E_star', 'dgamma'), prepare_force_all, block_force_all, 11, 1, (4.0,), False),
     },
 }

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 
 from ..._programs.bodies._runtime.functions import gamma
-from ...materials import Array
 from ..._runtime.plain import MATH as np
 
 
-def _graded_modulus(E_0: Array, c_0: Array, k: Array, nu: Array) -> Array:
+def _graded_modulus(E_0, c_0, k, nu):
     return _h_N(k, nu) * E_0 / ((1.0 - nu) * (1.0 + nu) * c_0 ** k)
 
 
-def _h_N(k: Array, nu: Array) -> Array:
+def _h_N(k, nu):
     beta = np.sqrt((1.0 + k) * (1.0 - nu - k * nu) / (1.0 - nu))
     gammas = gamma((3.0 + k + beta) / 2.0) * gamma((3.0 + k - beta) / 2.0)
     cosine = np.sin(np.pi * (1.0 - np.abs(k)) / 2.0)

@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(-0.7327347664453868)
 C1 = np.array(-32.15553480435792)
@@ -199,7 +199,7 @@ def block_displacement_all(out, r, a, p_0, E_star, t0, t1, t2, t3, m0):
 
 BLOCKS = {
     ('_displacement', 1, 'r', 'a', 'p_0', 'E_star'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1),
-        ('r', 'a', 'p_0', 'E_star'): Program(('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, scratch=4, masks=1),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 3, 1, (), False),
+        ('r', 'a', 'p_0', 'E_star'): (('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, 4, 1, (), False),
     },
 }

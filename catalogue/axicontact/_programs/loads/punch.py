@@ -6,7 +6,7 @@ from math import atan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(3.141592653589793)
@@ -85,7 +85,7 @@ def block_displacement_all(out, r, a, p_0, E_star, t0, m0):
 
 BLOCKS = {
     ('_displacement', 1, 'r', 'a', 'p_0', 'E_star'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=1, masks=1),
-        ('r', 'a', 'p_0', 'E_star'): Program(('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, scratch=1, masks=1),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 1, 1, (), False),
+        ('r', 'a', 'p_0', 'E_star'): (('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, 1, 1, (), False),
     },
 }

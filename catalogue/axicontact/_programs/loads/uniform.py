@@ -6,7 +6,7 @@ from math import inf, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(np.inf)
 C1 = np.array(1.0)
@@ -277,7 +277,7 @@ def block_displacement_all(out, r, a, p_0, E_star, t0, t1, t2, t3, t4, t5, t6, m
 
 BLOCKS = {
     ('_displacement', 1, 'r', 'a', 'p_0', 'E_star'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=6, masks=1, filled=(1e-09,)),
-        ('r', 'a', 'p_0', 'E_star'): Program(('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, scratch=7, masks=1, filled=(1e-09,)),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 6, 1, (1e-09,), False),
+        ('r', 'a', 'p_0', 'E_star'): (('r', 'a', 'p_0', 'E_star'), prepare_displacement_all, block_displacement_all, 7, 1, (1e-09,), False),
     },
 }

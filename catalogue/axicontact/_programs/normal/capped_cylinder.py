@@ -6,7 +6,7 @@ from math import atan2, cbrt, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(9.0)
@@ -1085,29 +1085,29 @@ def block_stiffness_all(out, d, a, R, E_star, t0):
 
 BLOCKS = {
     ('_depth_from_force', 1, 'F', 'a', 'R', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, scratch=1, masks=1),
-        ('F', 'a', 'R', 'E_star'): Program(('F', 'a', 'R', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=4, masks=1),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 1, 1, (), False),
+        ('F', 'a', 'R', 'E_star'): (('F', 'a', 'R', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 4, 1, (), False),
     },
     ('_displacement', 2, 'r', 'd', 'a', 'R'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=2),
-        ('r', 'd'): Program(('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, scratch=7, masks=2, filled=(0.0,)),
-        ('r', 'd', 'a', 'R'): Program(('r', 'd', 'a', 'R'), prepare_displacement_all, block_displacement_all, scratch=8, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 3, 2, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, 7, 2, (0.0,), False),
+        ('r', 'd', 'a', 'R'): (('r', 'd', 'a', 'R'), prepare_displacement_all, block_displacement_all, 8, 2, (0.0,), False),
     },
     ('_force', 1, 'd', 'a', 'R', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_d, block_force_d, scratch=5, filled=(0.0,)),
-        ('d', 'a', 'R', 'E_star'): Program(('d', 'a', 'R', 'E_star'), prepare_force_all, block_force_all, scratch=7, filled=(0.0,)),
+        ('d',): (('d',), prepare_force_d, block_force_d, 5, 0, (0.0,), False),
+        ('d', 'a', 'R', 'E_star'): (('d', 'a', 'R', 'E_star'), prepare_force_all, block_force_all, 7, 0, (0.0,), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'R', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=5, masks=1, filled=(0.0,)),
-        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=9, masks=2, filled=(0.0,)),
-        ('r', 'd', 'a', 'R', 'E_star'): Program(('r', 'd', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=9, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 5, 1, (0.0,), False),
+        ('r', 'd'): (('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, 9, 2, (0.0,), False),
+        ('r', 'd', 'a', 'R', 'E_star'): (('r', 'd', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, 9, 2, (0.0,), False),
     },
     ('_profile', 1, 'r', 'a', 'R'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, masks=1),
-        ('r', 'a', 'R'): Program(('r', 'a', 'R'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 1, (), False),
+        ('r', 'a', 'R'): (('r', 'a', 'R'), prepare_profile_all, block_profile_all, 1, 1, (), False),
     },
     ('_stiffness', 1, 'd', 'a', 'R', 'E_star'): {
-        ('d',): Program(('d',), prepare_stiffness_d, block_stiffness_d),
-        ('d', 'a', 'R', 'E_star'): Program(('d', 'a', 'R', 'E_star'), prepare_stiffness_all, block_stiffness_all, scratch=1),
+        ('d',): (('d',), prepare_stiffness_d, block_stiffness_d, 0, 0, (), False),
+        ('d', 'a', 'R', 'E_star'): (('d', 'a', 'R', 'E_star'), prepare_stiffness_all, block_stiffness_all, 1, 0, (), False),
     },
 }

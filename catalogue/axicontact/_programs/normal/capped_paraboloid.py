@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import capped_paraboloid as bodies
 
@@ -94,6 +94,8 @@ def depth_from_force(F, R1, R2, b, E_star):
             value = bodies._depth_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -141,6 +143,8 @@ def displacement(r, a, R1, R2, b):
                 v95 = v93 * v93
                 value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v95 * (((((((((-0.7327347664453868 * v95 + -32.15553480435792) * v95 + -332.23363563146734) * v95 + -1070.7082873491413) * v95 + -85.27694715374247) * v95 + 5044.821368830373) * v95 + 8082.413158212496) * v95 + 3759.725330928701) * v95 + 0.26666666666720995) / ((((((((0.21387262524856868 * v95 + 32.12935731379798) * v95 + 746.8124983579742) * v95 + 6202.125133759036) * v95 + 23553.080984642995) * v95 + 44404.005348491315) * v95 + 40380.01430284195) * v95 + 14099.684276696918) * v95 + 1.0)))) + 0.6366197723675814 * v82
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                     return value
                 return None
             v167 = 2.0 * R1
@@ -249,6 +253,8 @@ def force_from_depth(d, R1, R2, b, E_star):
         try:
             value = bodies._force_from_depth(d, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -393,6 +399,8 @@ def pressure(r, a, R1, R2, b, E_star):
                 value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v87
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return 0.0
         except (ArithmeticError, ValueError):
@@ -476,6 +484,8 @@ def radius_from_depth(d, R1, R2, b):
             value = bodies._radius_from_depth(d, R1, R2, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -486,6 +496,8 @@ def radius_from_force(F, R1, R2, b, E_star):
         try:
             value = bodies._radius_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -527,23 +539,23 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R1', 'R2', 'b'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
-        ('a', 'R1', 'R2', 'b'): Program(('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, scratch=2, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 1, (), False),
+        ('a', 'R1', 'R2', 'b'): (('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, 2, 1, (), False),
     },
     ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
-        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=9, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 5, 1, (), False),
+        ('a', 'R1', 'R2', 'b', 'E_star'): (('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, 9, 1, (), False),
     },
     ('_mean_pressure', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=4, masks=1),
-        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=8, masks=1),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 4, 1, (), False),
+        ('a', 'R1', 'R2', 'b', 'E_star'): (('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 8, 1, (), False),
     },
     ('_profile', 1, 'r', 'R1', 'R2', 'b'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=2, masks=1),
-        ('r', 'R1', 'R2', 'b'): Program(('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, scratch=4, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 2, 1, (), False),
+        ('r', 'R1', 'R2', 'b'): (('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, 4, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 
 C0 = np.array(np.nan)
@@ -109,6 +109,8 @@ def displacement(r, d, a, h):
                     value = 0.6366197723675814 * (d * atan2(a, sqrt(v4 * (r + a))) + 8.0 * h / 3.0 * (a / r * v48))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
+                        return value
                     return None
                 if r <= a:
                     v57 = r * r
@@ -118,6 +120,8 @@ def displacement(r, d, a, h):
                     v64 = nan
                 value = d - v64
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
                     return value
                 return None
             return nan
@@ -486,32 +490,32 @@ def block_zero_radius_all_signed(out, a):
 
 BLOCKS = {
     ('_depth_from_force', 1, 'F', 'a', 'h', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, masks=1),
-        ('F', 'a', 'h', 'E_star'): Program(('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1, masks=1),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 1, (), False),
+        ('F', 'a', 'h', 'E_star'): (('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 1, (), False),
     },
     ('_force', 1, 'd', 'a', 'h', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_d, block_force_d, masks=1),
-        ('d', 'a', 'h', 'E_star'): Program(('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, scratch=1, masks=1),
+        ('d',): (('d',), prepare_force_d, block_force_d, 0, 1, (), False),
+        ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, 1, 1, (), False),
     },
     ('_minimum_depth', 0, 'h'): {
-        ('h',): Program(('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed),
+        ('h',): (('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, 0, 0, (), False),
     },
     ('_minimum_force', 0, 'a', 'h', 'E_star'): {
-        ('a', 'h', 'E_star'): Program(('a', 'h', 'E_star'), prepare_minimum_force_all_signed, block_minimum_force_all_signed),
+        ('a', 'h', 'E_star'): (('a', 'h', 'E_star'), prepare_minimum_force_all_signed, block_minimum_force_all_signed, 0, 0, (), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'h', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=2, masks=1),
-        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=2, masks=3),
-        ('r', 'd', 'a', 'h', 'E_star'): Program(('r', 'd', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=5, masks=3),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 2, 1, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, 2, 3, (), False),
+        ('r', 'd', 'a', 'h', 'E_star'): (('r', 'd', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, 5, 3, (), False),
     },
     ('_profile', 1, 'r', 'a', 'h'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, masks=1),
-        ('r', 'a', 'h'): Program(('r', 'a', 'h'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 1, (), False),
+        ('r', 'a', 'h'): (('r', 'a', 'h'), prepare_profile_all, block_profile_all, 1, 1, (), False),
     },
     ('_stiffness', 0, 'a', 'E_star'): {
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed, 0, 0, (), False),
     },
     ('_zero_radius', 0, 'a'): {
-        ('a',): Program(('a',), prepare_zero_radius_all_signed, block_zero_radius_all_signed),
+        ('a',): (('a',), prepare_zero_radius_all_signed, block_zero_radius_all_signed, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import atan, log1p, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(3.141592653589793)
 C1 = np.array(0.5)
@@ -575,49 +575,49 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
-        ('a', 'theta'): Program(('a', 'theta'), prepare_depth_all, block_depth_all),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 0, 0, (), False),
+        ('a', 'theta'): (('a', 'theta'), prepare_depth_all, block_depth_all, 0, 0, (), False),
     },
     ('_depth_from_force', 1, 'F', 'theta', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F),
-        ('F', 'theta', 'E_star'): Program(('F', 'theta', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 0, (), False),
+        ('F', 'theta', 'E_star'): (('F', 'theta', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 0, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'theta'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=1, masks=1),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=2, masks=1),
-        ('r', 'a', 'theta'): Program(('r', 'a', 'theta'), prepare_displacement_all, block_displacement_all, scratch=3, masks=1),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 1, 1, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 2, 1, (), False),
+        ('r', 'a', 'theta'): (('r', 'a', 'theta'), prepare_displacement_all, block_displacement_all, 3, 1, (), False),
     },
     ('_force', 1, 'a', 'theta', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a),
-        ('a', 'theta', 'E_star'): Program(('a', 'theta', 'E_star'), prepare_force_all, block_force_all, scratch=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
+        ('a', 'theta', 'E_star'): (('a', 'theta', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
     },
     ('_force_from_depth', 1, 'd', 'theta', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d),
-        ('d', 'theta', 'E_star'): Program(('d', 'theta', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=1),
+        ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 0, 0, (), False),
+        ('d', 'theta', 'E_star'): (('d', 'theta', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 1, 0, (), False),
     },
     ('_mean_pressure', 1, 'a', 'theta', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a),
-        ('a', 'theta', 'E_star'): Program(('a', 'theta', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),
+        ('a', 'theta', 'E_star'): (('a', 'theta', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 0, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'theta', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, filled=(0.0,), positive=True),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=1, masks=1),
-        ('r', 'a', 'theta', 'E_star'): Program(('r', 'a', 'theta', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=2, masks=1),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 0, (0.0,), True),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 1, 1, (), False),
+        ('r', 'a', 'theta', 'E_star'): (('r', 'a', 'theta', 'E_star'), prepare_pressure_all, block_pressure_all, 2, 1, (), False),
     },
     ('_profile', 1, 'r', 'theta'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
-        ('r', 'theta'): Program(('r', 'theta'), prepare_profile_all, block_profile_all),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),
+        ('r', 'theta'): (('r', 'theta'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
     ('_radius_from_depth', 1, 'd', 'theta'): {
-        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d),
-        ('d', 'theta'): Program(('d', 'theta'), prepare_radius_from_depth_all, block_radius_from_depth_all, scratch=1),
+        ('d',): (('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, 0, 0, (), False),
+        ('d', 'theta'): (('d', 'theta'), prepare_radius_from_depth_all, block_radius_from_depth_all, 1, 0, (), False),
     },
     ('_radius_from_force', 1, 'F', 'theta', 'E_star'): {
-        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F),
-        ('F', 'theta', 'E_star'): Program(('F', 'theta', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=2),
+        ('F',): (('F',), prepare_radius_from_force_F, block_radius_from_force_F, 0, 0, (), False),
+        ('F', 'theta', 'E_star'): (('F', 'theta', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, 2, 0, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import atan, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(3.141592653589793)
@@ -363,28 +363,28 @@ def block_stiffness_all_signed(out, a, E_star):
 
 BLOCKS = {
     ('_depth_from_force', 1, 'F', 'a', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F),
-        ('F', 'a', 'E_star'): Program(('F', 'a', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 0, (), False),
+        ('F', 'a', 'E_star'): (('F', 'a', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 0, 0, (), False),
     },
     ('_displacement', 2, 'r', 'd', 'a'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=1, masks=2),
-        ('r', 'd'): Program(('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, scratch=1, masks=2),
-        ('r', 'd', 'a'): Program(('r', 'd', 'a'), prepare_displacement_all, block_displacement_all, scratch=1, masks=2),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 1, 2, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, 1, 2, (), False),
+        ('r', 'd', 'a'): (('r', 'd', 'a'), prepare_displacement_all, block_displacement_all, 1, 2, (), False),
     },
     ('_force', 1, 'd', 'a', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_d, block_force_d),
-        ('d', 'a', 'E_star'): Program(('d', 'a', 'E_star'), prepare_force_all, block_force_all),
+        ('d',): (('d',), prepare_force_d, block_force_d, 0, 0, (), False),
+        ('d', 'a', 'E_star'): (('d', 'a', 'E_star'), prepare_force_all, block_force_all, 0, 0, (), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, masks=1),
-        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=1, masks=2),
-        ('r', 'd', 'a', 'E_star'): Program(('r', 'd', 'a', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=1, masks=2),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 1, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, 1, 2, (), False),
+        ('r', 'd', 'a', 'E_star'): (('r', 'd', 'a', 'E_star'), prepare_pressure_all, block_pressure_all, 1, 2, (), False),
     },
     ('_profile', 1, 'r', 'a'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, masks=1),
-        ('r', 'a'): Program(('r', 'a'), prepare_profile_all, block_profile_all, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 1, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_profile_all, block_profile_all, 0, 1, (), False),
     },
     ('_stiffness', 0, 'a', 'E_star'): {
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all_signed, block_stiffness_all_signed, 0, 0, (), False),
     },
 }

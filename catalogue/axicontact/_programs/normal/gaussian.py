@@ -6,7 +6,7 @@ from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import gaussian as bodies
 
@@ -176,6 +176,8 @@ def depth_from_force(F, h, s, E_star):
             value = bodies._depth_from_force(F, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -204,6 +206,8 @@ def displacement(r, a, h, s):
                     value = 0.6366197723675814 * (r * v84)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
+                        return value
                     return None
                 if v91:
                     v88 = a / s
@@ -214,6 +218,8 @@ def displacement(r, a, h, s):
                     v133 = nan
                 value = v133 - -h * expm1(-(r * r) / (s * s))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
                     return value
                 return None
             return nan
@@ -240,6 +246,8 @@ def force(a, h, s, E_star):
                 value = 2.0 * E_star * v74
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return nan
         except (ArithmeticError, ValueError):
@@ -252,6 +260,8 @@ def force_from_depth(d, h, s, E_star):
         try:
             value = bodies._force_from_depth(d, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -279,6 +289,8 @@ def mean_pressure(a, h, s, E_star):
                     v82 = nan
                 value = v82 / (3.141592653589793 * (a * a))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                     return value
                 return None
             return 0.0
@@ -309,6 +321,8 @@ def pressure(r, a, h, s, E_star):
                     v84 = fsum(v84) * v10
                     value = E_star / 3.141592653589793 * v84
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                         return value
                     return None
                 return 0.0
@@ -370,6 +384,8 @@ def radius_from_depth(d, h, s):
             value = bodies._radius_from_depth(d, h, s)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -380,6 +396,8 @@ def radius_from_force(F, h, s, E_star):
         try:
             value = bodies._radius_from_force(F, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -437,15 +455,15 @@ def block_stiffness_all(out, a, s, E_star, t0, m0):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'h', 's'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=1),
-        ('a', 'h', 's'): Program(('a', 'h', 's'), prepare_depth_all, block_depth_all, scratch=3, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 1, (), False),
+        ('a', 'h', 's'): (('a', 'h', 's'), prepare_depth_all, block_depth_all, 3, 1, (), False),
     },
     ('_profile', 1, 'r', 'h', 's'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
-        ('r', 'h', 's'): Program(('r', 'h', 's'), prepare_profile_all, block_profile_all, scratch=2),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),
+        ('r', 'h', 's'): (('r', 'h', 's'), prepare_profile_all, block_profile_all, 2, 0, (), False),
     },
     ('_stiffness', 1, 'a', 's', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
-        ('a', 's', 'E_star'): Program(('a', 's', 'E_star'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 1, (), False),
+        ('a', 's', 'E_star'): (('a', 's', 'E_star'), prepare_stiffness_all, block_stiffness_all, 1, 1, (), False),
     },
 }

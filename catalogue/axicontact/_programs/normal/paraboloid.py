@@ -6,7 +6,7 @@ from math import cbrt, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(9.0)
@@ -698,49 +698,49 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
-        ('a', 'R'): Program(('a', 'R'), prepare_depth_all, block_depth_all),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 0, 0, (), False),
+        ('a', 'R'): (('a', 'R'), prepare_depth_all, block_depth_all, 0, 0, (), False),
     },
     ('_depth_from_force', 1, 'F', 'R', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F),
-        ('F', 'R', 'E_star'): Program(('F', 'R', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 0, (), False),
+        ('F', 'R', 'E_star'): (('F', 'R', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 0, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'R'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=5, masks=1),
-        ('r', 'a', 'R'): Program(('r', 'a', 'R'), prepare_displacement_all, block_displacement_all, scratch=5, masks=1),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 3, 1, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 5, 1, (), False),
+        ('r', 'a', 'R'): (('r', 'a', 'R'), prepare_displacement_all, block_displacement_all, 5, 1, (), False),
     },
     ('_force', 1, 'a', 'R', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a),
-        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_force_all, block_force_all, scratch=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
     },
     ('_force_from_depth', 1, 'd', 'R', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d, scratch=1),
-        ('d', 'R', 'E_star'): Program(('d', 'R', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=1),
+        ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 1, 0, (), False),
+        ('d', 'R', 'E_star'): (('d', 'R', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 1, 0, (), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a),
-        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=1),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 1, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'R', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, filled=(0.0,), positive=True),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=1, masks=1),
-        ('r', 'a', 'R', 'E_star'): Program(('r', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=2, masks=1),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 0, (0.0,), True),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 1, 1, (), False),
+        ('r', 'a', 'R', 'E_star'): (('r', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, 2, 1, (), False),
     },
     ('_profile', 1, 'r', 'R'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
-        ('r', 'R'): Program(('r', 'R'), prepare_profile_all, block_profile_all, scratch=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),
+        ('r', 'R'): (('r', 'R'), prepare_profile_all, block_profile_all, 1, 0, (), False),
     },
     ('_radius_from_depth', 1, 'd', 'R'): {
-        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d),
-        ('d', 'R'): Program(('d', 'R'), prepare_radius_from_depth_all, block_radius_from_depth_all),
+        ('d',): (('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, 0, 0, (), False),
+        ('d', 'R'): (('d', 'R'), prepare_radius_from_depth_all, block_radius_from_depth_all, 0, 0, (), False),
     },
     ('_radius_from_force', 1, 'F', 'R', 'E_star'): {
-        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F),
-        ('F', 'R', 'E_star'): Program(('F', 'R', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=1),
+        ('F',): (('F',), prepare_radius_from_force_F, block_radius_from_force_F, 0, 0, (), False),
+        ('F', 'R', 'E_star'): (('F', 'R', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, 1, 0, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.normal import polynomial as bodies
 
 C0 = np.array(2.0)
@@ -15,6 +15,8 @@ def depth(a, A):
         try:
             value = bodies._depth(a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0:
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -27,6 +29,8 @@ def depth_from_force(F, E_star, A):
             value = bodies._depth_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -37,6 +41,8 @@ def displacement(r, a, A):
         try:
             value = bodies._displacement(r, a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -49,6 +55,8 @@ def force(a, E_star, A):
             value = bodies._force(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -59,6 +67,8 @@ def force_from_depth(d, E_star, A):
         try:
             value = bodies._force_from_depth(d, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -71,6 +81,8 @@ def mean_pressure(a, E_star, A):
             value = bodies._mean_pressure(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -81,6 +93,8 @@ def pressure(r, a, E_star, A):
         try:
             value = bodies._pressure(r, a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -93,6 +107,8 @@ def profile(r, A):
             value = bodies._profile(r, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -104,6 +120,8 @@ def radius_from_depth(d, A):
             value = bodies._radius_from_depth(d, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -114,6 +132,8 @@ def radius_from_force(F, E_star, A):
         try:
             value = bodies._radius_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -155,7 +175,7 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

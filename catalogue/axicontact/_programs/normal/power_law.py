@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, hypot, inf, isfinite, log, log1
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 
 C0 = np.array(0.5)
@@ -419,9 +419,13 @@ def displacement(r, a, A, n):
                 value = 2.0 * A / 1.7724538509055159 * v72 * v117 * v68
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                    return value
                 return None
             value = 1.7724538509055159 * A * v72 * v68 - A * pow(r, n)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -1035,6 +1039,8 @@ def peak_pressure(a, A, n, E_star):
                 value = E_star * n * A * v195 / (1.7724538509055159 * v199) * (pow(a, n) / a if a > 0.0 else pow(a, v199)) * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return inf
         except (ArithmeticError, ValueError):
@@ -1120,6 +1126,8 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
             value = a * v132
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -1166,6 +1174,8 @@ def pressure(r, a, A, n, E_star):
                     v138 = 1.0 / v83 if v82 else inf
                 value = E_star * n * A / 1.7724538509055159 * (pow(a, n) / a if a > 0.0 else pow(a, v78)) * v138 * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                     return value
                 return None
             return 0.0
@@ -1621,39 +1631,39 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'A', 'n'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
-        ('a', 'A', 'n'): Program(('a', 'A', 'n'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 0, 0, (), False),
+        ('a', 'A', 'n'): (('a', 'A', 'n'), prepare_depth_all, block_depth_all, 4, 1, (), False),
     },
     ('_depth_from_force', 1, 'F', 'A', 'n', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, scratch=3, masks=2),
-        ('F', 'A', 'n', 'E_star'): Program(('F', 'A', 'n', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=5, masks=2),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 3, 2, (), False),
+        ('F', 'A', 'n', 'E_star'): (('F', 'A', 'n', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 5, 2, (), False),
     },
     ('_force', 1, 'a', 'A', 'n', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=1),
-        ('a', 'A', 'n', 'E_star'): Program(('a', 'A', 'n', 'E_star'), prepare_force_all, block_force_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 1, 0, (), False),
+        ('a', 'A', 'n', 'E_star'): (('a', 'A', 'n', 'E_star'), prepare_force_all, block_force_all, 4, 1, (), False),
     },
     ('_force_from_depth', 1, 'd', 'A', 'n', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d, scratch=4, masks=2),
-        ('d', 'A', 'n', 'E_star'): Program(('d', 'A', 'n', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=5, masks=2),
+        ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 4, 2, (), False),
+        ('d', 'A', 'n', 'E_star'): (('d', 'A', 'n', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 5, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'A', 'n', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=1, masks=1),
-        ('a', 'A', 'n', 'E_star'): Program(('a', 'A', 'n', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 1, 1, (), False),
+        ('a', 'A', 'n', 'E_star'): (('a', 'A', 'n', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 4, 1, (), False),
     },
     ('_profile', 1, 'r', 'A', 'n'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
-        ('r', 'A', 'n'): Program(('r', 'A', 'n'), prepare_profile_all, block_profile_all),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),
+        ('r', 'A', 'n'): (('r', 'A', 'n'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
     ('_radius_from_depth', 1, 'd', 'A', 'n'): {
-        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, scratch=3, masks=2),
-        ('d', 'A', 'n'): Program(('d', 'A', 'n'), prepare_radius_from_depth_all, block_radius_from_depth_all, scratch=5, masks=2),
+        ('d',): (('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, 3, 2, (), False),
+        ('d', 'A', 'n'): (('d', 'A', 'n'), prepare_radius_from_depth_all, block_radius_from_depth_all, 5, 2, (), False),
     },
     ('_radius_from_force', 1, 'F', 'A', 'n', 'E_star'): {
-        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F, scratch=3, masks=2),
-        ('F', 'A', 'n', 'E_star'): Program(('F', 'A', 'n', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=5, masks=2),
+        ('F',): (('F',), prepare_radius_from_force_F, block_radius_from_force_F, 3, 2, (), False),
+        ('F', 'A', 'n', 'E_star'): (('F', 'A', 'n', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, 5, 2, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_cone as bodies
 
@@ -104,6 +104,8 @@ def depth_from_force(F, theta, b, E_star):
             value = bodies._depth_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -147,6 +149,8 @@ def displacement(r, a, theta, b):
                 v90 = v88 * v88
                 value = 2.0 * v61 / (3.141592653589793 * b) * (v4 * v4) * (v4 / r * (0.6666666666666666 + v90 * (((((((((-0.7327347664453868 * v90 + -32.15553480435792) * v90 + -332.23363563146734) * v90 + -1070.7082873491413) * v90 + -85.27694715374247) * v90 + 5044.821368830373) * v90 + 8082.413158212496) * v90 + 3759.725330928701) * v90 + 0.26666666666720995) / ((((((((0.21387262524856868 * v90 + 32.12935731379798) * v90 + 746.8124983579742) * v90 + 6202.125133759036) * v90 + 23553.080984642995) * v90 + 44404.005348491315) * v90 + 40380.01430284195) * v90 + 14099.684276696918) * v90 + 1.0)))) + 0.6366197723675814 * v76
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                     return value
                 return None
             if a < b:
@@ -267,6 +271,8 @@ def force_from_depth(d, theta, b, E_star):
         try:
             value = bodies._force_from_depth(d, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -409,6 +415,8 @@ def pressure(r, a, theta, b, E_star):
                 value = (2.0 * E_star * v13 / (3.141592653589793 * b) * sqrt((v5 - r) * (v5 + r)) if r < v5 else 0.0) + E_star / 3.141592653589793 * v82
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return 0.0
         except (ArithmeticError, ValueError):
@@ -486,6 +494,8 @@ def radius_from_depth(d, theta, b):
             value = bodies._radius_from_depth(d, theta, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -496,6 +506,8 @@ def radius_from_force(F, theta, b, E_star):
         try:
             value = bodies._radius_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -537,23 +549,23 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'b'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=3, masks=1),
-        ('a', 'theta', 'b'): Program(('a', 'theta', 'b'), prepare_depth_all, block_depth_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 3, 1, (), False),
+        ('a', 'theta', 'b'): (('a', 'theta', 'b'), prepare_depth_all, block_depth_all, 4, 1, (), False),
     },
     ('_force', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=5, masks=1),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=7, masks=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 5, 1, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, 7, 1, (), False),
     },
     ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=3, masks=1),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=6, masks=1),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 3, 1, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 6, 1, (), False),
     },
     ('_profile', 1, 'r', 'theta', 'b'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
-        ('r', 'theta', 'b'): Program(('r', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=2, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 1, (), False),
+        ('r', 'theta', 'b'): (('r', 'theta', 'b'), prepare_profile_all, block_profile_all, 2, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_curved_punch as bodies
 
@@ -188,6 +188,8 @@ def depth_from_force(F, R1, R2, b, E_star):
             value = bodies._depth_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -231,6 +233,8 @@ def displacement(r, a, R1, R2, b):
                 value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v91 * (((((((((-0.7327347664453868 * v91 + -32.15553480435792) * v91 + -332.23363563146734) * v91 + -1070.7082873491413) * v91 + -85.27694715374247) * v91 + 5044.821368830373) * v91 + 8082.413158212496) * v91 + 3759.725330928701) * v91 + 0.26666666666720995) / ((((((((0.21387262524856868 * v91 + 32.12935731379798) * v91 + 746.8124983579742) * v91 + 6202.125133759036) * v91 + 23553.080984642995) * v91 + 44404.005348491315) * v91 + 40380.01430284195) * v91 + 14099.684276696918) * v91 + 1.0)))) + 0.6366197723675814 * v78
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    return value
                 return None
             if a < b:
                 v202 = a * a / R1
@@ -245,6 +249,8 @@ def displacement(r, a, R1, R2, b):
             v206 = r * r / (2.0 * R1)
             value = v202 - (v206 if r < b else v206 + v6 * v6 / (2.0 * R2))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -433,6 +439,8 @@ def force_from_depth(d, R1, R2, b, E_star):
         try:
             value = bodies._force_from_depth(d, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -650,6 +658,8 @@ def pressure(r, a, R1, R2, b, E_star):
                 value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v83
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return 0.0
         except (ArithmeticError, ValueError):
@@ -730,6 +740,8 @@ def radius_from_depth(d, R1, R2, b):
             value = bodies._radius_from_depth(d, R1, R2, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -740,6 +752,8 @@ def radius_from_force(F, R1, R2, b, E_star):
         try:
             value = bodies._radius_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -781,23 +795,23 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R1', 'R2', 'b'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=7, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b'): Program(('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 7, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b'): (('a', 'R1', 'R2', 'b'), prepare_depth_all, block_depth_all, 8, 2, (0.42,), False),
     },
     ('_force', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=12, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 11, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b', 'E_star'): (('a', 'R1', 'R2', 'b', 'E_star'), prepare_force_all, block_force_all, 12, 2, (0.42,), False),
     },
     ('_mean_pressure', 1, 'a', 'R1', 'R2', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=8, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b', 'E_star'): Program(('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=9, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 8, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b', 'E_star'): (('a', 'R1', 'R2', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 9, 2, (0.42,), False),
     },
     ('_profile', 1, 'r', 'R1', 'R2', 'b'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=2, masks=1),
-        ('r', 'R1', 'R2', 'b'): Program(('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, scratch=3, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 2, 1, (), False),
+        ('r', 'R1', 'R2', 'b'): (('r', 'R1', 'R2', 'b'), prepare_profile_all, block_profile_all, 3, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_punch as bodies
 
@@ -202,6 +202,8 @@ def depth_from_force(F, R, b, E_star):
             value = bodies._depth_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -243,6 +245,8 @@ def displacement(r, a, R, b):
                     value = 0.6366197723675814 * v73
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                        return value
                     return None
                 v77 = v11 / b
                 if v77 < 0.42:
@@ -252,6 +256,8 @@ def displacement(r, a, R, b):
                     v121 = v82 - atan(v82)
                 value = v62 * a * v121 - (0.0 if r < b else v4 * v4 / (2.0 * R))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                     return value
                 return None
             return nan
@@ -404,6 +410,8 @@ def force_from_depth(d, R, b, E_star):
         try:
             value = bodies._force_from_depth(d, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -586,6 +594,8 @@ def peak_pressure(a, R, b, E_star):
                         v175 = 0.0
                     value = E_star / 3.141592653589793 * v175
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                         return value
                     return None
                 return a
@@ -876,6 +886,8 @@ def pressure(r, a, R, b, E_star):
                     value = E_star / 3.141592653589793 * v67
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                        return value
                     return None
                 return 0.0
             return nan
@@ -948,6 +960,8 @@ def radius_from_depth(d, R, b):
             value = bodies._radius_from_depth(d, R, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -958,6 +972,8 @@ def radius_from_force(F, R, b, E_star):
         try:
             value = bodies._radius_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -999,27 +1015,27 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'b'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=6, masks=1, filled=(0.42,)),
-        ('a', 'R', 'b'): Program(('a', 'R', 'b'), prepare_depth_all, block_depth_all, scratch=6, masks=1, filled=(0.42,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 6, 1, (0.42,), False),
+        ('a', 'R', 'b'): (('a', 'R', 'b'), prepare_depth_all, block_depth_all, 6, 1, (0.42,), False),
     },
     ('_force', 1, 'a', 'R', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=7, masks=1, filled=(0.42,)),
-        ('a', 'R', 'b', 'E_star'): Program(('a', 'R', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=8, masks=1, filled=(0.42,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 7, 1, (0.42,), False),
+        ('a', 'R', 'b', 'E_star'): (('a', 'R', 'b', 'E_star'), prepare_force_all, block_force_all, 8, 1, (0.42,), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=6, masks=1, filled=(0.42,)),
-        ('a', 'R', 'b', 'E_star'): Program(('a', 'R', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=7, masks=1, filled=(0.42,)),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 6, 1, (0.42,), False),
+        ('a', 'R', 'b', 'E_star'): (('a', 'R', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 7, 1, (0.42,), False),
     },
     ('_peak_radius', 1, 'a', 'b'): {
-        ('a',): Program(('a',), prepare_peak_radius_a, block_peak_radius_a, scratch=6, masks=3, filled=(0.5, 1.0)),
-        ('a', 'b'): Program(('a', 'b'), prepare_peak_radius_all, block_peak_radius_all, scratch=6, masks=3, filled=(0.5, 1.0)),
+        ('a',): (('a',), prepare_peak_radius_a, block_peak_radius_a, 6, 3, (0.5, 1.0), False),
+        ('a', 'b'): (('a', 'b'), prepare_peak_radius_all, block_peak_radius_all, 6, 3, (0.5, 1.0), False),
     },
     ('_profile', 1, 'r', 'R', 'b'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
-        ('r', 'R', 'b'): Program(('r', 'R', 'b'), prepare_profile_all, block_profile_all, scratch=2, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 1, (), False),
+        ('r', 'R', 'b'): (('r', 'R', 'b'), prepare_profile_all, block_profile_all, 2, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

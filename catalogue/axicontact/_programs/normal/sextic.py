@@ -6,7 +6,7 @@ from math import inf, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(6.0)
 C1 = np.array(16.0)
@@ -1015,56 +1015,56 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'A'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a),
-        ('a', 'A'): Program(('a', 'A'), prepare_depth_all, block_depth_all, scratch=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 0, 0, (), False),
+        ('a', 'A'): (('a', 'A'), prepare_depth_all, block_depth_all, 1, 0, (), False),
     },
     ('_depth_from_force', 1, 'F', 'A', 'E_star'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F, scratch=3, masks=2),
-        ('F', 'A', 'E_star'): Program(('F', 'A', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=4, masks=2),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 3, 2, (), False),
+        ('F', 'A', 'E_star'): (('F', 'A', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 4, 2, (), False),
     },
     ('_displacement', 2, 'r', 'a', 'A'): {
-        ('r',): Program(('r',), prepare_displacement_r, block_displacement_r, scratch=3, masks=1),
-        ('r', 'a'): Program(('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, scratch=5, masks=1),
-        ('r', 'a', 'A'): Program(('r', 'a', 'A'), prepare_displacement_all, block_displacement_all, scratch=5, masks=1),
+        ('r',): (('r',), prepare_displacement_r, block_displacement_r, 3, 1, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 5, 1, (), False),
+        ('r', 'a', 'A'): (('r', 'a', 'A'), prepare_displacement_all, block_displacement_all, 5, 1, (), False),
     },
     ('_force', 1, 'a', 'A', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a),
-        ('a', 'A', 'E_star'): Program(('a', 'A', 'E_star'), prepare_force_all, block_force_all, scratch=1),
+        ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
     },
     ('_force_from_depth', 1, 'd', 'A', 'E_star'): {
-        ('d',): Program(('d',), prepare_force_from_depth_d, block_force_from_depth_d, scratch=4, masks=2),
-        ('d', 'A', 'E_star'): Program(('d', 'A', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, scratch=4, masks=2),
+        ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 4, 2, (), False),
+        ('d', 'A', 'E_star'): (('d', 'A', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 4, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'A', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a),
-        ('a', 'A', 'E_star'): Program(('a', 'A', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=1),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 1, 0, (), False),
     },
     ('_peak_pressure', 1, 'a', 'A', 'E_star'): {
-        ('a',): Program(('a',), prepare_peak_pressure_a, block_peak_pressure_a),
-        ('a', 'A', 'E_star'): Program(('a', 'A', 'E_star'), prepare_peak_pressure_all, block_peak_pressure_all, scratch=1),
+        ('a',): (('a',), prepare_peak_pressure_a, block_peak_pressure_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_peak_pressure_all, block_peak_pressure_all, 1, 0, (), False),
     },
     ('_peak_radius', 1, 'a'): {
-        ('a',): Program(('a',), prepare_peak_radius_all, block_peak_radius_all),
+        ('a',): (('a',), prepare_peak_radius_all, block_peak_radius_all, 0, 0, (), False),
     },
     ('_pressure', 2, 'r', 'a', 'A', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=2, filled=(0.0,), positive=True),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=3, masks=1),
-        ('r', 'a', 'A', 'E_star'): Program(('r', 'a', 'A', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=4, masks=1),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 2, 0, (0.0,), True),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 3, 1, (), False),
+        ('r', 'a', 'A', 'E_star'): (('r', 'a', 'A', 'E_star'), prepare_pressure_all, block_pressure_all, 4, 1, (), False),
     },
     ('_profile', 1, 'r', 'A'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r),
-        ('r', 'A'): Program(('r', 'A'), prepare_profile_all, block_profile_all),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 0, 0, (), False),
+        ('r', 'A'): (('r', 'A'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
     ('_radius_from_depth', 1, 'd', 'A'): {
-        ('d',): Program(('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, scratch=3, masks=2),
-        ('d', 'A'): Program(('d', 'A'), prepare_radius_from_depth_all, block_radius_from_depth_all, scratch=3, masks=2),
+        ('d',): (('d',), prepare_radius_from_depth_d, block_radius_from_depth_d, 3, 2, (), False),
+        ('d', 'A'): (('d', 'A'), prepare_radius_from_depth_all, block_radius_from_depth_all, 3, 2, (), False),
     },
     ('_radius_from_force', 1, 'F', 'A', 'E_star'): {
-        ('F',): Program(('F',), prepare_radius_from_force_F, block_radius_from_force_F, scratch=3, masks=2),
-        ('F', 'A', 'E_star'): Program(('F', 'A', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, scratch=3, masks=2),
+        ('F',): (('F',), prepare_radius_from_force_F, block_radius_from_force_F, 3, 2, (), False),
+        ('F', 'A', 'E_star'): (('F', 'A', 'E_star'), prepare_radius_from_force_all, block_radius_from_force_all, 3, 2, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import sphere as bodies
 
@@ -96,6 +96,8 @@ def depth_from_force(F, R, E_star):
             value = bodies._depth_from_force(F, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -137,6 +139,8 @@ def displacement(r, a, R):
                         v66 = inf
                     value = 0.6366197723675814 * v66
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0):
                         return value
                     return None
                 return a * (log1p(2.0 * a / (R - a)) / 2.0) - r * r / (sqrt(v47 * v39) + R)
@@ -284,6 +288,8 @@ def force_from_depth(d, R, E_star):
         try:
             value = bodies._force_from_depth(d, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -951,6 +957,8 @@ def radius_from_depth(d, R):
             value = bodies._radius_from_depth(d, R)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -961,6 +969,8 @@ def radius_from_force(F, R, E_star):
         try:
             value = bodies._radius_from_force(F, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1002,28 +1012,28 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'R'): Program(('a', 'R'), prepare_depth_all, block_depth_all, scratch=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'R'): (('a', 'R'), prepare_depth_all, block_depth_all, 1, 0, (), False),
     },
     ('_force', 1, 'a', 'R', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=6, masks=1, filled=(1.0,)),
-        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_force_all, block_force_all, scratch=7, masks=1, filled=(1.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 6, 1, (1.0,), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_force_all, block_force_all, 7, 1, (1.0,), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=7, masks=2, filled=(1.0,)),
-        ('a', 'R', 'E_star'): Program(('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=8, masks=2, filled=(1.0,)),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 7, 2, (1.0,), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 8, 2, (1.0,), False),
     },
     ('_pressure', 2, 'r', 'a', 'R', 'E_star'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=12, masks=2, filled=(0.0,)),
-        ('r', 'a'): Program(('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, scratch=12, masks=3, filled=(0.0,)),
-        ('r', 'a', 'R', 'E_star'): Program(('r', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=13, masks=3, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 12, 2, (0.0,), False),
+        ('r', 'a'): (('r', 'a'), prepare_pressure_r_a, block_pressure_r_a, 12, 3, (0.0,), False),
+        ('r', 'a', 'R', 'E_star'): (('r', 'a', 'R', 'E_star'), prepare_pressure_all, block_pressure_all, 13, 3, (0.0,), False),
     },
     ('_profile', 1, 'r', 'R'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1),
-        ('r', 'R'): Program(('r', 'R'), prepare_profile_all, block_profile_all, scratch=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 0, (), False),
+        ('r', 'R'): (('r', 'R'), prepare_profile_all, block_profile_all, 1, 0, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, exp, expm1, fsum, inf, log1p, nextafter, sin
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import sphere_tipped_cone as bodies
 
@@ -153,6 +153,8 @@ def depth_from_force(F, R, theta, E_star):
             value = bodies._depth_from_force(F, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -230,6 +232,8 @@ def displacement(r, a, R, theta):
                 value = 0.6366197723675814 * (v70 + v156)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
+                    return value
                 return None
             v162 = R - a
             if a < v5:
@@ -240,6 +244,8 @@ def displacement(r, a, R, theta):
                 v187 = a * (log1p((v128 / (v169 + a) + v132) / (v169 + v126)) + v5 * atan2(v169, v5) / v126)
             value = v187 - (r * r / (sqrt(v51 * v43) + R) if r < v5 else v5 * (v75 / v126 + v5 / v131))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -282,6 +288,8 @@ def force(a, R, theta, E_star):
             value = E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -293,6 +301,8 @@ def force_from_depth(d, R, theta, E_star):
         try:
             value = bodies._force_from_depth(d, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -334,6 +344,8 @@ def mean_pressure(a, R, theta, E_star):
                 v131 = fsum(v131) * v86
                 value = (E_star * (v22 * v22 * v30 + R * R * v76) + 2.0 * E_star * v131) / (3.141592653589793 * (a * a))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                     return value
                 return None
             return 0.0
@@ -418,6 +430,8 @@ def pressure(r, a, R, theta, E_star):
                     v228 = 0.0
                 value = v150 + v25 * v228
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                     return value
                 return None
             return 0.0
@@ -518,6 +532,8 @@ def radius_from_depth(d, R, theta):
             value = bodies._radius_from_depth(d, R, theta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -528,6 +544,8 @@ def radius_from_force(F, R, theta, E_star):
         try:
             value = bodies._radius_from_force(F, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -569,15 +587,15 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'theta'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=4, masks=1, filled=(0.0,)),
-        ('a', 'R', 'theta'): Program(('a', 'R', 'theta'), prepare_depth_all, block_depth_all, scratch=8, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 4, 1, (0.0,), False),
+        ('a', 'R', 'theta'): (('a', 'R', 'theta'), prepare_depth_all, block_depth_all, 8, 2, (0.0,), False),
     },
     ('_profile', 1, 'r', 'R', 'theta'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
-        ('r', 'R', 'theta'): Program(('r', 'R', 'theta'), prepare_profile_all, block_profile_all, scratch=3, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 1, (), False),
+        ('r', 'R', 'theta'): (('r', 'R', 'theta'), prepare_profile_all, block_profile_all, 3, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

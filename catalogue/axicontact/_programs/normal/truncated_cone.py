@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import truncated_cone as bodies
 
@@ -69,6 +69,8 @@ def depth_from_force(F, theta, b, E_star):
             value = bodies._depth_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -110,6 +112,8 @@ def displacement(r, a, theta, b):
                         v73 = 0.0
                     value = 0.6366197723675814 * v73
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                         return value
                     return None
                 return v60 * a * atan(sqrt(v11 * v13) / b) - (0.0 if r < b else v60 * v4)
@@ -180,6 +184,8 @@ def force_from_depth(d, theta, b, E_star):
         try:
             value = bodies._force_from_depth(d, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -283,6 +289,8 @@ def pressure(r, a, theta, b, E_star):
                     value = E_star / 3.141592653589793 * v68
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                        return value
                     return None
                 return 0.0
             return nan
@@ -352,6 +360,8 @@ def radius_from_depth(d, theta, b):
             value = bodies._radius_from_depth(d, theta, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -362,6 +372,8 @@ def radius_from_force(F, theta, b, E_star):
         try:
             value = bodies._radius_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -403,23 +415,23 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'theta', 'b'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=1),
-        ('a', 'theta', 'b'): Program(('a', 'theta', 'b'), prepare_depth_all, block_depth_all, scratch=1),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 1, 0, (), False),
+        ('a', 'theta', 'b'): (('a', 'theta', 'b'), prepare_depth_all, block_depth_all, 1, 0, (), False),
     },
     ('_force', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, scratch=3),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 0, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_force_all, block_force_all, 3, 0, (), False),
     },
     ('_mean_pressure', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=2),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=3),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 2, 0, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 3, 0, (), False),
     },
     ('_profile', 1, 'r', 'theta', 'b'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1, masks=1),
-        ('r', 'theta', 'b'): Program(('r', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=2, masks=1),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 1, (), False),
+        ('r', 'theta', 'b'): (('r', 'theta', 'b'), prepare_profile_all, block_profile_all, 2, 1, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

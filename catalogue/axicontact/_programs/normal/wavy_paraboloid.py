@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.normal import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -568,6 +568,8 @@ def depth_from_force(F, R, h, wavelength, E_star):
             value = bodies._depth_from_force(F, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -578,6 +580,8 @@ def displacement(r, a, R, h, wavelength):
         try:
             value = bodies._displacement(r, a, R, h, wavelength)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1309,6 +1313,8 @@ def force_from_depth(d, R, h, wavelength, E_star):
         try:
             value = bodies._force_from_depth(d, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -2058,6 +2064,8 @@ def pressure(r, a, R, h, wavelength, E_star):
             value = bodies._pressure(r, a, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -2122,6 +2130,8 @@ def radius_from_depth(d, R, h, wavelength):
             value = bodies._radius_from_depth(d, R, h, wavelength)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -2132,6 +2142,8 @@ def radius_from_force(F, R, h, wavelength, E_star):
         try:
             value = bodies._radius_from_force(F, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -2173,23 +2185,23 @@ def block_stiffness_all(out, a, E_star):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'h', 'wavelength'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=5, masks=1, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength'): Program(('a', 'R', 'h', 'wavelength'), prepare_depth_all, block_depth_all, scratch=6, masks=1, filled=(4.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 5, 1, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength'): (('a', 'R', 'h', 'wavelength'), prepare_depth_all, block_depth_all, 6, 1, (4.0,), False),
     },
     ('_force', 1, 'a', 'R', 'h', 'wavelength', 'E_star'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=11, masks=1, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength', 'E_star'): Program(('a', 'R', 'h', 'wavelength', 'E_star'), prepare_force_all, block_force_all, scratch=11, masks=1, filled=(4.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 11, 1, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength', 'E_star'): (('a', 'R', 'h', 'wavelength', 'E_star'), prepare_force_all, block_force_all, 11, 1, (4.0,), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'h', 'wavelength', 'E_star'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=11, masks=2, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength', 'E_star'): Program(('a', 'R', 'h', 'wavelength', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=12, masks=2, filled=(4.0,)),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 11, 2, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength', 'E_star'): (('a', 'R', 'h', 'wavelength', 'E_star'), prepare_mean_pressure_all, block_mean_pressure_all, 12, 2, (4.0,), False),
     },
     ('_profile', 1, 'r', 'R', 'h', 'wavelength'): {
-        ('r',): Program(('r',), prepare_profile_r, block_profile_r, scratch=1),
-        ('r', 'R', 'h', 'wavelength'): Program(('r', 'R', 'h', 'wavelength'), prepare_profile_all, block_profile_all, scratch=2),
+        ('r',): (('r',), prepare_profile_r, block_profile_r, 1, 0, (), False),
+        ('r', 'R', 'h', 'wavelength'): (('r', 'R', 'h', 'wavelength'), prepare_profile_all, block_profile_all, 2, 0, (), False),
     },
     ('_stiffness', 1, 'a', 'E_star'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a),
-        ('a', 'E_star'): Program(('a', 'E_star'), prepare_stiffness_all, block_stiffness_all),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 0, (), False),
+        ('a', 'E_star'): (('a', 'E_star'), prepare_stiffness_all, block_stiffness_all, 0, 0, (), False),
     },
 }

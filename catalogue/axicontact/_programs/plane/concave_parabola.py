@@ -6,7 +6,7 @@ from math import log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(np.nan)
 C1 = np.array(2.0)
@@ -567,28 +567,28 @@ def block_zero_distance_all_signed(out, a):
 
 BLOCKS = {
     ('_depth', 2, 'L', 'P', 'a', 'h', 'E_star'): {
-        ('L',): Program(('L',), prepare_depth_L, block_depth_L, scratch=2, masks=1),
-        ('L', 'P'): Program(('L', 'P'), prepare_depth_L_P, block_depth_L_P, scratch=2, masks=2),
-        ('L', 'P', 'a', 'h', 'E_star'): Program(('L', 'P', 'a', 'h', 'E_star'), prepare_depth_all, block_depth_all, scratch=3, masks=2),
+        ('L',): (('L',), prepare_depth_L, block_depth_L, 2, 1, (), False),
+        ('L', 'P'): (('L', 'P'), prepare_depth_L_P, block_depth_L_P, 2, 2, (), False),
+        ('L', 'P', 'a', 'h', 'E_star'): (('L', 'P', 'a', 'h', 'E_star'), prepare_depth_all, block_depth_all, 3, 2, (), False),
     },
     ('_minimum_load', 0, 'h', 'E_star'): {
-        ('h', 'E_star'): Program(('h', 'E_star'), prepare_minimum_load_all_signed, block_minimum_load_all_signed),
+        ('h', 'E_star'): (('h', 'E_star'), prepare_minimum_load_all_signed, block_minimum_load_all_signed, 0, 0, (), False),
     },
     ('_pressure', 2, 'x', 'P', 'a', 'h', 'E_star'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=1, masks=1),
-        ('x', 'P'): Program(('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, scratch=2, masks=3),
-        ('x', 'P', 'a', 'h', 'E_star'): Program(('x', 'P', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=4, masks=3),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 1, 1, (), False),
+        ('x', 'P'): (('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, 2, 3, (), False),
+        ('x', 'P', 'a', 'h', 'E_star'): (('x', 'P', 'a', 'h', 'E_star'), prepare_pressure_all, block_pressure_all, 4, 3, (), False),
     },
     ('_profile', 1, 'x', 'a', 'h'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x, masks=1),
-        ('x', 'a', 'h'): Program(('x', 'a', 'h'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 1, (), False),
+        ('x', 'a', 'h'): (('x', 'a', 'h'), prepare_profile_all, block_profile_all, 1, 1, (), False),
     },
     ('_slope', 2, 'x', 'P', 'a', 'h', 'E_star'): {
-        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=3, masks=1),
-        ('x', 'P'): Program(('x', 'P'), prepare_slope_x_P, block_slope_x_P, scratch=3, masks=3),
-        ('x', 'P', 'a', 'h', 'E_star'): Program(('x', 'P', 'a', 'h', 'E_star'), prepare_slope_all, block_slope_all, scratch=5, masks=3),
+        ('x',): (('x',), prepare_slope_x, block_slope_x, 3, 1, (), False),
+        ('x', 'P'): (('x', 'P'), prepare_slope_x_P, block_slope_x_P, 3, 3, (), False),
+        ('x', 'P', 'a', 'h', 'E_star'): (('x', 'P', 'a', 'h', 'E_star'), prepare_slope_all, block_slope_all, 5, 3, (), False),
     },
     ('_zero_distance', 0, 'a'): {
-        ('a',): Program(('a',), prepare_zero_distance_all_signed, block_zero_distance_all_signed),
+        ('a',): (('a',), prepare_zero_distance_all_signed, block_zero_distance_all_signed, 0, 0, (), False),
     },
 }

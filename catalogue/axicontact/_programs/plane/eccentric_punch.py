@@ -6,7 +6,7 @@ from math import copysign, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(0.5)
 C1 = np.array(2.0)
@@ -337,15 +337,15 @@ def block_tilt_all(out, P, a, e, E_star, t0, t1, t2, t3, m0):
 
 BLOCKS = {
     ('_contact_width', 0, 'a', 'e'): {
-        ('a', 'e'): Program(('a', 'e'), prepare_contact_width_all_signed, block_contact_width_all_signed, scratch=2, masks=1),
+        ('a', 'e'): (('a', 'e'), prepare_contact_width_all_signed, block_contact_width_all_signed, 2, 1, (), False),
     },
     ('_pressure', 2, 'x', 'P', 'a', 'e'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=2, masks=1, filled=(0.0,)),
-        ('x', 'P'): Program(('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, scratch=2, masks=2, filled=(0.0,)),
-        ('x', 'P', 'a', 'e'): Program(('x', 'P', 'a', 'e'), prepare_pressure_all, block_pressure_all, scratch=8, masks=3, filled=(0.0,)),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 2, 1, (0.0,), False),
+        ('x', 'P'): (('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, 2, 2, (0.0,), False),
+        ('x', 'P', 'a', 'e'): (('x', 'P', 'a', 'e'), prepare_pressure_all, block_pressure_all, 8, 3, (0.0,), False),
     },
     ('_tilt', 1, 'P', 'a', 'e', 'E_star'): {
-        ('P',): Program(('P',), prepare_tilt_P, block_tilt_P),
-        ('P', 'a', 'e', 'E_star'): Program(('P', 'a', 'e', 'E_star'), prepare_tilt_all, block_tilt_all, scratch=4, masks=1),
+        ('P',): (('P',), prepare_tilt_P, block_tilt_P, 0, 0, (), False),
+        ('P', 'a', 'e', 'E_star'): (('P', 'a', 'e', 'E_star'), prepare_tilt_all, block_tilt_all, 4, 1, (), False),
     },
 }

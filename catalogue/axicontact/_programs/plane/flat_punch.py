@@ -6,7 +6,7 @@ from math import log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(np.nan)
 C1 = np.array(2.0)
@@ -355,22 +355,22 @@ def block_slope_all(out, x, P, a, E_star, t0, t1, m0, m1):
 
 BLOCKS = {
     ('_depth', 2, 'L', 'P', 'a', 'E_star'): {
-        ('L',): Program(('L',), prepare_depth_L, block_depth_L, scratch=1, masks=1),
-        ('L', 'P'): Program(('L', 'P'), prepare_depth_L_P, block_depth_L_P, scratch=2, masks=1),
-        ('L', 'P', 'a', 'E_star'): Program(('L', 'P', 'a', 'E_star'), prepare_depth_all, block_depth_all, scratch=2, masks=1),
+        ('L',): (('L',), prepare_depth_L, block_depth_L, 1, 1, (), False),
+        ('L', 'P'): (('L', 'P'), prepare_depth_L_P, block_depth_L_P, 2, 1, (), False),
+        ('L', 'P', 'a', 'E_star'): (('L', 'P', 'a', 'E_star'), prepare_depth_all, block_depth_all, 2, 1, (), False),
     },
     ('_pressure', 2, 'x', 'P', 'a'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=1, masks=1),
-        ('x', 'P'): Program(('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, scratch=1, masks=2),
-        ('x', 'P', 'a'): Program(('x', 'P', 'a'), prepare_pressure_all, block_pressure_all, scratch=1, masks=2),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 1, 1, (), False),
+        ('x', 'P'): (('x', 'P'), prepare_pressure_x_P, block_pressure_x_P, 1, 2, (), False),
+        ('x', 'P', 'a'): (('x', 'P', 'a'), prepare_pressure_all, block_pressure_all, 1, 2, (), False),
     },
     ('_profile', 1, 'x', 'a'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x, masks=1),
-        ('x', 'a'): Program(('x', 'a'), prepare_profile_all, block_profile_all, masks=1),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 1, (), False),
+        ('x', 'a'): (('x', 'a'), prepare_profile_all, block_profile_all, 0, 1, (), False),
     },
     ('_slope', 2, 'x', 'P', 'a', 'E_star'): {
-        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=1, masks=1),
-        ('x', 'P'): Program(('x', 'P'), prepare_slope_x_P, block_slope_x_P, scratch=1, masks=2),
-        ('x', 'P', 'a', 'E_star'): Program(('x', 'P', 'a', 'E_star'), prepare_slope_all, block_slope_all, scratch=2, masks=2),
+        ('x',): (('x',), prepare_slope_x, block_slope_x, 1, 1, (), False),
+        ('x', 'P'): (('x', 'P'), prepare_slope_x_P, block_slope_x_P, 1, 2, (), False),
+        ('x', 'P', 'a', 'E_star'): (('x', 'P', 'a', 'E_star'), prepare_slope_all, block_slope_all, 2, 2, (), False),
     },
 }

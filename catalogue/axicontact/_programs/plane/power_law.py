@@ -6,7 +6,7 @@ from math import exp, expm1, fsum, inf, isfinite, log, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 
 C0 = np.array(2.0)
@@ -68,6 +68,8 @@ def depth(L, a, A, n):
                         v118 = 1.0
                     value = A * pow(a, n) * (L * (v118 / L) + n * log1p((v69 + sqrt(v69 * (a + L))) / a)) / (1.7724538509055159 * ((v7 * (v7 + 1.0) / v14 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v14) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
                         return value
                     return None
                 return 0.0
@@ -457,6 +459,8 @@ def pressure(x, a, A, n, E_star):
                 value = E_star * (n * n) * A * (pow(a, n) / a if a > 0.0 else pow(a, v77)) * v137 / (3.5449077018110318 * ((v8 * (v8 + 1.0) / v15 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v15) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return 0.0
         except (ArithmeticError, ValueError):
@@ -531,9 +535,13 @@ def slope(x, a, A, n):
                 value = -n * A * pow(a, n) * (v117 / x) / (1.7724538509055159 * ((v7 * (v7 + 1.0) / v14 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v14) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                    return value
                 return None
             value = -(n * A * (pow(x, n) / x if x > 0.0 else pow(x, n - 1.0)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -543,15 +551,15 @@ def slope(x, a, A, n):
 
 BLOCKS = {
     ('_half_width_from_load', 1, 'P', 'A', 'n', 'E_star'): {
-        ('P',): Program(('P',), prepare_half_width_from_load_P, block_half_width_from_load_P, scratch=3, masks=2),
-        ('P', 'A', 'n', 'E_star'): Program(('P', 'A', 'n', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, scratch=5, masks=2),
+        ('P',): (('P',), prepare_half_width_from_load_P, block_half_width_from_load_P, 3, 2, (), False),
+        ('P', 'A', 'n', 'E_star'): (('P', 'A', 'n', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, 5, 2, (), False),
     },
     ('_load', 1, 'a', 'A', 'n', 'E_star'): {
-        ('a',): Program(('a',), prepare_load_a, block_load_a),
-        ('a', 'A', 'n', 'E_star'): Program(('a', 'A', 'n', 'E_star'), prepare_load_all, block_load_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_load_a, block_load_a, 0, 0, (), False),
+        ('a', 'A', 'n', 'E_star'): (('a', 'A', 'n', 'E_star'), prepare_load_all, block_load_all, 4, 1, (), False),
     },
     ('_profile', 1, 'x', 'A', 'n'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x),
-        ('x', 'A', 'n'): Program(('x', 'A', 'n'), prepare_profile_all, block_profile_all),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 0, (), False),
+        ('x', 'A', 'n'): (('x', 'A', 'n'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
 }

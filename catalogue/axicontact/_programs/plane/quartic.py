@@ -6,7 +6,7 @@ from math import asinh, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(3.0)
@@ -540,30 +540,30 @@ def block_slope_all(out, x, a, A, t0, t1, t2, t3, t4, m0):
 
 BLOCKS = {
     ('_depth', 2, 'L', 'a', 'A'): {
-        ('L',): Program(('L',), prepare_depth_L, block_depth_L, scratch=3, masks=1),
-        ('L', 'a'): Program(('L', 'a'), prepare_depth_L_a, block_depth_L_a, scratch=4, masks=2),
-        ('L', 'a', 'A'): Program(('L', 'a', 'A'), prepare_depth_all, block_depth_all, scratch=4, masks=2),
+        ('L',): (('L',), prepare_depth_L, block_depth_L, 3, 1, (), False),
+        ('L', 'a'): (('L', 'a'), prepare_depth_L_a, block_depth_L_a, 4, 2, (), False),
+        ('L', 'a', 'A'): (('L', 'a', 'A'), prepare_depth_all, block_depth_all, 4, 2, (), False),
     },
     ('_half_width_from_load', 1, 'P', 'A', 'E_star'): {
-        ('P',): Program(('P',), prepare_half_width_from_load_P, block_half_width_from_load_P),
-        ('P', 'A', 'E_star'): Program(('P', 'A', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, scratch=1),
+        ('P',): (('P',), prepare_half_width_from_load_P, block_half_width_from_load_P, 0, 0, (), False),
+        ('P', 'A', 'E_star'): (('P', 'A', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, 1, 0, (), False),
     },
     ('_load', 1, 'a', 'A', 'E_star'): {
-        ('a',): Program(('a',), prepare_load_a, block_load_a),
-        ('a', 'A', 'E_star'): Program(('a', 'A', 'E_star'), prepare_load_all, block_load_all, scratch=1),
+        ('a',): (('a',), prepare_load_a, block_load_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_load_all, block_load_all, 1, 0, (), False),
     },
     ('_pressure', 2, 'x', 'a', 'A', 'E_star'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=1, filled=(0.0,), positive=True),
-        ('x', 'a'): Program(('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, scratch=2, masks=1),
-        ('x', 'a', 'A', 'E_star'): Program(('x', 'a', 'A', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=3, masks=1),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 1, 0, (0.0,), True),
+        ('x', 'a'): (('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, 2, 1, (), False),
+        ('x', 'a', 'A', 'E_star'): (('x', 'a', 'A', 'E_star'), prepare_pressure_all, block_pressure_all, 3, 1, (), False),
     },
     ('_profile', 1, 'x', 'A'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x),
-        ('x', 'A'): Program(('x', 'A'), prepare_profile_all, block_profile_all),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 0, (), False),
+        ('x', 'A'): (('x', 'A'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
     ('_slope', 2, 'x', 'a', 'A'): {
-        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=3, masks=1),
-        ('x', 'a'): Program(('x', 'a'), prepare_slope_x_a, block_slope_x_a, scratch=5, masks=1),
-        ('x', 'a', 'A'): Program(('x', 'a', 'A'), prepare_slope_all, block_slope_all, scratch=5, masks=1),
+        ('x',): (('x',), prepare_slope_x, block_slope_x, 3, 1, (), False),
+        ('x', 'a'): (('x', 'a'), prepare_slope_x_a, block_slope_x_a, 5, 1, (), False),
+        ('x', 'a', 'A'): (('x', 'a', 'A'), prepare_slope_all, block_slope_all, 5, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.plane import rounded_punch as bodies
 
@@ -56,6 +56,8 @@ def depth(L, a, R, b):
                         value = 0.6366197723675814 * v76
                         if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                             return value
+                        if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                            return value
                         return None
                     if v34:
                         return v4 * v4 / (2.0 * R)
@@ -72,6 +74,8 @@ def half_width_from_load(P, R, b, E_star):
         try:
             value = bodies._half_width_from_load(P, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(P) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -98,6 +102,8 @@ def load(a, R, b, E_star):
                 v43 = fsum(v43) * v23
                 value = E_star * v43
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                     return value
                 return None
             return E_star / (2.0 * R) * (a * a * atan(v11) - b * v10)
@@ -140,6 +146,8 @@ def pressure(x, a, R, b, E_star):
                         v65 = 0.0
                     value = E_star / 3.141592653589793 * v65
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                         return value
                     return None
                 return 0.0
@@ -238,6 +246,8 @@ def slope(x, a, R, b):
                     value = -0.6366197723675814 * v71
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
+                    if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                        return value
                     return None
                 return -((x - b) / R if x > b else 0.0)
             return nan
@@ -248,7 +258,7 @@ def slope(x, a, R, b):
 
 BLOCKS = {
     ('_profile', 1, 'x', 'R', 'b'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x, masks=1),
-        ('x', 'R', 'b'): Program(('x', 'R', 'b'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 1, (), False),
+        ('x', 'R', 'b'): (('x', 'R', 'b'), prepare_profile_all, block_profile_all, 1, 1, (), False),
     },
 }

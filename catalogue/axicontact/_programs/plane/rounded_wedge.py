@@ -6,7 +6,7 @@ from math import asinh, atan, exp, expm1, fsum, inf, log1p, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.plane import rounded_wedge as bodies
 
@@ -64,6 +64,8 @@ def depth(L, a, theta, b):
                         value = v12 * (v4 * v4) * (L / (v8 + L) + log1p((v5 + v8) / v4)) + 0.6366197723675814 * v94
                         if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                             return value
+                        if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                            return value
                         return None
                     if v52:
                         return v9 * (a - b / 2.0)
@@ -80,6 +82,8 @@ def half_width_from_load(P, theta, b, E_star):
         try:
             value = bodies._half_width_from_load(P, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(P) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -211,6 +215,8 @@ def pressure(x, a, theta, b, E_star):
                 value = (E_star * v10 / (2.0 * b) * sqrt((v5 - x) * (v5 + x)) if x < v5 else 0.0) + E_star / 3.141592653589793 * v76
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    return value
                 return None
             return 0.0
         except (ArithmeticError, ValueError):
@@ -321,6 +327,8 @@ def slope(x, a, theta, b):
                 value = -v10 * (v4 * v4) / (b * (sqrt((x - v4) * (v4 + x)) + x)) - 0.6366197723675814 * v84
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
+                if value != value and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    return value
                 return None
             return -(v10 if x > b else v78 * x)
         except (ArithmeticError, ValueError):
@@ -330,11 +338,11 @@ def slope(x, a, theta, b):
 
 BLOCKS = {
     ('_load', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_load_a, block_load_a, scratch=3, masks=1),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_load_all, block_load_all, scratch=5, masks=1),
+        ('a',): (('a',), prepare_load_a, block_load_a, 3, 1, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_load_all, block_load_all, 5, 1, (), False),
     },
     ('_profile', 1, 'x', 'theta', 'b'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x, scratch=1, masks=1),
-        ('x', 'theta', 'b'): Program(('x', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=3, masks=1),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 1, 1, (), False),
+        ('x', 'theta', 'b'): (('x', 'theta', 'b'), prepare_profile_all, block_profile_all, 3, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 
 C0 = np.array(2.0)
@@ -63,6 +63,8 @@ def depth(L, a, theta, b):
                                 v82 = 0.0
                             value = 0.6366197723675814 * v82
                             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                                return value
+                            if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
                                 return value
                             return None
                         if v37:
@@ -550,25 +552,25 @@ def block_slope_all(out, x, a, theta, b, t0, t1, t2, m0, m1, m2):
 
 BLOCKS = {
     ('_half_width_from_load', 1, 'P', 'theta', 'b', 'E_star'): {
-        ('P',): Program(('P',), prepare_half_width_from_load_P, block_half_width_from_load_P),
-        ('P', 'theta', 'b', 'E_star'): Program(('P', 'theta', 'b', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, scratch=2),
+        ('P',): (('P',), prepare_half_width_from_load_P, block_half_width_from_load_P, 0, 0, (), False),
+        ('P', 'theta', 'b', 'E_star'): (('P', 'theta', 'b', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, 2, 0, (), False),
     },
     ('_load', 1, 'a', 'theta', 'b', 'E_star'): {
-        ('a',): Program(('a',), prepare_load_a, block_load_a, scratch=1),
-        ('a', 'theta', 'b', 'E_star'): Program(('a', 'theta', 'b', 'E_star'), prepare_load_all, block_load_all, scratch=1),
+        ('a',): (('a',), prepare_load_a, block_load_a, 1, 0, (), False),
+        ('a', 'theta', 'b', 'E_star'): (('a', 'theta', 'b', 'E_star'), prepare_load_all, block_load_all, 1, 0, (), False),
     },
     ('_pressure', 2, 'x', 'a', 'theta', 'b', 'E_star'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=3, masks=2),
-        ('x', 'a'): Program(('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, scratch=3, masks=3),
-        ('x', 'a', 'theta', 'b', 'E_star'): Program(('x', 'a', 'theta', 'b', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=4, masks=3),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 3, 2, (), False),
+        ('x', 'a'): (('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, 3, 3, (), False),
+        ('x', 'a', 'theta', 'b', 'E_star'): (('x', 'a', 'theta', 'b', 'E_star'), prepare_pressure_all, block_pressure_all, 4, 3, (), False),
     },
     ('_profile', 1, 'x', 'theta', 'b'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x, masks=1),
-        ('x', 'theta', 'b'): Program(('x', 'theta', 'b'), prepare_profile_all, block_profile_all, scratch=1, masks=1),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 1, (), False),
+        ('x', 'theta', 'b'): (('x', 'theta', 'b'), prepare_profile_all, block_profile_all, 1, 1, (), False),
     },
     ('_slope', 2, 'x', 'a', 'theta', 'b'): {
-        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=1, masks=2),
-        ('x', 'a'): Program(('x', 'a'), prepare_slope_x_a, block_slope_x_a, scratch=2, masks=3),
-        ('x', 'a', 'theta', 'b'): Program(('x', 'a', 'theta', 'b'), prepare_slope_all, block_slope_all, scratch=3, masks=3),
+        ('x',): (('x',), prepare_slope_x, block_slope_x, 1, 2, (), False),
+        ('x', 'a'): (('x', 'a'), prepare_slope_x_a, block_slope_x_a, 2, 3, (), False),
+        ('x', 'a', 'theta', 'b'): (('x', 'a', 'theta', 'b'), prepare_slope_all, block_slope_all, 3, 3, (), False),
     },
 }

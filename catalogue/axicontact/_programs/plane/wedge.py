@@ -6,7 +6,7 @@ from math import atan2, log1p, nan, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(0.0)
 C1 = np.array(np.nan)
@@ -441,30 +441,30 @@ def block_slope_all(out, x, a, theta, t0, t1, m0):
 
 BLOCKS = {
     ('_depth', 2, 'L', 'a', 'theta'): {
-        ('L',): Program(('L',), prepare_depth_L, block_depth_L, scratch=2, masks=1),
-        ('L', 'a'): Program(('L', 'a'), prepare_depth_L_a, block_depth_L_a, scratch=2, masks=2),
-        ('L', 'a', 'theta'): Program(('L', 'a', 'theta'), prepare_depth_all, block_depth_all, scratch=3, masks=2),
+        ('L',): (('L',), prepare_depth_L, block_depth_L, 2, 1, (), False),
+        ('L', 'a'): (('L', 'a'), prepare_depth_L_a, block_depth_L_a, 2, 2, (), False),
+        ('L', 'a', 'theta'): (('L', 'a', 'theta'), prepare_depth_all, block_depth_all, 3, 2, (), False),
     },
     ('_half_width_from_load', 1, 'P', 'theta', 'E_star'): {
-        ('P',): Program(('P',), prepare_half_width_from_load_P, block_half_width_from_load_P),
-        ('P', 'theta', 'E_star'): Program(('P', 'theta', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all),
+        ('P',): (('P',), prepare_half_width_from_load_P, block_half_width_from_load_P, 0, 0, (), False),
+        ('P', 'theta', 'E_star'): (('P', 'theta', 'E_star'), prepare_half_width_from_load_all, block_half_width_from_load_all, 0, 0, (), False),
     },
     ('_load', 1, 'a', 'theta', 'E_star'): {
-        ('a',): Program(('a',), prepare_load_a, block_load_a),
-        ('a', 'theta', 'E_star'): Program(('a', 'theta', 'E_star'), prepare_load_all, block_load_all),
+        ('a',): (('a',), prepare_load_a, block_load_a, 0, 0, (), False),
+        ('a', 'theta', 'E_star'): (('a', 'theta', 'E_star'), prepare_load_all, block_load_all, 0, 0, (), False),
     },
     ('_pressure', 2, 'x', 'a', 'theta', 'E_star'): {
-        ('x',): Program(('x',), prepare_pressure_x, block_pressure_x, scratch=1, filled=(0.0,), positive=True),
-        ('x', 'a'): Program(('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, scratch=1, masks=1),
-        ('x', 'a', 'theta', 'E_star'): Program(('x', 'a', 'theta', 'E_star'), prepare_pressure_all, block_pressure_all, scratch=2, masks=1),
+        ('x',): (('x',), prepare_pressure_x, block_pressure_x, 1, 0, (0.0,), True),
+        ('x', 'a'): (('x', 'a'), prepare_pressure_x_a, block_pressure_x_a, 1, 1, (), False),
+        ('x', 'a', 'theta', 'E_star'): (('x', 'a', 'theta', 'E_star'), prepare_pressure_all, block_pressure_all, 2, 1, (), False),
     },
     ('_profile', 1, 'x', 'theta'): {
-        ('x',): Program(('x',), prepare_profile_x, block_profile_x),
-        ('x', 'theta'): Program(('x', 'theta'), prepare_profile_all, block_profile_all),
+        ('x',): (('x',), prepare_profile_x, block_profile_x, 0, 0, (), False),
+        ('x', 'theta'): (('x', 'theta'), prepare_profile_all, block_profile_all, 0, 0, (), False),
     },
     ('_slope', 2, 'x', 'a', 'theta'): {
-        ('x',): Program(('x',), prepare_slope_x, block_slope_x, scratch=1, masks=1),
-        ('x', 'a'): Program(('x', 'a'), prepare_slope_x_a, block_slope_x_a, scratch=1, masks=1),
-        ('x', 'a', 'theta'): Program(('x', 'a', 'theta'), prepare_slope_all, block_slope_all, scratch=2, masks=1),
+        ('x',): (('x',), prepare_slope_x, block_slope_x, 1, 1, (), False),
+        ('x', 'a'): (('x', 'a'), prepare_slope_x_a, block_slope_x_a, 1, 1, (), False),
+        ('x', 'a', 'theta'): (('x', 'a', 'theta'), prepare_slope_all, block_slope_all, 2, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, cosh, exp, expm1, fsum, inf, log1p, nextafter, pow, sinh
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import capped_paraboloid as bodies
 
@@ -95,6 +95,8 @@ def stick_radius(F_x, a, R1, R2, b, E_star, mu):
             value = bodies._stick_radius(F_x, a, R1, R2, b, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -175,6 +177,8 @@ def tangential_displacement(a, c, R1, R2, b, E_star, G_star, mu):
                 v143 = v22 - v34
             value = mu * (E_star / G_star) * v143
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -266,6 +270,8 @@ def tangential_force(a, c, R1, R2, b, E_star, mu):
                 v156 = v33 - v49
             value = mu * v156
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -413,6 +419,8 @@ def traction(r, a, c, R1, R2, b, E_star, mu):
             value = mu * v255
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -421,7 +429,7 @@ def traction(r, a, c, R1, R2, b, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=2, masks=1),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=3, masks=1),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 2, 1, (), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): (('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 3, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import expm1, log1p, nan, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(3.141592653589793)
 C1 = np.array(0.5)
@@ -657,27 +657,27 @@ def block_traction_all(out, r, a, c, theta, E_star, mu, t0, t1, t2, t3, t4, t5, 
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'theta', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
-        ('a', 'theta', 'E_star', 'G_star', 'mu'): Program(('a', 'theta', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=1),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 0, 0, (), False),
+        ('a', 'theta', 'E_star', 'G_star', 'mu'): (('a', 'theta', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 1, 0, (), False),
     },
     ('_stick_radius', 2, 'F_x', 'a', 'theta', 'E_star', 'mu'): {
-        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=2, masks=2),
-        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=3, masks=2),
-        ('F_x', 'a', 'theta', 'E_star', 'mu'): Program(('F_x', 'a', 'theta', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=4, masks=2),
+        ('F_x',): (('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, 2, 2, (), False),
+        ('F_x', 'a'): (('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, 3, 2, (), False),
+        ('F_x', 'a', 'theta', 'E_star', 'mu'): (('F_x', 'a', 'theta', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, 4, 2, (), False),
     },
     ('_tangential_displacement', 2, 'a', 'c', 'theta', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
-        ('a', 'c', 'theta', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'theta', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, 1, 1, (), False),
+        ('a', 'c', 'theta', 'E_star', 'G_star', 'mu'): (('a', 'c', 'theta', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, 1, 1, (), False),
     },
     ('_tangential_force', 2, 'a', 'c', 'theta', 'E_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
-        ('a', 'c', 'theta', 'E_star', 'mu'): Program(('a', 'c', 'theta', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_tangential_force_a, block_tangential_force_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, 1, 1, (), False),
+        ('a', 'c', 'theta', 'E_star', 'mu'): (('a', 'c', 'theta', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, 1, 1, (), False),
     },
     ('_traction', 3, 'r', 'a', 'c', 'theta', 'E_star', 'mu'): {
-        ('r',): Program(('r',), prepare_traction_r, block_traction_r, scratch=3, masks=2, filled=(0.0,)),
-        ('r', 'a', 'c'): Program(('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, scratch=5, masks=2, filled=(0.0,)),
-        ('r', 'a', 'c', 'theta', 'E_star', 'mu'): Program(('r', 'a', 'c', 'theta', 'E_star', 'mu'), prepare_traction_all, block_traction_all, scratch=7, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_traction_r, block_traction_r, 3, 2, (0.0,), False),
+        ('r', 'a', 'c'): (('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, 5, 2, (0.0,), False),
+        ('r', 'a', 'c', 'theta', 'E_star', 'mu'): (('r', 'a', 'c', 'theta', 'E_star', 'mu'), prepare_traction_all, block_traction_all, 7, 2, (0.0,), False),
     },
 }

@@ -6,7 +6,7 @@ from math import cosh, fsum, inf, log1p, nan, pow, sinh, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import gaussian as bodies
 
@@ -185,6 +185,8 @@ def stick_radius(F_x, a, h, s, E_star, mu):
             value = bodies._stick_radius(F_x, a, h, s, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -246,6 +248,8 @@ def tangential_displacement(a, c, h, s, E_star, G_star, mu):
                 v203 = v73 - v116
             value = mu * (E_star / G_star) * v203
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -323,6 +327,8 @@ def tangential_force(a, c, h, s, E_star, mu):
                 v218 = v82 - v133
             value = mu * v218
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -410,6 +416,8 @@ def traction(r, a, c, h, s, E_star, mu):
             value = mu * v232
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -418,7 +426,7 @@ def traction(r, a, c, h, s, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'h', 's', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=2, masks=1),
-        ('a', 'h', 's', 'E_star', 'G_star', 'mu'): Program(('a', 'h', 's', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 2, 1, (), False),
+        ('a', 'h', 's', 'E_star', 'G_star', 'mu'): (('a', 'h', 's', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 4, 1, (), False),
     },
 }

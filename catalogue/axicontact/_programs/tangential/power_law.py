@@ -6,7 +6,7 @@ from math import expm1, inf, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.tangential import power_law as bodies
 
 C0 = np.array(0.5)
@@ -1093,6 +1093,8 @@ def traction(r, a, c, A, n, E_star, mu):
             value = bodies._traction(r, a, c, A, n, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -1100,22 +1102,22 @@ def traction(r, a, c, A, n, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'A', 'n', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
-        ('a', 'A', 'n', 'E_star', 'G_star', 'mu'): Program(('a', 'A', 'n', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=5, masks=1),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 0, 0, (), False),
+        ('a', 'A', 'n', 'E_star', 'G_star', 'mu'): (('a', 'A', 'n', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 5, 1, (), False),
     },
     ('_stick_radius', 2, 'F_x', 'a', 'A', 'n', 'E_star', 'mu'): {
-        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=4, masks=3),
-        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=4, masks=3),
-        ('F_x', 'a', 'A', 'n', 'E_star', 'mu'): Program(('F_x', 'a', 'A', 'n', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=7, masks=3),
+        ('F_x',): (('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, 4, 3, (), False),
+        ('F_x', 'a'): (('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, 4, 3, (), False),
+        ('F_x', 'a', 'A', 'n', 'E_star', 'mu'): (('F_x', 'a', 'A', 'n', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, 7, 3, (), False),
     },
     ('_tangential_displacement', 2, 'a', 'c', 'A', 'n', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
-        ('a', 'c', 'A', 'n', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'A', 'n', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=5, masks=1),
+        ('a',): (('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, 1, 1, (), False),
+        ('a', 'c', 'A', 'n', 'E_star', 'G_star', 'mu'): (('a', 'c', 'A', 'n', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, 5, 1, (), False),
     },
     ('_tangential_force', 2, 'a', 'c', 'A', 'n', 'E_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
-        ('a', 'c', 'A', 'n', 'E_star', 'mu'): Program(('a', 'c', 'A', 'n', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=4, masks=1),
+        ('a',): (('a',), prepare_tangential_force_a, block_tangential_force_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, 1, 1, (), False),
+        ('a', 'c', 'A', 'n', 'E_star', 'mu'): (('a', 'c', 'A', 'n', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, 4, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import expm1, inf, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(2.0)
 C1 = np.array(8.0)
@@ -751,27 +751,27 @@ def block_traction_all(out, r, a, c, A, E_star, mu, t0, t1, t2, t3, t4, t5, t6, 
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'A', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a),
-        ('a', 'A', 'E_star', 'G_star', 'mu'): Program(('a', 'A', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=2),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 0, 0, (), False),
+        ('a', 'A', 'E_star', 'G_star', 'mu'): (('a', 'A', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 2, 0, (), False),
     },
     ('_stick_radius', 2, 'F_x', 'a', 'A', 'E_star', 'mu'): {
-        ('F_x',): Program(('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, scratch=4, masks=3),
-        ('F_x', 'a'): Program(('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, scratch=4, masks=3),
-        ('F_x', 'a', 'A', 'E_star', 'mu'): Program(('F_x', 'a', 'A', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, scratch=5, masks=3),
+        ('F_x',): (('F_x',), prepare_stick_radius_F_x, block_stick_radius_F_x, 4, 3, (), False),
+        ('F_x', 'a'): (('F_x', 'a'), prepare_stick_radius_F_x_a, block_stick_radius_F_x_a, 4, 3, (), False),
+        ('F_x', 'a', 'A', 'E_star', 'mu'): (('F_x', 'a', 'A', 'E_star', 'mu'), prepare_stick_radius_all, block_stick_radius_all, 5, 3, (), False),
     },
     ('_tangential_displacement', 2, 'a', 'c', 'A', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, scratch=1, masks=1),
-        ('a', 'c', 'A', 'E_star', 'G_star', 'mu'): Program(('a', 'c', 'A', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, scratch=2, masks=1),
+        ('a',): (('a',), prepare_tangential_displacement_a, block_tangential_displacement_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_displacement_a_c, block_tangential_displacement_a_c, 1, 1, (), False),
+        ('a', 'c', 'A', 'E_star', 'G_star', 'mu'): (('a', 'c', 'A', 'E_star', 'G_star', 'mu'), prepare_tangential_displacement_all, block_tangential_displacement_all, 2, 1, (), False),
     },
     ('_tangential_force', 2, 'a', 'c', 'A', 'E_star', 'mu'): {
-        ('a',): Program(('a',), prepare_tangential_force_a, block_tangential_force_a, scratch=1, masks=1),
-        ('a', 'c'): Program(('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, scratch=1, masks=1),
-        ('a', 'c', 'A', 'E_star', 'mu'): Program(('a', 'c', 'A', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_tangential_force_a, block_tangential_force_a, 1, 1, (), False),
+        ('a', 'c'): (('a', 'c'), prepare_tangential_force_a_c, block_tangential_force_a_c, 1, 1, (), False),
+        ('a', 'c', 'A', 'E_star', 'mu'): (('a', 'c', 'A', 'E_star', 'mu'), prepare_tangential_force_all, block_tangential_force_all, 1, 1, (), False),
     },
     ('_traction', 3, 'r', 'a', 'c', 'A', 'E_star', 'mu'): {
-        ('r',): Program(('r',), prepare_traction_r, block_traction_r, scratch=5, masks=2, filled=(0.0,)),
-        ('r', 'a', 'c'): Program(('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, scratch=6, masks=2, filled=(0.0,)),
-        ('r', 'a', 'c', 'A', 'E_star', 'mu'): Program(('r', 'a', 'c', 'A', 'E_star', 'mu'), prepare_traction_all, block_traction_all, scratch=7, masks=2, filled=(0.0,)),
+        ('r',): (('r',), prepare_traction_r, block_traction_r, 5, 2, (0.0,), False),
+        ('r', 'a', 'c'): (('r', 'a', 'c'), prepare_traction_r_a_c, block_traction_r_a_c, 6, 2, (0.0,), False),
+        ('r', 'a', 'c', 'A', 'E_star', 'mu'): (('r', 'a', 'c', 'A', 'E_star', 'mu'), prepare_traction_all, block_traction_all, 7, 2, (0.0,), False),
     },
 }

@@ -6,7 +6,7 @@ from math import asinh, atan, cosh, exp, expm1, fsum, inf, log1p, nextafter, pow
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import rounded_cone as bodies
 
@@ -107,6 +107,8 @@ def stick_radius(F_x, a, theta, b, E_star, mu):
             value = bodies._stick_radius(F_x, a, theta, b, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -194,6 +196,8 @@ def tangential_displacement(a, c, theta, b, E_star, G_star, mu):
                 v144 = v24 - v39
             value = mu * (E_star / G_star) * v144
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -288,6 +292,8 @@ def tangential_force(a, c, theta, b, E_star, mu):
                 v161 = v36 - v56
             value = mu * v161
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -424,6 +430,8 @@ def traction(r, a, c, theta, b, E_star, mu):
             value = mu * v240
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -432,7 +440,7 @@ def traction(r, a, c, theta, b, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'theta', 'b', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=3, masks=1),
-        ('a', 'theta', 'b', 'E_star', 'G_star', 'mu'): Program(('a', 'theta', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=5, masks=1),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 3, 1, (), False),
+        ('a', 'theta', 'b', 'E_star', 'G_star', 'mu'): (('a', 'theta', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 5, 1, (), False),
     },
 }

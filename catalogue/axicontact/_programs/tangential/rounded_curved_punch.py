@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cosh, exp, expm1, fsum, inf, log1p, nextaft
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import rounded_curved_punch as bodies
 
@@ -192,6 +192,8 @@ def stick_radius(F_x, a, R1, R2, b, E_star, mu):
             value = bodies._stick_radius(F_x, a, R1, R2, b, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -287,6 +289,8 @@ def tangential_displacement(a, c, R1, R2, b, E_star, G_star, mu):
                 v212 = v65 - v108
             value = mu * (E_star / G_star) * v212
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -395,6 +399,8 @@ def tangential_force(a, c, R1, R2, b, E_star, mu):
                 v229 = v76 - v125
             value = mu * v229
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -529,6 +535,8 @@ def traction(r, a, c, R1, R2, b, E_star, mu):
             value = mu * v244
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -537,7 +545,7 @@ def traction(r, a, c, R1, R2, b, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=7, masks=2, filled=(0.42,)),
-        ('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): Program(('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=9, masks=2, filled=(0.42,)),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 7, 2, (0.42,), False),
+        ('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'): (('a', 'R1', 'R2', 'b', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 9, 2, (0.42,), False),
     },
 }

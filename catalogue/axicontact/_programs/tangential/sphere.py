@@ -6,7 +6,7 @@ from math import asinh, cosh, fsum, log1p, pow, sinh, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import sphere as bodies
 
@@ -68,6 +68,8 @@ def stick_radius(F_x, a, R, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -117,6 +119,8 @@ def tangential_displacement(a, c, R, E_star, G_star, mu):
                 v100 = v12 - v18
             value = mu * (E_star / G_star) * v100
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -184,6 +188,8 @@ def tangential_force(a, c, R, E_star, mu):
             value = mu * v179
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -196,6 +202,8 @@ def traction(r, a, c, R, E_star, mu):
             value = bodies._traction(r, a, c, R, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -203,7 +211,7 @@ def traction(r, a, c, R, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=1),
-        ('a', 'R', 'E_star', 'G_star', 'mu'): Program(('a', 'R', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=2),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 1, 0, (), False),
+        ('a', 'R', 'E_star', 'G_star', 'mu'): (('a', 'R', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 2, 0, (), False),
     },
 }

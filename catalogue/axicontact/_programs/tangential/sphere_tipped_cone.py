@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, cosh, exp, expm1, fsum, inf, log1p, pow, sin
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import sphere_tipped_cone as bodies
 
@@ -161,6 +161,8 @@ def stick_radius(F_x, a, R, theta, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, theta, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -264,6 +266,8 @@ def tangential_displacement(a, c, R, theta, E_star, G_star, mu):
                 v229 = v45 - v73
             value = mu * (E_star / G_star) * v229
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -402,6 +406,8 @@ def tangential_force(a, c, R, theta, E_star, mu):
             value = mu * v375
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -410,7 +416,7 @@ def tangential_force(a, c, R, theta, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R', 'theta', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=4, masks=1, filled=(0.0,)),
-        ('a', 'R', 'theta', 'E_star', 'G_star', 'mu'): Program(('a', 'R', 'theta', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=9, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 4, 1, (0.0,), False),
+        ('a', 'R', 'theta', 'E_star', 'G_star', 'mu'): (('a', 'R', 'theta', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 9, 2, (0.0,), False),
     },
 }

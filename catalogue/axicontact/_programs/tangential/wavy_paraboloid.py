@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.tangential import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -504,6 +504,8 @@ def stick_radius(F_x, a, R, h, wavelength, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -514,6 +516,8 @@ def tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu):
         try:
             value = bodies._tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -526,6 +530,8 @@ def tangential_force(a, c, R, h, wavelength, E_star, mu):
             value = bodies._tangential_force(a, c, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -537,6 +543,8 @@ def traction(r, a, c, R, h, wavelength, E_star, mu):
             value = bodies._traction(r, a, c, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -544,7 +552,7 @@ def traction(r, a, c, R, h, wavelength, E_star, mu):
 
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'): {
-        ('a',): Program(('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, scratch=5, masks=1, filled=(4.0,)),
-        ('a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'): Program(('a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, scratch=7, masks=1, filled=(4.0,)),
+        ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 5, 1, (4.0,), False),
+        ('a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'): (('a', 'R', 'h', 'wavelength', 'E_star', 'G_star', 'mu'), prepare_full_slip_displacement_all, block_full_slip_displacement_all, 7, 1, (4.0,), False),
     },
 }

@@ -6,7 +6,7 @@ from math import exp, inf, nan, pow, sin
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 
 C0 = np.array(0.0)
 C1 = np.array(np.inf)
@@ -285,19 +285,19 @@ def block_step_force_standard_solid_all(out, t, d, a, h, E_inf, E_1, tau, t0, t1
 
 BLOCKS = {
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'a', 'h', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
-        ('t', 'd', 'a', 'h', 'E', 'eta'): Program(('t', 'd', 'a', 'h', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=3, masks=1),
+        ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),
+        ('t', 'd', 'a', 'h', 'E', 'eta'): (('t', 'd', 'a', 'h', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, 3, 1, (), False),
     },
     ('_step_force_maxwell', 1, 't', 'd', 'a', 'h', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
-        ('t', 'd', 'a', 'h', 'E', 'tau'): Program(('t', 'd', 'a', 'h', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=3, masks=1),
+        ('t',): (('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'h', 'E', 'tau'): (('t', 'd', 'a', 'h', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, 3, 1, (), False),
     },
     ('_step_force_power_creep', 1, 't', 'd', 'a', 'h', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
-        ('t', 'd', 'a', 'h', 'E', 'alpha', 't_0'): Program(('t', 'd', 'a', 'h', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=3, masks=1),
+        ('t',): (('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'h', 'E', 'alpha', 't_0'): (('t', 'd', 'a', 'h', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, 3, 1, (), False),
     },
     ('_step_force_standard_solid', 1, 't', 'd', 'a', 'h', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
-        ('t', 'd', 'a', 'h', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'a', 'h', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=3, masks=1),
+        ('t',): (('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'h', 'E_inf', 'E_1', 'tau'): (('t', 'd', 'a', 'h', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, 3, 1, (), False),
     },
 }

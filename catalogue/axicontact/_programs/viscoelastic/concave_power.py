@@ -137,6 +137,8 @@ def step_force_kelvin_voigt(t, d, a, h, n, E, eta):
             value = (E if t > 0.0 else inf) * (2.0 * a * (d + v398 / (n + 1.0) * v75) if v398 * v75 / (n * v394 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -270,6 +272,8 @@ def step_force_maxwell(t, d, a, h, n, E, tau):
             v399 = 1.7724538509055159 * h
             value = E * exp(-t / tau) * (2.0 * a * (d + v399 / (n + 1.0) * v75) if v399 * v75 / (n * v395 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -406,6 +410,8 @@ def step_force_power_creep(t, d, a, h, n, E, alpha, t_0):
             value = E * pow(t_0 / t, alpha) * sin(v12) / v12 * (2.0 * a * (d + v404 / (n + 1.0) * v80) if v404 * v80 / (n * v400 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -539,6 +545,8 @@ def step_force_standard_solid(t, d, a, h, n, E_inf, E_1, tau):
             v401 = 1.7724538509055159 * h
             value = (E_inf + E_1 * exp(-t / tau)) * (2.0 * a * (d + v401 / (n + 1.0) * v77) if v401 * v77 / (n * v397 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
             return None
         except (ArithmeticError, ValueError):

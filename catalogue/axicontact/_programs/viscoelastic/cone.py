@@ -6,7 +6,7 @@ from math import exp, expm1, inf, pow, sin, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.viscoelastic import cone as bodies
 
 C0 = np.array(0.0)
@@ -92,6 +92,8 @@ def ramp_force_maxwell(t, v, theta, E, tau):
             value = bodies._ramp_force_maxwell(t, v, theta, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -103,6 +105,8 @@ def ramp_force_power_creep(t, v, theta, E, alpha, t_0):
             value = bodies._ramp_force_power_creep(t, v, theta, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -113,6 +117,8 @@ def ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau):
         try:
             value = bodies._ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -564,39 +570,39 @@ def block_step_load_radius_standard_solid_all(out, t, F, theta, E_inf, E_1, tau,
 
 BLOCKS = {
     ('_ramp_force_kelvin_voigt', 1, 't', 'theta', 'v', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, scratch=2, masks=1),
-        ('t', 'theta', 'v', 'E', 'eta'): Program(('t', 'theta', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, scratch=2, masks=1),
+        ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 2, 1, (), False),
+        ('t', 'theta', 'v', 'E', 'eta'): (('t', 'theta', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 2, 1, (), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'theta', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
-        ('t', 'd', 'theta', 'E', 'eta'): Program(('t', 'd', 'theta', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=2, masks=1),
+        ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),
+        ('t', 'd', 'theta', 'E', 'eta'): (('t', 'd', 'theta', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, 2, 1, (), False),
     },
     ('_step_force_maxwell', 1, 't', 'd', 'theta', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
-        ('t', 'd', 'theta', 'E', 'tau'): Program(('t', 'd', 'theta', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=2),
+        ('t',): (('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t, 0, 0, (), False),
+        ('t', 'd', 'theta', 'E', 'tau'): (('t', 'd', 'theta', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, 2, 0, (), False),
     },
     ('_step_force_power_creep', 1, 't', 'd', 'theta', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
-        ('t', 'd', 'theta', 'E', 'alpha', 't_0'): Program(('t', 'd', 'theta', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=2),
+        ('t',): (('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t, 0, 0, (), False),
+        ('t', 'd', 'theta', 'E', 'alpha', 't_0'): (('t', 'd', 'theta', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, 2, 0, (), False),
     },
     ('_step_force_standard_solid', 1, 't', 'd', 'theta', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
-        ('t', 'd', 'theta', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'theta', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=2),
+        ('t',): (('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t, 0, 0, (), False),
+        ('t', 'd', 'theta', 'E_inf', 'E_1', 'tau'): (('t', 'd', 'theta', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, 2, 0, (), False),
     },
     ('_step_load_radius_kelvin_voigt', 1, 't', 'F', 'theta', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t),
-        ('t', 'F', 'theta', 'E', 'eta'): Program(('t', 'F', 'theta', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, scratch=1),
+        ('t',): (('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t, 0, 0, (), False),
+        ('t', 'F', 'theta', 'E', 'eta'): (('t', 'F', 'theta', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, 1, 0, (), False),
     },
     ('_step_load_radius_maxwell', 1, 't', 'F', 'theta', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t),
-        ('t', 'F', 'theta', 'E', 'tau'): Program(('t', 'F', 'theta', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, scratch=1),
+        ('t',): (('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t, 0, 0, (), False),
+        ('t', 'F', 'theta', 'E', 'tau'): (('t', 'F', 'theta', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, 1, 0, (), False),
     },
     ('_step_load_radius_power_creep', 1, 't', 'F', 'theta', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t),
-        ('t', 'F', 'theta', 'E', 'alpha', 't_0'): Program(('t', 'F', 'theta', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, scratch=1),
+        ('t',): (('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t, 0, 0, (), False),
+        ('t', 'F', 'theta', 'E', 'alpha', 't_0'): (('t', 'F', 'theta', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, 1, 0, (), False),
     },
     ('_step_load_radius_standard_solid', 1, 't', 'F', 'theta', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t),
-        ('t', 'F', 'theta', 'E_inf', 'E_1', 'tau'): Program(('t', 'F', 'theta', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, scratch=2),
+        ('t',): (('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t, 0, 0, (), False),
+        ('t', 'F', 'theta', 'E_inf', 'E_1', 'tau'): (('t', 'F', 'theta', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, 2, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import exp, inf, pow, sin
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.viscoelastic import flat_punch as bodies
 
 C0 = np.array(0.0)
@@ -87,6 +87,8 @@ def ramp_force_maxwell(t, v, a, E, tau):
             value = bodies._ramp_force_maxwell(t, v, a, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -98,6 +100,8 @@ def ramp_force_power_creep(t, v, a, E, alpha, t_0):
             value = bodies._ramp_force_power_creep(t, v, a, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -108,6 +112,8 @@ def ramp_force_standard_solid(t, v, a, E_inf, E_1, tau):
         try:
             value = bodies._ramp_force_standard_solid(t, v, a, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -315,23 +321,23 @@ def block_step_force_standard_solid_all(out, t, d, a, E_inf, E_1, tau, t0):
 
 BLOCKS = {
     ('_ramp_force_kelvin_voigt', 1, 't', 'a', 'v', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, scratch=2, masks=1),
-        ('t', 'a', 'v', 'E', 'eta'): Program(('t', 'a', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, scratch=2, masks=1),
+        ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 2, 1, (), False),
+        ('t', 'a', 'v', 'E', 'eta'): (('t', 'a', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 2, 1, (), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'a', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
-        ('t', 'd', 'a', 'E', 'eta'): Program(('t', 'd', 'a', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=1, masks=1),
+        ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),
+        ('t', 'd', 'a', 'E', 'eta'): (('t', 'd', 'a', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, 1, 1, (), False),
     },
     ('_step_force_maxwell', 1, 't', 'd', 'a', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
-        ('t', 'd', 'a', 'E', 'tau'): Program(('t', 'd', 'a', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=1),
+        ('t',): (('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'E', 'tau'): (('t', 'd', 'a', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, 1, 0, (), False),
     },
     ('_step_force_power_creep', 1, 't', 'd', 'a', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
-        ('t', 'd', 'a', 'E', 'alpha', 't_0'): Program(('t', 'd', 'a', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=2),
+        ('t',): (('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'E', 'alpha', 't_0'): (('t', 'd', 'a', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, 2, 0, (), False),
     },
     ('_step_force_standard_solid', 1, 't', 'd', 'a', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
-        ('t', 'd', 'a', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'a', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=1),
+        ('t',): (('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t, 0, 0, (), False),
+        ('t', 'd', 'a', 'E_inf', 'E_1', 'tau'): (('t', 'd', 'a', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, 1, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import exp, expm1, inf, pow, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.arrays.blocks import Program, largest
+from ..._runtime.interface import largest
 from ..._programs.bodies.viscoelastic import power_law as bodies
 
 C0 = np.array(0.0)
@@ -266,6 +266,8 @@ def ramp_force_maxwell(t, v, A, n, E, tau):
             value = bodies._ramp_force_maxwell(t, v, A, n, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -277,6 +279,8 @@ def ramp_force_power_creep(t, v, A, n, E, alpha, t_0):
             value = bodies._ramp_force_power_creep(t, v, A, n, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -287,6 +291,8 @@ def ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau):
         try:
             value = bodies._ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1924,39 +1930,39 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
 
 BLOCKS = {
     ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, scratch=5, masks=3),
-        ('t', 'A', 'n', 'v', 'E', 'eta'): Program(('t', 'A', 'n', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, scratch=8, masks=3),
+        ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 5, 3, (), False),
+        ('t', 'A', 'n', 'v', 'E', 'eta'): (('t', 'A', 'n', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 8, 3, (), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'n', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, masks=1),
-        ('t', 'd', 'A', 'n', 'E', 'eta'): Program(('t', 'd', 'A', 'n', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),
+        ('t', 'd', 'A', 'n', 'E', 'eta'): (('t', 'd', 'A', 'n', 'E', 'eta'), prepare_step_force_kelvin_voigt_all, block_step_force_kelvin_voigt_all, 6, 2, (), False),
     },
     ('_step_force_maxwell', 1, 't', 'd', 'A', 'n', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t),
-        ('t', 'd', 'A', 'n', 'E', 'tau'): Program(('t', 'd', 'A', 'n', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_force_maxwell_t, block_step_force_maxwell_t, 0, 0, (), False),
+        ('t', 'd', 'A', 'n', 'E', 'tau'): (('t', 'd', 'A', 'n', 'E', 'tau'), prepare_step_force_maxwell_all, block_step_force_maxwell_all, 6, 2, (), False),
     },
     ('_step_force_power_creep', 1, 't', 'd', 'A', 'n', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t),
-        ('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'): Program(('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_force_power_creep_t, block_step_force_power_creep_t, 0, 0, (), False),
+        ('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'): (('t', 'd', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_force_power_creep_all, block_step_force_power_creep_all, 6, 2, (), False),
     },
     ('_step_force_standard_solid', 1, 't', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t),
-        ('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'): Program(('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_force_standard_solid_t, block_step_force_standard_solid_t, 0, 0, (), False),
+        ('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'): (('t', 'd', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_force_standard_solid_all, block_step_force_standard_solid_all, 6, 2, (), False),
     },
     ('_step_load_radius_kelvin_voigt', 1, 't', 'F', 'A', 'n', 'E', 'eta'): {
-        ('t',): Program(('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t, scratch=3, masks=2),
-        ('t', 'F', 'A', 'n', 'E', 'eta'): Program(('t', 'F', 'A', 'n', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_load_radius_kelvin_voigt_t, block_step_load_radius_kelvin_voigt_t, 3, 2, (), False),
+        ('t', 'F', 'A', 'n', 'E', 'eta'): (('t', 'F', 'A', 'n', 'E', 'eta'), prepare_step_load_radius_kelvin_voigt_all, block_step_load_radius_kelvin_voigt_all, 6, 2, (), False),
     },
     ('_step_load_radius_maxwell', 1, 't', 'F', 'A', 'n', 'E', 'tau'): {
-        ('t',): Program(('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t, scratch=3, masks=2),
-        ('t', 'F', 'A', 'n', 'E', 'tau'): Program(('t', 'F', 'A', 'n', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_load_radius_maxwell_t, block_step_load_radius_maxwell_t, 3, 2, (), False),
+        ('t', 'F', 'A', 'n', 'E', 'tau'): (('t', 'F', 'A', 'n', 'E', 'tau'), prepare_step_load_radius_maxwell_all, block_step_load_radius_maxwell_all, 6, 2, (), False),
     },
     ('_step_load_radius_power_creep', 1, 't', 'F', 'A', 'n', 'E', 'alpha', 't_0'): {
-        ('t',): Program(('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t, scratch=3, masks=2),
-        ('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'): Program(('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_load_radius_power_creep_t, block_step_load_radius_power_creep_t, 3, 2, (), False),
+        ('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'): (('t', 'F', 'A', 'n', 'E', 'alpha', 't_0'), prepare_step_load_radius_power_creep_all, block_step_load_radius_power_creep_all, 6, 2, (), False),
     },
     ('_step_load_radius_standard_solid', 1, 't', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'): {
-        ('t',): Program(('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t, scratch=3, masks=2),
-        ('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'): Program(('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, scratch=6, masks=2),
+        ('t',): (('t',), prepare_step_load_radius_standard_solid_t, block_step_load_radius_standard_solid_t, 3, 2, (), False),
+        ('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'): (('t', 'F', 'A', 'n', 'E_inf', 'E_1', 'tau'), prepare_step_load_radius_standard_solid_all, block_step_load_radius_standard_solid_all, 6, 2, (), False),
     },
 }

@@ -11,6 +11,8 @@ def step_force_kelvin_voigt(t, d, R, b, E, eta):
             value = bodies._step_force_kelvin_voigt(t, d, R, b, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -21,6 +23,8 @@ def step_force_maxwell(t, d, R, b, E, tau):
         try:
             value = bodies._step_force_maxwell(t, d, R, b, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -33,6 +37,8 @@ def step_force_power_creep(t, d, R, b, E, alpha, t_0):
             value = bodies._step_force_power_creep(t, d, R, b, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -43,6 +49,8 @@ def step_force_standard_solid(t, d, R, b, E_inf, E_1, tau):
         try:
             value = bodies._step_force_standard_solid(t, d, R, b, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -55,6 +63,8 @@ def step_load_radius_kelvin_voigt(t, F, R, b, E, eta):
             value = bodies._step_load_radius_kelvin_voigt(t, F, R, b, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -65,6 +75,8 @@ def step_load_radius_maxwell(t, F, R, b, E, tau):
         try:
             value = bodies._step_load_radius_maxwell(t, F, R, b, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,6 +89,8 @@ def step_load_radius_power_creep(t, F, R, b, E, alpha, t_0):
             value = bodies._step_load_radius_power_creep(t, F, R, b, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -87,6 +101,8 @@ def step_load_radius_standard_solid(t, F, R, b, E_inf, E_1, tau):
         try:
             value = bodies._step_load_radius_standard_solid(t, F, R, b, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -15,7 +15,6 @@ POSITIONS = ("r", "x")
 REAL = "biuf"
 """Kinds of NumPy's types that a field may have."""
 _programs: dict[Any, Program | None] = {}
-INFINITE = np.array(np.inf).view(np.uint64)[()]
 
 
 class Program(NamedTuple):
@@ -35,12 +34,6 @@ class Program(NamedTuple):
     filled: tuple[float, ...] = ()
     """Arrays of these numbers: NumPy's maximum of two arrays costs half of that with a number."""
     positive: bool = False
-
-
-def largest(block: Array) -> float:
-    """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
-    bits = np.maximum.reduce(block.view(np.uint64))
-    return float(bits.view(np.float64)) if bits < INFINITE else np.inf
 
 
 def over_arrays(
@@ -106,7 +99,8 @@ def _program(
     if key not in _programs:
         written = getattr(programs(function.__module__), "BLOCKS", {}).get((function.__name__, count, *names), {})
         arrays = tuple([name for name, more in zip(names, several, strict=True) if more])
-        _programs[key] = written.get(arrays) or written.get(names)
+        found = written.get(arrays) or written.get(names)
+        _programs[key] = found and Program(*found)
     return _programs[key]
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from ..integrals import difference_root, integral_in_strip
 from ..interface import Array
 from .growth import sphere_depth, sphere_force, sphere_rate
-from .rules import raised, sine_integral, sine_over, weighted
+from .rules import either, raised, sine_integral, sine_over, weighted
 
 
 def flank_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -52,7 +52,8 @@ def rounding_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def rounding_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
-    return _rounding(root, b, k, lambda y, fall: 2.0 * t * np.cos(y) - b)
+    angle = np.arctan2(root, b)
+    return 2.0 * t * raised(root / t, k) / (1.0 + k) - b * sine_integral(angle, k)
 
 
 def rounding_force(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -77,8 +78,10 @@ def rounded_depth(a: Array, root: Array, b: Array, k: Array) -> Array:
 
 
 def rounded_rate(t: Array, root: Array, b: Array, k: Array) -> Array:
-    beyond = 2.0 * t / b * _tip(t, root, b, k) + sine_integral(np.arctan2(root, b), k)
-    return np.where(t < b, 2.0 * t / b / (1.0 + k), beyond)
+    def beyond() -> Array:
+        return 2.0 * t / b * _tip(t, root, b, k) + sine_integral(np.arctan2(root, b), k)
+
+    return either(t < b, lambda: 2.0 * t / b / (1.0 + k), beyond)
 
 
 def rounded_force(a: Array, root: Array, b: Array, k: Array) -> Array:
@@ -107,21 +110,28 @@ def tipped_depth(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array
 
     Next to b the root says on which side of it a contact is: a radius rounds to b up to t = 1e-8.
     """
-    beyond = a**-k * a * _cap(a, root, b, end, k, lambda below, far: 1.0 / far)
-    beyond = beyond + b / end * flank_depth(a, root, b, k)
-    return np.where(root > 0.0, beyond, sphere_depth(*_within(a, R, b), k))
+
+    def beyond() -> Array:
+        cap = a**-k * a * _cap(a, root, b, end, k, lambda below, far: 1.0 / far)
+        return cap + b / end * flank_depth(a, root, b, k)
+
+    return either(root > 0.0, beyond, lambda: sphere_depth(*_within(a, R, b), k))
 
 
 def tipped_rate(t: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
-    beyond = t**-k * _cap(t, root, b, end, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
-    beyond = beyond + b / end * sine_integral(np.arctan2(root, b), k)
-    return np.where(root > 0.0, beyond, sphere_rate(*_within(t, R, b), k))
+    def beyond() -> Array:
+        cap = t**-k * _cap(t, root, b, end, k, lambda below, far: (1.0 + (R / far) ** 2) / far)
+        return cap + b / end * sine_integral(np.arctan2(root, b), k)
+
+    return either(root > 0.0, beyond, lambda: sphere_rate(*_within(t, R, b), k))
 
 
 def tipped_force(a: Array, root: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
-    beyond = _cap(a, root, b, end, k, lambda below, far: below / far)
-    beyond = beyond + b / end * flank_force(a, root, b, k)
-    return np.where(root > 0.0, beyond, sphere_force(*_within(a, R, b), k))
+    def beyond() -> Array:
+        cap = _cap(a, root, b, end, k, lambda below, far: below / far)
+        return cap + b / end * flank_force(a, root, b, k)
+
+    return either(root > 0.0, beyond, lambda: sphere_force(*_within(a, R, b), k))
 
 
 def _within(a: Array, R: Array, b: Array) -> tuple[Array, Array]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..integrals import integral_in_strip
 from ..interface import Array, Kept
-from .rules import raised, sine_integral, sine_over, sinh_over, weighted
+from .rules import nodes_for, raised, sine_mean, sine_over, sinh_over, weighted
 
 FAR = 40.0
 _LONGEST = 8.0
@@ -114,7 +114,7 @@ def sphere_depth(a: Array, root: Array, k: Array) -> Array:
     """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
     open_ = np.where(root > 0.0, root, a)
     v = np.arcsinh(a / open_)
-    value = a * _steepness(a, open_, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    value = a * _steepness(a, open_, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k, nodes_for(v))
     return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * _last(k)))
 
 
@@ -127,7 +127,7 @@ def sphere_rate(t: Array, root: Array, k: Array) -> Array:
 
     # 2e4 units at the end of the sphere from one panel over all of v
     first = np.minimum(v, _LONGEST)
-    total = (open_ / t * first) ** k * first * weighted(integrand, first, k)
+    total = (open_ / t * first) ** k * first * weighted(integrand, first, k, nodes_for(first))
     if np.any(v > first):
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
         total = total + (open_ / t) ** k * rest
@@ -143,7 +143,7 @@ def sphere_force(a: Array, root: Array, k: Array) -> Array:
         over = sinh_over(x)
         return over**k * (1.0 - (over * (x / whole)) ** 2)
 
-    value = a * raised(a, k) * _steepness(a, open_, v, k) ** k * v * weighted(integrand, v, k)
+    value = a * raised(a, k) * _steepness(a, open_, v, k) ** k * v * weighted(integrand, v, k, nodes_for(v))
     return np.where(a == 0.0, 0.0, np.where(root > 0.0, value, a * raised(a, k) * 2.0 / (2.0 + k) * _last(k)))
 
 
@@ -159,12 +159,14 @@ def _last(k: Array) -> Array:
 
 def hyperboloid_depth(a: Array, b: Array, k: Array) -> Array:
     """g(a) of f = sqrt(r**2 + b**2) - b."""
-    return np.where(a > 0.0, a * (np.hypot(a, b) / a) ** k * sine_integral(np.arctan2(a, b), k), 0.0)
+    # of one power: of two the rounding of the angle's would come to that of the radius'
+    angle = np.arctan2(a, b)
+    return np.where(a > 0.0, a * angle * (np.hypot(a, b) / a * angle) ** k * sine_mean(angle, k), 0.0)
 
 
 def hyperboloid_rate(t: Array, b: Array, k: Array) -> Array:
-    c = np.hypot(t, b)
-    return (c / t) ** k * sine_integral(np.arctan2(t, b), k) * (1.0 - k * (b / c) ** 2) + t / c * (b / c)
+    c, angle = np.hypot(t, b), np.arctan2(t, b)
+    return angle * (c / t * angle) ** k * sine_mean(angle, k) * (1.0 - k * (b / c) ** 2) + t / c * (b / c)
 
 
 def hyperboloid_force(a: Array, b: Array, k: Array) -> Array:
@@ -174,7 +176,7 @@ def hyperboloid_force(a: Array, b: Array, k: Array) -> Array:
         return sine_over(y) ** k * np.sin(angle - y) * np.sin(angle + y)
 
     c = np.hypot(a, b)
-    return c**k * c * c * raised(angle, k) * weighted(integrand, angle, k)
+    return np.where(a > 0.0, c * c * angle * (c * angle) ** k * weighted(integrand, angle, k), 0.0)
 
 
 def gaussian_depth(a: Array, s: Array, k: Array) -> Array:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ..integrals import difference_root
-from ..interface import Array
+from ..interface import Array, Kept
 from ..inverse import LOST, ROUNDING, Curve, inverse
 from ..physics.unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
 from ..shapes.across import Rooted, inverse_across
@@ -146,6 +146,7 @@ def contact_below(
     return a, root
 
 
+@Kept
 def gaussian_reach(s: Array, k: Array) -> Array:
     """The radius of largest depth of a Gaussian bump, where the contact ceases to be compact."""
     low, high = np.ones_like(s + k), 8.0 * np.ones_like(s + k)
@@ -179,8 +180,8 @@ def radius_across(
     if end is None and least is None:
         return inverse_across(_with_rate(load, rate, needs), value, b + np.zeros_like(value), tip)
     # where a steep tip ends, a unit of the radius is thousands of the load, and what is beyond begins at its own
-    first = np.zeros_like(value) if end is None else NEAREST * b + np.zeros_like(value)
-    base = load(b + np.zeros_like(value), first, *needs)
+    base, *close = _at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
+    base = base + np.zeros_like(value)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
     radius = b + np.zeros_like(value)
@@ -190,9 +191,19 @@ def radius_across(
         return radius
     return np.where(
         above,
-        _beyond(load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip),
+        _beyond(
+            load, rate, np.where(above, value - base, 0.0), base, b, needs, 1.0 if least is None else least, tip, *close
+        ),
         radius,
     )
+
+
+@Kept
+def _at_break(of: tuple[Load, Load], b: Array, first: Array, *needs: Array) -> tuple[Array, Array, Array]:
+    """The load at a break, and that at CLOSE beyond it with its derivative by ln a."""
+    load, rate = of
+    a, root = b * (1.0 + CLOSE * CLOSE) ** 0.5, b * CLOSE
+    return load(b, first, *needs), load(a, root, *needs), a * rate(a, root, *needs)
 
 
 def _with_rate(load: Load, rate: Load, needs: tuple[Array, ...]) -> Rooted:
@@ -236,6 +247,8 @@ def _beyond(
     needs: tuple[Array, ...],
     least: Array | float,
     tip: Array,
+    at_close: Array,
+    slope_at_close: Array,
 ) -> Array:
     """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
 
@@ -243,15 +256,14 @@ def _beyond(
     """
     curve_at = _with_rate(load, rate, needs)
 
-    def more_and_rate(t: Array) -> tuple[Array, Array]:
-        y, slope = curve_at(b * np.sqrt(1.0 + t * t), b * t)
+    def more_and_rate(t: Array, y: Array, slope: Array) -> tuple[Array, Array]:
         slope = slope * (t * t / (1.0 + t * t))
         more = np.maximum(y - base, ROUNDING * base)
         # above its rounding the excess may grow by less than its first power, where the load saturates
         return more, np.where(more > LOST * ROUNDING * base, slope, np.maximum(slope, np.minimum(least, 1.0) * more))
 
     near = CLOSE * np.ones_like(excess)
-    more, slope = more_and_rate(near)
+    more, slope = more_and_rate(near, at_close, slope_at_close)
     second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
     # where the powers are all but equal it does not matter where they meet
     meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
@@ -264,7 +276,7 @@ def _beyond(
 
     def curve(x: Array) -> tuple[Array, Array]:
         t, power = place(x)
-        own, slope = more_and_rate(t)
+        own, slope = more_and_rate(t, *curve_at(b * np.sqrt(1.0 + t * t), b * t))
         return own, slope / own / power
 
     def share(x: Array) -> Array:

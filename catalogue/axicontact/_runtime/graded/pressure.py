@@ -16,12 +16,14 @@ from ..integrals import difference_root, integral, integral_by_panels, integral_
 from ..interface import Array
 from .breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from .growth import axis_power, gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from .rules import NODES, raised, sine_integral, sinh_over, weighted
+from .rules import NODES, either, nodes_for, raised, sine_integral, sinh_over, weighted
 from .waves import waves_rate
 
 Slope = Callable[..., Array]
 _PANEL, _LONGEST = 3.0, 8.0
 """First panels: where the weight meets a root that may be near, and the most that the nodes resolve with none near."""
+SPAN = 4.0
+"""Waves that one panel resolves."""
 _NEAREST = 1e-9
 """A root, over b, whose square is nothing."""
 _AXIS = 2.0**-60
@@ -44,14 +46,16 @@ def wavy_growth(slope: Slope, r: Array, a: Array, wavelength: Array, k: Array) -
     """The integral where g' oscillates with a wavelength: one panel with the weight, then plain ones."""
     r = _off_axis(r, a)
     stop = difference_root(a, r)
-    first = np.minimum(stop, wavelength)
+    first = np.minimum(stop, SPAN * wavelength)
 
     def smooth(u: Array) -> Array:
         t = np.sqrt(r * r + u * u)
         return slope(t) / t
 
     total = raised(first, k) * weighted(smooth, first, k)
-    return total + integral_by_panels(lambda u: smooth(first + u) * (first + u) ** k, stop - first, wavelength, NODES)
+    return total + integral_by_panels(
+        lambda u: smooth(first + u) * (first + u) ** k, stop - first, SPAN * wavelength, NODES
+    )
 
 
 def sinh_growth(slope: Slope, r: Array, a: Array, b: Array, k: Array) -> Array:
@@ -80,7 +84,7 @@ def tanh_growth(slope: Slope, r: Array, R: Array, reach: Array, end: Array, k: A
 
     stop = np.arcsinh(reach / end)
     first = np.minimum(stop, _LONGEST)
-    total = raised(first, k) * weighted(smooth, first, k)
+    total = raised(first, k) * weighted(smooth, first, k, nodes_for(first))
     if np.any(stop > first):
         total = total + integral_in_strip(lambda v: smooth(first + v) * (first + v) ** k, stop - first)
     return np.where(end > 0.0, raised(scale, k) * total, np.inf)
@@ -136,7 +140,7 @@ def growth_beyond_cap(
     """
     gaps = [past(x) if past else x - b for x in (r, a)]
     within, scale, reach = _branches(r, a, b, 2.0 + 2.0 * k, *gaps)
-    first = np.minimum(np.arcsinh(reach / scale), _PANEL * np.minimum(1.0, bend / scale))
+    first, start = _panel(scale, reach, _PANEL * np.minimum(1.0, bend / scale))
 
     def inner(root: Array, u: Array) -> Array:
         t = np.hypot(b, root)
@@ -150,8 +154,11 @@ def growth_beyond_cap(
         v = first * x**3
         return inner(scale * np.sinh(v), scale * np.cosh(v)) * 3.0 * x * x
 
-    below = first * integral(cube, np.ones_like(first), NODES) + growth_far(inner, scale * np.sinh(first), reach, scale)
-    value = np.where(within, below, _from_branch(outer, scale, reach, k))
+    def below() -> Array:
+        near = first * integral(cube, np.ones_like(first), NODES)
+        return near + growth_far(inner, start, reach, scale)
+
+    value = either(within, below, lambda: _from_branch(outer, scale, reach, k))
     return np.where(reach > 0.0, value, 0.0)
 
 
@@ -176,10 +183,21 @@ def _from_branch(
 
     `above` is 1 + k, as in the rule of the weight.
     """
-    first = np.minimum(np.arcsinh(reach / scale), _PANEL)
-    near = weighted(lambda v: smooth(scale * np.sinh(v), scale * np.cosh(v)) * sinh_over(v) ** k, first, k, above=above)
-    rest = growth_far(lambda y, far: y**k * smooth(y, far), scale * np.sinh(first), reach, scale)
+    first, start = _panel(scale, reach, _PANEL)
+
+    def weighed(v: Array) -> Array:
+        return smooth(scale * np.sinh(v), scale * np.cosh(v)) * sinh_over(v) ** k
+
+    near = weighted(weighed, first, k, nodes_for(first), above)
+    rest = growth_far(lambda y, far: y**k * smooth(y, far), start, reach, scale)
     return scale**k * (raised(first, k) * near) + rest
+
+
+def _panel(scale: Array, reach: Array, longest: Array | float) -> tuple[Array, Array]:
+    """The length of the first panel in arcsinh(y/scale), and the y where the rest starts, `reach` if there is none."""
+    whole = np.arcsinh(reach / scale)
+    first = np.minimum(whole, longest)
+    return first, np.where(first < whole, scale * np.sinh(first), reach)
 
 
 def growth_far(integrand: Callable[[Array, Array], Array], start: Array, reach: Array, scale: Array) -> Array:
@@ -188,6 +206,8 @@ def growth_far(integrand: Callable[[Array, Array], Array], start: Array, reach: 
     Counted from either end up to the middle: in a length that counts decades an error is one of every power of it.
     """
     long = reach > start
+    if not np.any(long):
+        return np.zeros_like(start)
     half = np.where(long, np.log(np.sqrt(reach) / np.sqrt(np.where(long, start, 1.0))), 0.0)
 
     def along(y: Array) -> Array:
@@ -265,9 +285,9 @@ def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array
     past = partial(past_tip, R=R, b=b, end=end)
     within, whole = past(r) < 0.0, past(a) >= 0.0
     reach = np.where(whole, np.sqrt(np.maximum(-past(r), 0.0) * (b + r)), difference_root(a, r))
-    tip = _sphere(np.minimum(r, b), R, reach, np.where(whole, end, difference_root(R, a)), k)
-    beyond = growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k, past, end)
-    return np.where(within, tip, 0.0) + beyond
+    last = np.where(whole, end, difference_root(R, a))
+    tip = either(within, lambda: _sphere(np.minimum(r, b), R, reach, last, k), lambda: np.zeros_like(reach))
+    return tip + growth_beyond_cap(lambda t, root: tipped_rate(t, root, R, b, end, k), r, a, b, k, past, end)
 
 
 def hyperboloid_pressure(r: Array, a: Array, b: Array, k: Array) -> Array:

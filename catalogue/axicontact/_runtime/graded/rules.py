@@ -14,12 +14,18 @@ from functools import cache
 
 import numpy as np
 
-from ..integrals import in_parts, summed
-from ..interface import BLOCK, Array
+from ..integrals import STRIPS, in_parts, summed
+from ..interface import BLOCK, Array, Kept
 from ..nodes import gauss_legendre
 
 Smooth = Callable[[Array], Array]
 NODES = 64
+
+
+def nodes_for(length: Array) -> int:
+    """Nodes of a product rule, twice those of Gauss, for singularities at a distance pi/2; see STRIPS."""
+    longest = float(np.max(length, initial=0.0))
+    return next((2 * count for reached, count in STRIPS[:2] if longest <= reached), NODES)
 
 
 def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES, above: Array | None = None) -> Array:
@@ -45,6 +51,30 @@ def _sum(smooth: Smooth, stop: Array, weights: Array, count: int) -> Array:
     size = math.prod(np.broadcast_shapes(np.shape(stop), weights.shape[1:]))
     parts = in_parts(count, BLOCK // max(1, size))
     return summed(weights[part] * smooth(nodes[part].reshape(column) * stop) for part in parts)
+
+
+def over_quarter(of: Smooth, points: Array, k: Array) -> Array:
+    """Integral of of(cos(y)) sin(y)**k over a quarter turn, whose nodes are the same for all `points`."""
+    cosines, weights, whole = quarter(k)
+    axes = np.ndim(points)
+    cosines = cosines.reshape(-1, *(1,) * axes)
+    weights = weights.reshape(NODES, *(1,) * (axes + 1 - weights.ndim), *weights.shape[1:])
+    parts = in_parts(NODES, BLOCK // max(1, np.size(points)))
+    if whole is None:
+        return summed(weights[part] * of(cosines[part]) for part in parts)
+    end = of(np.ones((1, *(1,) * axes)))
+    return end[0] * whole + summed(weights[part] * (of(cosines[part]) - end) for part in parts)
+
+
+@Kept
+def quarter(k: Array) -> tuple[Array, Array, Array | None]:
+    """Cosines of the nodes and their weights; near k = -1 for what vanishes at y = 0, with those of all of it."""
+    k, angles = np.asarray(k, dtype=np.float64), np.pi / 2.0 * gauss_legendre(NODES)[0]
+    scale, over = raised(np.pi / 2.0, k), np.power.outer(sine_over(angles), k)
+    if np.all(k >= -0.25):
+        return np.cos(angles), scale * product_weights(k, NODES) * over, None
+    weights = (product_weights(1.0 + k, NODES).T / gauss_legendre(NODES)[0]).T
+    return np.cos(angles), scale * weights * over, scale * (1.0 / (1.0 + k) + np.sum(weights * (over - 1.0), axis=0))
 
 
 def product_weights(power: Array, count: int) -> Array:
@@ -78,6 +108,13 @@ def legendre_table(count: int) -> Array:
     return weights[:, None] * (2.0 * np.arange(count) + 1.0) * np.stack(columns, axis=1)
 
 
+def either(condition: Array, x: Callable[[], Array], y: Callable[[], Array]) -> Array:
+    """x() where the condition holds and y() elsewhere; what is chosen nowhere is not asked for."""
+    if np.all(condition):
+        return x()
+    return np.where(condition, x(), y()) if np.any(condition) else y()
+
+
 def raised(x: Array, k: Array) -> Array:
     """x**(1 + k), with no rounding of the exponent."""
     return np.where(x > 0.0, x * x**k, 0.0)
@@ -85,7 +122,12 @@ def raised(x: Array, k: Array) -> Array:
 
 def sine_integral(angle: Array, k: Array) -> Array:
     """Integral of sin(y)**k from 0 to `angle`, at most pi/2."""
-    return raised(angle, k) * weighted(lambda y: sine_over(y) ** k, angle, k, 32)
+    return raised(angle, k) * sine_mean(angle, k)
+
+
+def sine_mean(angle: Array, k: Array) -> Array:
+    """The same over the power 1 + k of the angle."""
+    return weighted(lambda y: sine_over(y) ** k, angle, k, 24)
 
 
 def sine_over(y: Array) -> Array:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 from ..nodes import gauss_legendre
-from .rules import NODES, product_weights
+from .rules import NODES, product_weights, quarter
 
 Pairs = list[tuple[float, float]]
 
@@ -22,6 +23,28 @@ def weighted(
     end = smooth(0.0)
     pairs = _pairs(above, count, beyond=True)
     return end / above + math.fsum([weight * (smooth(node * stop) - end) for node, weight in pairs])
+
+
+def over_quarter(of: Callable[[float], float], points: float, k: float) -> float:
+    """Integral of of(cos(y)) sin(y)**k over a quarter turn, as over arrays."""
+    pairs, whole = _turned(k)
+    if whole is None:
+        return math.fsum([weight * of(cosine) for cosine, weight in pairs])
+    end = of(1.0)
+    return end * whole + math.fsum([weight * (of(cosine) - end) for cosine, weight in pairs])
+
+
+@cache
+def _turned(k: float) -> tuple[Pairs, float | None]:
+    cosines, weights, whole = quarter(k)
+    return list(zip(cosines.tolist(), weights.tolist(), strict=True)), whole
+
+
+def far_out(phase: float, k: float, factor: Callable[..., Any]) -> float:
+    """The integral of a wave on paths off the real axis: over arrays of complex numbers."""
+    from . import waves
+
+    return float(waves.far_out(phase, k, factor))
 
 
 @cache

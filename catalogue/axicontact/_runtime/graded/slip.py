@@ -16,8 +16,8 @@ from ..integrals import difference_root, integral_by_panels, integral_in_strip
 from ..interface import Array
 from ..physics.slip import CLOSE, gained_share
 from .growth import power_depth, power_factor, power_force, sphere_rate
-from .pressure import growth_beyond_cap
-from .rules import raised
+from .pressure import SPAN, growth_beyond_cap
+from .rules import either, raised
 
 Whole = Callable[..., Array]
 Lengths = tuple[Array, ...]
@@ -62,11 +62,13 @@ def smooth_gain(
     quantity: str, whole: Whole, rate: Whole, lengths: Lengths, r: Array, c: Array, a: Array, k: Array
 ) -> Array:
     """For g' with no singularity but on the imaginary axis."""
-    if quantity == "pressure":
-        values = whole(r, a, *lengths, k), whole(r, c, *lengths, k)
-    else:
-        values = whole(a, *lengths, k), whole(c, *lengths, k)
-    return _chosen(*values, lambda close: _grown(quantity, lambda t, _: rate(t, *lengths, k), r, c, a, 0.0, k, close))
+    close = _close(r, c, a)
+    fields = (r,) if quantity == "pressure" else ()
+    return either(
+        close,
+        lambda: _grown(quantity, lambda t, _: rate(t, *lengths, k), r, c, a, 0.0, k, close),
+        lambda: whole(*fields, a, *lengths, k) - whole(*fields, c, *lengths, k),
+    )
 
 
 def beyond_gain(
@@ -74,24 +76,12 @@ def beyond_gain(
 ) -> Array:
     """For g' that begins at the break with a power of the distance to it."""
     (b,) = lengths
-    return _beyond(quantity, whole, rate, lengths, b, r, c, a, k)
-
-
-def _beyond(
-    quantity: str, whole: Whole, rate: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array
-) -> Array:
-    return _chosen(
-        *_values(quantity, whole, lengths, b, r, c, a, k),
-        lambda close: _grown(quantity, lambda t, root: rate(t, root, *lengths, k), r, c, a, b, k, close),
+    close = _close(np.maximum(r, b), c, a)
+    return either(
+        close,
+        lambda: _grown(quantity, lambda t, root: rate(t, root, *lengths, k), r, c, a, b, k, close),
+        lambda: _difference(quantity, whole, lengths, b, r, c, a, k),
     )
-
-
-def _values(
-    quantity: str, whole: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array
-) -> tuple[Array, Array]:
-    if quantity == "pressure":
-        return whole(r, a, *lengths, k), whole(r, c, *lengths, k)
-    return whole(a, difference_root(a, b), *lengths, k), whole(c, difference_root(c, b), *lengths, k)
 
 
 def below_gain(
@@ -99,11 +89,12 @@ def below_gain(
 ) -> Array:
     """For g' singular at t = R."""
     (R,) = lengths
-    if quantity == "pressure":
-        values = whole(r, a, R, k), whole(r, c, R, k)
-    else:
-        values = whole(a, difference_root(R, a), k), whole(c, difference_root(R, c), k)
-    return _chosen(*values, lambda close: _grown_below(quantity, rate, r, c, a, R, k, close))
+
+    def values(t: Array) -> Array:
+        return whole(r, t, R, k) if quantity == "pressure" else whole(t, difference_root(R, t), k)
+
+    close = _close(r, c, a)
+    return either(close, lambda: _grown_below(quantity, rate, r, c, a, R, k, close), lambda: values(a) - values(c))
 
 
 def rounded_gain(
@@ -137,16 +128,22 @@ def _across(
     """What a shape gains whose rate is continuous at b, with the tip that ends there."""
     power = {"pressure": 0.0, "depth": 1.0 - k, "force": 2.0}[quantity]
     start = r if quantity == "pressure" else 0.0 * a
+    close = _close(r, c, a)
 
     def slope(t: Array, root: Array) -> Array:
         return rate(t, root, *lengths, k)
 
-    def gain(close: Array) -> Array:
-        outside = growth_beyond_cap(lambda t, root: slope(t, root) * t**power, start, a, b, k)
-        beyond = _grown(quantity, slope, r, c, a, b, k, close & (c > b))
-        return np.where(c <= b, tip(close) + outside, beyond)
+    def from_tip() -> Array:
+        return tip(close) + growth_beyond_cap(lambda t, root: slope(t, root) * t**power, start, a, b, k)
 
-    return _chosen(*_values(quantity, whole, lengths, b, r, c, a, k), gain)
+    def beyond() -> Array:
+        return _grown(quantity, slope, r, c, a, b, k, close & (c > b))
+
+    return either(
+        close,
+        lambda: either(c <= b, from_tip, beyond),
+        lambda: _difference(quantity, whole, lengths, b, r, c, a, k),
+    )
 
 
 def waves_gain(
@@ -168,19 +165,28 @@ def waves_gain(
         y = inner * np.exp(w)
         return y * _grown(y)
 
-    rest = integral_by_panels(lambda y: _grown(inner + first + y), gap - first, length * np.ones_like(gap), NODES)
+    def gain() -> Array:
+        rest = integral_by_panels(
+            lambda y: _grown(inner + first + y), gap - first, SPAN * length * np.ones_like(gap), NODES
+        )
+        return rest + integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
+
     fields = (r,) if quantity == "pressure" else ()
-    difference = whole(*fields, a, q, k) - whole(*fields, c, q, k)
-    part = integral_by_panels(near, np.log1p(first / inner), PANEL * np.ones_like(gap), NODES)
-    return np.where(close, part + rest, difference)
+    return either(close, gain, lambda: whole(*fields, a, q, k) - whole(*fields, c, q, k))
 
 
-def _chosen(outer: Array, inner: Array, gain: Callable[[Array], Array]) -> Array:
-    """outer - inner, as the gain where they are close."""
-    close = inner >= CLOSE * outer
-    if not np.any(close):
-        return outer - inner
-    return np.where(close, gain(close), outer - inner)
+def _close(m: Array, c: Array, a: Array) -> Array:
+    """Where most of what is there at a was there at c, counted from the branch point m."""
+    inner = difference_root(c, m)
+    return (inner > 0.0) & (inner >= CLOSE * difference_root(a, m))
+
+
+def _difference(
+    quantity: str, whole: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array
+) -> Array:
+    if quantity == "pressure":
+        return whole(r, a, *lengths, k) - whole(r, c, *lengths, k)
+    return whole(a, difference_root(a, b), *lengths, k) - whole(c, difference_root(c, b), *lengths, k)
 
 
 def _weight(quantity: str, t: Array, y: Array, k: Array) -> Array:

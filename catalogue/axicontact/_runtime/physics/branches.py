@@ -33,6 +33,8 @@ class Samples(NamedTuple):
     steepness: Array
     end: Array | float
     """The largest radius."""
+    found: dict[float, Branches]
+    """The branches of levels that are plain numbers, once they were searched for."""
 
 
 def branches(steepness: Load, sampled: Samples, level: Array) -> Branches:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..interface import KEPT
 from .branches import CLOSEST, FAR, STEPS, Branches, Samples
 from .branches import halfway as halfway_of_arrays
 
@@ -14,7 +15,17 @@ Load = Callable[[float], float]
 
 
 def branches(steepness: Load, sampled: Samples, level: float) -> Branches:
-    """The branches on which the steepness is above the level, their ends in lists."""
+    """The branches on which the steepness is above the level, their ends in lists: searched for once in a geometry."""
+    found = sampled.found.get(level)
+    if found is None:
+        found = _searched(steepness, sampled, level)
+        if len(sampled.found) >= KEPT:
+            sampled.found.clear()
+        sampled.found[level] = found
+    return found
+
+
+def _searched(steepness: Load, sampled: Samples, level: float) -> Branches:
     radii, known = sampled.radii.ravel(), sampled.steepness.ravel()
     rises = known >= level
     # a load that grows from the least radius on has its minimum there

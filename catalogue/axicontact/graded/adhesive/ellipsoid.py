@@ -499,7 +499,7 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array, dg
 def _samples(h: Array, b: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_below(b)
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, h, b, k), a[-1])
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, h, b, k), a[-1], {})
 
 
 def _branches(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

@@ -504,7 +504,7 @@ def _samples(h: Array, s: Array, k: Array) -> Samples:
     from ..._runtime.graded.inverse import gaussian_reach
 
     a = radii_to(gaussian_reach(s, k))
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k), a[-1])
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k), a[-1], {})
 
 
 def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

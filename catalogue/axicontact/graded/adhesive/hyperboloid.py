@@ -499,7 +499,7 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array
 def _samples(theta: Array, b: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = decades()
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k), np.inf, {})
 
 
 def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

@@ -480,7 +480,7 @@ def _displacement(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, 
 def _samples(A: tuple[float, ...], k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = decades()
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, A, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, A, k), np.inf, {})
 
 
 def _branches(A: tuple[float, ...], H: Array, k: Array, dgamma: Array, control: str) -> Branches:

@@ -543,7 +543,7 @@ def _displacement(r: Array, a: Array, R1: Array, R2: Array, b: Array, H: Array, 
 def _samples(R1: Array, R2: Array, b: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_around(b)
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R1, R2, b, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R1, R2, b, k), np.inf, {})
 
 
 def _branches(R1: Array, R2: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

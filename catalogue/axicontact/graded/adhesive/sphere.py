@@ -480,7 +480,7 @@ def _displacement(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Arra
 def _samples(R: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_below(R)
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, k), a[-1])
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, k), a[-1], {})
 
 
 def _branches(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

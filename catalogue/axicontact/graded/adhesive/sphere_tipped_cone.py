@@ -528,7 +528,7 @@ def _displacement(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array
 def _samples(R: Array, theta: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_around(R * np.sin(theta))
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, theta, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, theta, k), np.inf, {})
 
 
 def _branches(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

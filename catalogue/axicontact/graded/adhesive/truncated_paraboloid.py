@@ -496,7 +496,7 @@ def _displacement(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array, dg
 def _samples(R: Array, b: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_beyond(b)
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, b, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, b, k), np.inf, {})
 
 
 def _branches(R: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

@@ -554,7 +554,7 @@ def _displacement(
 def _samples(R: Array, h: Array, wavelength: Array, k: Array) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = radii_of_waves(wavelength, 4.0 * wavelength)
-    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), np.inf)
+    return Samples(a, a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), np.inf, {})
 
 
 def _branches(R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:

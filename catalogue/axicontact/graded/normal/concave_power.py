@@ -11,6 +11,7 @@ import numpy as np
 
 from ..._runtime.graded.growth import power_factor
 from ..._runtime.graded.punch import punch_pressure, punch_stiffness
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, require, require_order
 from ..._runtime.shapes.ring import lifted_at_zero_pressure, ring_of_zero_pressure
 
@@ -568,8 +569,9 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array, k: Array) ->
     from ...normal import concave_power as normal
 
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
-    outside = d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
-    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h, n=n)), np.nan)
+    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
+    value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h, n=n))
+    return np.where(complete, value, np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

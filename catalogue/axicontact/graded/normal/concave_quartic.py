@@ -11,6 +11,7 @@ import numpy as np
 
 from ..._runtime.graded.growth import power_factor
 from ..._runtime.graded.punch import punch_pressure, punch_stiffness
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, require
 
 if TYPE_CHECKING:
@@ -479,8 +480,9 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
     from ...normal import concave_quartic as normal
 
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
-    outside = d * punch_share(r, a, k) + h * power_sag(r, a, 4.0, k) / a**4.0
-    return np.where(complete, np.where(r > a, outside, d - normal._profile(r, a=a, h=h)), np.nan)
+    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, 4.0, k) / a**4.0
+    value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h))
+    return np.where(complete, value, np.nan)
 
 
 def _stiffness(a: Array, H: Array, k: Array) -> Array:

@@ -599,8 +599,10 @@ def _radius_from_force(F: Array, theta: Array, H: Array, k: Array) -> Array:
 
 
 def _force_from_depth(d: Array, theta: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, theta, k), theta, H, k)
+    stiffness = punch_stiffness(_radius_from_depth(d, theta, k), H, k)
+    return np.where((d > 0.0) & (d < np.inf), d * (stiffness * (1.0 / (1.0 + (1.0 + k)))), d)
 
 
 def _depth_from_force(F: Array, theta: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, theta, H, k), theta, k)
+    stiffness = punch_stiffness(_radius_from_force(F, theta, H, k), H, k)
+    return np.where((F > 0.0) & (F < np.inf), F / (stiffness * (1.0 / (1.0 + (1.0 + k)))), F)

@@ -586,8 +586,10 @@ def _radius_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
 
 
 def _force_from_depth(d: Array, R: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R, k), R, H, k)
+    stiffness = punch_stiffness(_radius_from_depth(d, R, k), H, k)
+    return np.where((d > 0.0) & (d < np.inf), d * (stiffness * (2.0 / (2.0 + (1.0 + k)))), d)
 
 
 def _depth_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R, H, k), R, k)
+    stiffness = punch_stiffness(_radius_from_force(F, R, H, k), H, k)
+    return np.where((F > 0.0) & (F < np.inf), F / (stiffness * (2.0 / (2.0 + (1.0 + k)))), F)

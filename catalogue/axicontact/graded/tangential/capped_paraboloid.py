@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import capped_paraboloid as normal
@@ -399,11 +400,13 @@ def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: A
     from ..._runtime.graded.pressure import rim_pressure
     from ..._runtime.graded.slip import beyond_gain, power_gain
 
-    inside = np.minimum(r, c)
-    power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
-    rim = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) * (R1 - R2) / (R1 * R2)
-    gain = power + rim
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R1, R2, b, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
+        rim = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) * (R1 - R2) / (R1 * R2)
+        gain = power + rim
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R1, R2, b, H, k))
 
 
 def _tangential_displacement(

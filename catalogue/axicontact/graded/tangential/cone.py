@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import cone as normal
@@ -332,9 +333,11 @@ def _tangential_force(a: Array, c: Array, theta: Array, H: Array, k: Array, mu: 
 def _traction(r: Array, a: Array, c: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
     from ..._runtime.graded.slip import power_gain
 
-    inside = np.minimum(r, c)
-    gain = power_gain("pressure", inside, c, a, 1.0, k) * np.tan(theta)
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = power_gain("pressure", inside, c, a, 1.0, k) * np.tan(theta)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, H, k))
 
 
 def _tangential_displacement(a: Array, c: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:

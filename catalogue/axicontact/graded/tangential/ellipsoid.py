@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import ellipsoid as normal
@@ -342,9 +343,13 @@ def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, H: Array, k: Arr
     from ..._runtime.graded.pressure import sphere_pressure
     from ..._runtime.graded.slip import below_gain
 
-    inside = np.minimum(r, c)
-    gain = h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
-    return np.where(a <= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, h, b, H, k)), np.nan)
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
+        return gain
+    return np.where(
+        a <= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, h, b, H, k)), np.nan
+    )
 
 
 def _tangential_displacement(

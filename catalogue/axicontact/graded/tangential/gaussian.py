@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.growth import gaussian_depth, gaussian_force, gaussian_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import gaussian as normal
@@ -342,11 +343,13 @@ def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, H: Array, k: Arr
     from ..._runtime.graded.pressure import gaussian_pressure
     from ..._runtime.graded.slip import smooth_gain
 
-    inside = np.minimum(r, c)
-    gain = h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
+        return gain
     return np.where(
         normal._rate(a, h, s, k) >= 0.0,
-        mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, h, s, H, k)),
+        mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, h, s, H, k)),
         np.nan,
     )
 

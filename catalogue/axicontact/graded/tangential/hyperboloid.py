@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import hyperboloid as normal
@@ -358,9 +359,11 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
     from ..._runtime.graded.pressure import hyperboloid_pressure
     from ..._runtime.graded.slip import smooth_gain
 
-    inside = np.minimum(r, c)
-    gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, b, H, k))
 
 
 def _tangential_displacement(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_coefficients, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import polynomial as normal
@@ -337,9 +338,11 @@ def _tangential_force(a: Array, c: Array, A: tuple[float, ...], H: Array, k: Arr
 def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: Array, mu: Array) -> Array:
     from ..._runtime.graded.slip import power_gain
 
-    inside = np.minimum(r, c)
-    gain = sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, A, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, H, k))
 
 
 def _tangential_displacement(

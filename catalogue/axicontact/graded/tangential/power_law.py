@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import power_law as normal
@@ -343,9 +344,11 @@ def _tangential_force(a: Array, c: Array, A: Array, n: Array, H: Array, k: Array
 def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
     from ..._runtime.graded.slip import power_gain
 
-    inside = np.minimum(r, c)
-    gain = A * power_gain("pressure", inside, c, a, n, k)
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, A, n, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = A * power_gain("pressure", inside, c, a, n, k)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, n, H, k))
 
 
 def _tangential_displacement(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rounded_depth, rounded_force, rounded_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import rounded_cone as normal
@@ -362,9 +363,11 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
     from ..._runtime.graded.pressure import rounded_pressure
     from ..._runtime.graded.slip import rounded_gain
 
-    inside = np.minimum(r, c)
-    gain = rounded_gain("pressure", rounded_pressure, rounded_rate, (b,), inside, c, a, k) * np.tan(theta)
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = rounded_gain("pressure", rounded_pressure, rounded_rate, (b,), inside, c, a, k) * np.tan(theta)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, b, H, k))
 
 
 def _tangential_displacement(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rounding_depth, rounding_force, rounding_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import rounded_curved_punch as normal
@@ -396,11 +397,13 @@ def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: A
     from ..._runtime.graded.pressure import rounding_pressure
     from ..._runtime.graded.slip import beyond_gain, power_gain
 
-    inside = np.minimum(r, c)
-    power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
-    rounding = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R2
-    gain = power + rounding
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R1, R2, b, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
+        rounding = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R2
+        gain = power + rounding
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R1, R2, b, H, k))
 
 
 def _tangential_displacement(

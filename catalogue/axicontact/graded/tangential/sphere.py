@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import sphere as normal
@@ -328,9 +329,13 @@ def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Ar
     from ..._runtime.graded.pressure import sphere_pressure
     from ..._runtime.graded.slip import below_gain
 
-    inside = np.minimum(r, c)
-    gain = below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
-    return np.where(a <= R, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, H, k)), np.nan)
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
+        return gain
+    return np.where(
+        a <= R, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, H, k)), np.nan
+    )
 
 
 def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:

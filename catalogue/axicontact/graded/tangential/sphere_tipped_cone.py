@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import tipped_depth, tipped_force, tipped_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import sphere_tipped_cone as normal
@@ -376,9 +377,11 @@ def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k:
     from ..._runtime.graded.slip import tipped_gain
 
     b = R * np.sin(theta)
-    inside = np.minimum(r, c)
-    gain = tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, theta, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, theta, H, k))
 
 
 def _tangential_displacement(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import flank_depth, flank_force, flank_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
 from ..._runtime.physics.slip import stick_force
 from ..normal import truncated_cone as normal
@@ -369,9 +370,13 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
     from ..._runtime.graded.pressure import flank_pressure
     from ..._runtime.graded.slip import beyond_gain
 
-    inside = np.minimum(r, c)
-    gain = beyond_gain("pressure", flank_pressure, flank_rate, (b,), inside, c, a, k) * np.tan(theta)
-    return np.where(c >= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, theta, b, H, k)), np.nan)
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = beyond_gain("pressure", flank_pressure, flank_rate, (b,), inside, c, a, k) * np.tan(theta)
+        return gain
+    return np.where(
+        c >= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, b, H, k)), np.nan
+    )
 
 
 def _tangential_displacement(

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
+from ..._runtime.graded.rules import either
 from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
 from ..._runtime.physics.slip import stick_force
 from ..normal import truncated_paraboloid as normal
@@ -343,9 +344,13 @@ def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Arr
     from ..._runtime.graded.pressure import rim_pressure
     from ..._runtime.graded.slip import beyond_gain
 
-    inside = np.minimum(r, c)
-    gain = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) / R
-    return np.where(c >= b, mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, b, H, k)), np.nan)
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        gain = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) / R
+        return gain
+    return np.where(
+        c >= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, b, H, k)), np.nan
+    )
 
 
 def _tangential_displacement(

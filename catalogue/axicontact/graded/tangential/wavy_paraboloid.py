@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..._runtime.graded.rules import either
 from ..._runtime.graded.waves import waves_depth, waves_force, waves_rate
 from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
 from ..._runtime.physics.slip import stick_force
@@ -402,11 +403,13 @@ def _traction(
     from ..._runtime.graded.pressure import waves_pressure
     from ..._runtime.graded.slip import power_gain, waves_gain
 
-    inside = np.minimum(r, c)
-    power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
-    waves = h * waves_gain("pressure", waves_pressure, waves_rate, (2 * np.pi / wavelength,), inside, c, a, k)
-    gain = power + waves
-    return mu * np.where(r < c, H / np.pi * gain, normal._pressure(r, a, R, h, wavelength, H, k))
+    def gain() -> Array:
+        inside = np.minimum(r, c)
+        power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
+        waves = h * waves_gain("pressure", waves_pressure, waves_rate, (2 * np.pi / wavelength,), inside, c, a, k)
+        gain = power + waves
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, h, wavelength, H, k))
 
 
 def _tangential_displacement(

@@ -6,7 +6,7 @@ from math import pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 
 C0 = np.array(0.0)
 C1 = np.array(6.283185307179586)
@@ -100,10 +100,10 @@ def block_graded_retraction_all(out, a, H, k, dgamma, t0, m0):
 
 BLOCKS = {
     ('graded_retraction', 0, 'a', 'H', 'k', 'dgamma'): {
-        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_graded_retraction_all_signed, block_graded_retraction_all_signed, scratch=1, masks=1),
+        ('a', 'H', 'k', 'dgamma'): (('a', 'H', 'k', 'dgamma'), prepare_graded_retraction_all_signed, block_graded_retraction_all_signed, 1, 1, (), False),
     },
     ('graded_retraction', 1, 'a', 'H', 'k', 'dgamma'): {
-        ('a',): Program(('a',), prepare_graded_retraction_a, block_graded_retraction_a, scratch=1, masks=1),
-        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_graded_retraction_all, block_graded_retraction_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_graded_retraction_a, block_graded_retraction_a, 1, 1, (), False),
+        ('a', 'H', 'k', 'dgamma'): (('a', 'H', 'k', 'dgamma'), prepare_graded_retraction_all, block_graded_retraction_all, 1, 1, (), False),
     },
 }

@@ -11,6 +11,8 @@ def steepest_waves(k):
             value = bodies.steepest_waves(k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(k) < 1000000000000.0:
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None

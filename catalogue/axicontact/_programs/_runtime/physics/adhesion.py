@@ -6,7 +6,7 @@ from math import sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 
 C0 = np.array(6.283185307179586)
 
@@ -64,10 +64,10 @@ def block_hess_retraction_all(out, a, E_star, dgamma, t0):
 
 BLOCKS = {
     ('hess_retraction', 0, 'a', 'E_star', 'dgamma'): {
-        ('a', 'E_star', 'dgamma'): Program(('a', 'E_star', 'dgamma'), prepare_hess_retraction_all_signed, block_hess_retraction_all_signed, scratch=1),
+        ('a', 'E_star', 'dgamma'): (('a', 'E_star', 'dgamma'), prepare_hess_retraction_all_signed, block_hess_retraction_all_signed, 1, 0, (), False),
     },
     ('hess_retraction', 1, 'a', 'E_star', 'dgamma'): {
-        ('a',): Program(('a',), prepare_hess_retraction_a, block_hess_retraction_a),
-        ('a', 'E_star', 'dgamma'): Program(('a', 'E_star', 'dgamma'), prepare_hess_retraction_all, block_hess_retraction_all, scratch=1),
+        ('a',): (('a',), prepare_hess_retraction_a, block_hess_retraction_a, 0, 0, (), False),
+        ('a', 'E_star', 'dgamma'): (('a', 'E_star', 'dgamma'), prepare_hess_retraction_all, block_hess_retraction_all, 1, 0, (), False),
     },
 }

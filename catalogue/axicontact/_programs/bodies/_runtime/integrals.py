@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 
-from ...._runtime.integrals import Array, Course
+from ...._runtime.integrals import Course
 from ...._runtime.plain import MATH as np
 
 
-def of_displacement(a: float, *other: float) -> tuple[Course, float, float]:
+def of_displacement(a, *other):
     """Outside the contact."""
     return (Course(a, a * a, False), a, np.inf)
 
 
-def difference_root(x: Array, y: Array) -> Array:
+def difference_root(x, y):
     """sqrt(x**2 - y**2), and zero for x < y."""
     return np.sqrt(np.maximum(x - y, 0.0) * (x + y))

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 
-from ...._runtime.inverse import Array, Callable, Curve, Exponents, ITERATIONS, LOST, PATIENCE, POLISHING, ROUNDING, SETTLED
+from ...._runtime.inverse import ITERATIONS, LOST, PATIENCE, POLISHING, ROUNDING, SETTLED
 from ...._runtime.plain import MATH as np
 
 
-def inverse(curve: Curve, value: Array, start: Array, exponents: Exponents, largest: Array | float=np.inf, share: Callable[[Array], Array] | None=None, smooth: bool=False, noise: Array | None=None) -> Array:
+def inverse(curve, value, start, exponents, largest=np.inf, share=None, smooth=False, noise=None):
     """The t > 0 with curve(t) = value.  It is at most `largest`.
 
     `curve` returns its value and its logarithmic slope d ln curve/d ln t.  Where that slope lies between the two
@@ -60,19 +60,19 @@ def inverse(curve: Curve, value: Array, start: Array, exponents: Exponents, larg
     return 0.0 if value == 0.0 else np.inf if value == np.inf else root
 
 
-def _last_step(t: Array, value: Array, y: Array, slope: Array) -> Array:
+def _last_step(t, value, y, slope):
     change = t * ((value - y) / y) / slope
     return change if np.abs(change) < 0.001 * t else 0.0
 
 
-def _missed(value: Array, y: Array) -> Array:
+def _missed(value, y):
     """ln value - ln y, to the last digit where they are close."""
     missed = (value - y) / y
     near = np.abs(missed) < 0.5
     return np.log1p(missed if near else 0.0) if near else np.log(value / y)
 
 
-def _safe(position: Array, step: Array, error: Array, exponents: Exponents, low: Array, high: Array, late: int) -> Array:
+def _safe(position, step, error, exponents, low, high, late):
     """The step, no further and no nearer than the slopes allow; halfway where it leaves the signs met, or is `late`."""
     least, most = exponents
     error = np.minimum(np.maximum(error, -1500.0), 1500.0)
@@ -89,7 +89,7 @@ def _safe(position: Array, step: Array, error: Array, exponents: Exponents, low:
     return (aimed if within else middle) - position
 
 
-def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: Array) -> Array:
+def _step(step, before, slope_before, error, slope):
     """The next step in ln t: of the cubic through the last two points and their slopes, with ln curve as variable.
 
     Newton's where the two disagree: next to a kink, or before the end is near.
@@ -101,7 +101,7 @@ def _step(step: Array, before: Array, slope_before: Array, error: Array, slope: 
     return newton + (more if np.abs(more) < 0.5 * np.abs(newton) else 0.0)
 
 
-def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponents, like: Callable[[Array], Array]=np.sqrt) -> Array:
+def inverse_below(curve, value, largest, exponents, like=np.sqrt):
     """The t with curve(t) = value, for 0 < t <= largest where the curve ends with slope zero; not a number beyond.
 
     What the value is short of the largest, over the value, is nearly a power of the shortfall s of t over t at both
@@ -109,7 +109,7 @@ def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponen
     """
     top = curve(largest)[0]
 
-    def shortfall(s: Array) -> tuple[Array, Array]:
+    def shortfall(s):
         t = largest / (1.0 + s)
         y, slope = curve(t)
         short = (top - y) / y
@@ -121,7 +121,7 @@ def inverse_below(curve: Curve, value: Array, largest: Array, exponents: Exponen
     return t if value <= top * (1.0 + 2.0 ** (-48)) else np.nan
 
 
-def above_noise(difference: Array, rate: Array, size: Array, power: float | None, least: Array | float) -> tuple[Array, Array]:
+def above_noise(difference, rate, size, power, least):
     """A difference of numbers of one `size` and its logarithmic slope; near zero it is all rounding, its rate is not.
 
     There it is that rate over its first `power`, if that is known.
@@ -134,7 +134,7 @@ def above_noise(difference: Array, rate: Array, size: Array, power: float | None
     return (known, np.maximum(rate / known, least))
 
 
-def between(x: Array, small: tuple[float, float], large: tuple[float, float], blend: float, rest: tuple[float, ...]) -> Array:
+def between(x, small, large, blend, rest):
     """About the t of a curve known at its ends: ln t where x is the logarithm of the curve over its value at t = 1.
 
     There t is (exp(x)/c)**(1/e), with c and e for `small` t and for `large`; `blend` is the power of either that
@@ -147,12 +147,12 @@ def between(x: Array, small: tuple[float, float], large: tuple[float, float], bl
     return q * factor
 
 
-def _joined(x: Array, small: tuple[Array, float], large: tuple[Array, float], blend: float) -> Array:
+def _joined(x, small, large, blend):
     first, last = (blend / e * (x - np.log(c)) for c, e in (small, large))
     return np.exp((np.maximum(first, last) + np.log1p(np.exp(-np.abs(first - last)))) / blend)
 
 
-def joining(like: Array, slope: Array, small: float, large: float) -> Array:
+def joining(like, slope, small, large):
     """About the t of a curve over its value at t = 1, less steep for large t than for small, from its slopes."""
     x = np.log(like)
     if small == large:
@@ -161,7 +161,7 @@ def joining(like: Array, slope: Array, small: float, large: float) -> Array:
     return _joined(x, (1.0 / (1.0 - share), small), (1.0 / share, large), 0.5 * (small + large))
 
 
-def leaving_power(like: Array, share: Array, tip: Array | float, small: float, large: float) -> Array:
+def leaving_power(like, share, tip, small, large):
     """The same where a power of the radius, `share` at t = 1, is left by a sum with powers of t."""
     x, rest = (np.log(like), np.maximum(1.0 - share, 1e-300))
     below = _joined(np.minimum(x, 0.0), (share, 2.0), (rest, small), -0.5 * (2.0 + small))

@@ -5,20 +5,20 @@ from __future__ import annotations
 
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._runtime.plain import in_groups, integral, integral_in_strip
-from ...._runtime.rules import Array, Callable, Slope, Strip, WAVES
+from ...._runtime.rules import WAVES
 from ...._runtime.plain import MATH as np
 
 
-def pressure_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
+def pressure_integral_waves(slope, r, a, wavelength):
     """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, where g' oscillates with a wavelength."""
 
-    def integrand(u: Array) -> Array:
+    def integrand(u):
         t = np.sqrt(r * r + u * u)
         return slope(t) / t
     return integral_in_strip(integrand, difference_root(a, r), wavelength, WAVES)
 
 
-def falling(stop: Array, even: Array | float=0.0) -> Callable[[Array], Array]:
+def falling(stop, even=0.0):
     """sinh(stop - v)/sinh(stop) as a function of v, or the same of cosh where `even` is 1.
 
     Counted from the upper end, where the integrands are largest: an error of v in exp(v) would grow with v.
@@ -27,20 +27,20 @@ def falling(stop: Array, even: Array | float=0.0) -> Callable[[Array], Array]:
     below = 2.0 * even - side * np.expm1(-2.0 * stop)
     below = below if below > 0.0 else np.inf
 
-    def fallen(v: Array) -> Array:
+    def fallen(v):
         return np.exp(-v) * (2.0 * even - side * np.expm1(-2.0 * (stop - v))) / below
     return fallen
 
 
 @in_groups
-def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
+def pressure_integral_tanh(slope, r, a, R):
     """Integral of g'(t)/sqrt(t**2 - r**2) from r to a, g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale = difference_root(R, r)
     ratio = difference_root(a, r) / difference_root(R, a)
     stop = np.arcsinh(ratio)
     fallen = falling(stop)
 
-    def integrand(v: Array) -> Array:
+    def integrand(v):
         side = ratio * fallen(v)
         secant = np.sqrt(1.0 + side * side)
         u, root = (scale * (side / secant), scale / secant)
@@ -49,27 +49,27 @@ def pressure_integral_tanh(slope: Slope, r: Array, a: Array, R: Array) -> Strip:
     return (integrand, stop, 1.0, a < R, np.inf)
 
 
-def displacement_integral_waves(slope: Slope, r: Array, a: Array, wavelength: Array) -> Array:
+def displacement_integral_waves(slope, r, a, wavelength):
     """Integral of g'(t) arcsin(t/r) from 0 to a < r, where g' oscillates with a wavelength."""
 
-    def integrand(angle: Array) -> Array:
+    def integrand(angle):
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
     width = wavelength / (r + wavelength / 2.0)
     return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
 
 
-def force_integral(slope: Slope, a: Array, count: int) -> Array:
+def force_integral(slope, a, count):
     """Integral of t g'(t) from 0 to a, for g' without singularities near."""
     return integral(lambda t: t * slope(t), a, count)
 
 
 @in_groups
-def force_integral_beyond(slope: Slope, reach: Array, b: Array) -> Strip:
+def force_integral_beyond(slope, reach, b):
     """Integral of t g'(t) from b to sqrt(b**2 + reach**2); `slope` takes t and sqrt(t**2 - b**2)."""
     stop = np.arcsinh(reach / b)
     fallen = falling(stop)
 
-    def integrand(v: Array) -> Array:
+    def integrand(v):
         root = reach * fallen(v)
         t = np.sqrt(b * b + root * root)
         return slope(t, root) * root * t

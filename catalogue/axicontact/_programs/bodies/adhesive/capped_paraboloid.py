@@ -9,29 +9,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.capped_paraboloid import Array, Branches, _samples
+from ....adhesive.capped_paraboloid import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, R1, R2, b, E_star, dgamma):
     return normal._depth(a, R1, R2, b) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, R1, R2, b, E_star, dgamma):
     return normal._force(a, R1, R2, b, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, R1: Array, R2: Array, b: Array) -> Array:
+def _rate(a, R1, R2, b):
     """Derivative g'(a) of the depth without adhesion."""
     root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
     return normal._slope(a, R1) if a < b else normal._slope_beyond(a, root, R1, R2, b)
 
 
-def _branches(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R1, R2, b, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, R1, R2, b), _samples(R1, R2, b), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R1, R2, b, E_star, dgamma, control):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -45,7 +45,7 @@ def _pull_off_radius(R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Arra
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R1, R2, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -59,7 +59,7 @@ def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array, E_star: Array, 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R1: Array, R2: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R1, R2, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

@@ -9,29 +9,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import up_to
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.ellipsoid import Array, Branches, _samples
+from ....adhesive.ellipsoid import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, h, b, E_star, dgamma):
     return normal._depth(a, h, b) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, h, b, E_star, dgamma):
     return normal._force(a, h, b, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, h: Array, b: Array) -> Array:
+def _rate(a, h, b):
     """Derivative g'(a) of the depth without adhesion."""
     root = np.sqrt(np.maximum(b - a, 0.0) * (b + a))
     return normal._slope(a, root, h, b)
 
 
-def _branches(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(h, b, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, h, b), _samples(h, b), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(h, b, E_star, dgamma, control):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -44,7 +44,7 @@ def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, control: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, h, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -57,7 +57,7 @@ def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Arra
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, h, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

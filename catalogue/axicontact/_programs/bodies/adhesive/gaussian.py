@@ -9,28 +9,28 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import on_the_bump
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.gaussian import Array, Branches, _samples
+from ....adhesive.gaussian import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, h, s, E_star, dgamma):
     return normal._depth(a, h, s) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, h, s, E_star, dgamma):
     return normal._force(a, h, s, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, h: Array, s: Array) -> Array:
+def _rate(a, h, s):
     """Derivative g'(a) of the depth without adhesion."""
     return normal._slope(a, h, s)
 
 
-def _branches(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(h, s, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, h, s), _samples(h, s), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(h, s, E_star, dgamma, control):
     unit = exponent_of(s)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -43,7 +43,7 @@ def _pull_off_radius(h: Array, s: Array, E_star: Array, dgamma: Array, control: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, h, s, E_star, dgamma):
     unit = exponent_of(s)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -56,7 +56,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array, E_star: Array, dgamma: Arra
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, h: Array, s: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, h, s, E_star, dgamma):
     unit = exponent_of(s)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

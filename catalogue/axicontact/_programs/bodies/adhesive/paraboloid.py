@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import paraboloid as normal
 from ...._programs.bodies._runtime.physics.adhesion import power_law_radius
-from ....adhesive.paraboloid import Array, XI
+from ....adhesive.paraboloid import XI
 from ...._runtime.plain import MATH as np
 
 
-def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, E_star, dgamma, control):
     if control == 'force':
         radius = np.cbrt(9 * np.pi * R ** 2 * dgamma / (8 * E_star))
     else:
@@ -17,24 +17,24 @@ def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Ar
     return radius if dgamma > 0.0 else 0.0
 
 
-def _pull_off_depth(a: Array, R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_depth(a, R, E_star, dgamma, control):
     """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
     return normal._depth(a, R) * (1.0 - 4.0 / XI[control])
 
 
-def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, E_star, dgamma):
     a_c = _pull_off_radius(R, E_star, dgamma, control='depth')
     least = _pull_off_depth(a_c, R, E_star, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), R)
     return power_law_radius(d, a_c, least, 2.0, 0.5, plain)
 
 
-def _pull_off_force(a: Array, R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_force(a, R, E_star, dgamma, control):
     """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
     return normal._force(a, R, E_star) * (1.0 - 6.0 / XI[control])
 
 
-def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, E_star, dgamma):
     a_c = _pull_off_radius(R, E_star, dgamma, control='force')
     least = _pull_off_force(a_c, R, E_star, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, E_star)

@@ -9,29 +9,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.rounded_punch import Array, Branches, _samples
+from ....adhesive.rounded_punch import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, R, b, E_star, dgamma):
     return normal._depth(a, R, b) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, R: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, R, b, E_star, dgamma):
     return normal._force(a, R, b, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, R: Array, b: Array) -> Array:
+def _rate(a, R, b):
     """Derivative g'(a) of the depth without adhesion."""
     root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
     return normal._slope_beyond(a, root, R, b)
 
 
-def _branches(R: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, b, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, R, b), _samples(R, b), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(R: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, b, E_star, dgamma, control):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -44,7 +44,7 @@ def _pull_off_radius(R: Array, b: Array, E_star: Array, dgamma: Array, control: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -57,7 +57,7 @@ def _radius_from_depth(d: Array, R: Array, b: Array, E_star: Array, dgamma: Arra
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

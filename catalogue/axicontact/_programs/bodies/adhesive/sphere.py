@@ -9,29 +9,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import up_to
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.sphere import Array, Branches, _samples
+from ....adhesive.sphere import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, R, E_star, dgamma):
     return normal._depth(a, R) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, R, E_star, dgamma):
     return normal._force(a, R, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, R: Array) -> Array:
+def _rate(a, R):
     """Derivative g'(a) of the depth without adhesion."""
     root = np.sqrt(np.maximum(R - a, 0.0) * (R + a))
     return normal._slope(a, root, R)
 
 
-def _branches(R: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, R), _samples(R), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, E_star, dgamma, control):
     unit = exponent_of(R)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -43,7 +43,7 @@ def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, control: str) -> Ar
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, E_star, dgamma):
     unit = exponent_of(R)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -55,7 +55,7 @@ def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array) -> Arra
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, E_star, dgamma):
     unit = exponent_of(R)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

@@ -10,29 +10,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, up_to
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.sphere_tipped_cone import Array, Branches, _samples
+from ....adhesive.sphere_tipped_cone import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, R, theta, E_star, dgamma):
     return normal._depth(a, R, theta) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, R: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, R, theta, E_star, dgamma):
     return normal._force(a, R, theta, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, R: Array, theta: Array) -> Array:
+def _rate(a, R, theta):
     """Derivative g'(a) of the depth without adhesion."""
     root = sine_root(a, R, theta)
     return normal._slope_at(a, root, R, theta)
 
 
-def _branches(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, theta, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, R, theta), _samples(R, theta), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, theta, E_star, dgamma, control):
     unit = exponent_of(R * np.sin(theta))
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -44,7 +44,7 @@ def _pull_off_radius(R: Array, theta: Array, E_star: Array, dgamma: Array, contr
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, theta, E_star, dgamma):
     unit = exponent_of(R * np.sin(theta))
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -56,7 +56,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, E_star: Array, dgamma: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, theta: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, theta, E_star, dgamma):
     unit = exponent_of(R * np.sin(theta))
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

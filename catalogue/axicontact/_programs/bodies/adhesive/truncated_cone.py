@@ -9,29 +9,29 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.truncated_cone import Array, Branches, _samples
+from ....adhesive.truncated_cone import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, theta, b, E_star, dgamma):
     return normal._depth(a, theta, b) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, theta, b, E_star, dgamma):
     return normal._force(a, theta, b, E_star) - pull(a, E_star, dgamma)
 
 
-def _rate(a: Array, theta: Array, b: Array) -> Array:
+def _rate(a, theta, b):
     """Derivative g'(a) of the depth without adhesion."""
     root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
     return normal._slope_beyond(a, root, theta, b)
 
 
-def _branches(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(theta, b, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, theta, b), _samples(theta, b), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(theta, b, E_star, dgamma, control):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -43,7 +43,7 @@ def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, contr
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, theta, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -55,7 +55,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, theta, b, E_star, dgamma):
     unit = exponent_of(b)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

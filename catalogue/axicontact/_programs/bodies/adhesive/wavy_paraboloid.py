@@ -9,36 +9,36 @@ from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import radius_itself
 from ...._runtime.physics.single import branches, lowest
-from ....adhesive.wavy_paraboloid import Array, Branches, _samples
+from ....adhesive.wavy_paraboloid import _samples
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a, R, h, wavelength, E_star, dgamma):
     return normal._depth(a, R, h, wavelength) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a, R, h, wavelength, E_star, dgamma):
     return normal._force(a, R, h, wavelength, E_star) - pull(a, E_star, dgamma)
 
 
-def _pressure(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _pressure(r, a, R, h, wavelength, E_star, dgamma):
     return normal._pressure(r, a, R, h, wavelength, E_star) - tension(r, a, E_star, dgamma)
 
 
-def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _displacement(r, a, R, h, wavelength, E_star, dgamma):
     return normal._displacement(r, a, R, h, wavelength) - lift(r, a, E_star, dgamma)
 
 
-def _rate(a: Array, R: Array, h: Array, wavelength: Array) -> Array:
+def _rate(a, R, h, wavelength):
     """Derivative g'(a) of the depth without adhesion."""
     return normal._slope(a, R, h, wavelength)
 
 
-def _branches(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, h, wavelength, E_star, dgamma, control):
     return branches(lambda a: np.sqrt(a) * _rate(a, R, h, wavelength), _samples(R, h, wavelength, E_star, dgamma), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, h, wavelength, E_star, dgamma, control):
     unit = exponent_of(wavelength)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -52,7 +52,7 @@ def _pull_off_radius(R: Array, h: Array, wavelength: Array, E_star: Array, dgamm
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, h, wavelength, E_star, dgamma):
     unit = exponent_of(wavelength)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)
@@ -66,7 +66,7 @@ def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array, E_star: 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, h: Array, wavelength: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, h, wavelength, E_star, dgamma):
     unit = exponent_of(wavelength)
     stress = exponent_of(E_star)
     E_star = np.ldexp(E_star, -stress)

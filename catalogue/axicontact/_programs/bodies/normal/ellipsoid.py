@@ -6,37 +6,36 @@ from __future__ import annotations
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.shapes.arcs import arc_strips
 from ...._programs.bodies._runtime.special import tanh_gap
-from ....normal.ellipsoid import Array
 from ...._runtime.plain import MATH as np
 
 
-def _slope(t: Array, root: Array, h: Array, b: Array) -> Array:
+def _slope(t, root, h, b):
     """Rate g'(t) of the indentation depth g(t)."""
     angle = np.arcsinh(t / root)
     return h / b * angle + h * t / root ** 2
 
 
-def _depth_at(a: Array, root: Array, h: Array, b: Array) -> Array:
+def _depth_at(a, root, h, b):
     angle = np.arcsinh(a / root)
     return h / b * a * angle
 
 
-def _depth(a: Array, h: Array, b: Array) -> Array:
+def _depth(a, h, b):
     angle = np.log1p(2 * a / (b - a)) / 2
     return h / b * a * angle
 
 
-def _force_at(a: Array, root: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _force_at(a, root, h, b, E_star):
     angle = np.arcsinh(a / root)
     return E_star * h * (b * tanh_gap(angle, np.tanh(angle)) + a ** 2 * angle / b)
 
 
-def _force(a: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _force(a, h, b, E_star):
     angle = np.log1p(2 * a / (b - a)) / 2
     return E_star * h * (a ** 2 * angle / b + b * tanh_gap(angle, a / b))
 
 
-def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _pressure(r, a, h, b, E_star):
     root_br = np.sqrt((b - r) * (r + b))
     root = np.sqrt((a - r) * (a + r))
     root_ba = np.sqrt((b - a) * (a + b))
@@ -45,10 +44,10 @@ def _pressure(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
     return inside if a <= b else np.nan
 
 
-def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:
+def _contact_from_depth(d, h, b):
     """Contact radius a and its root sqrt(b**2 - a**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.tanh(t), b / np.cosh(t))
         value = _depth_at(a, root, h, b)
         return (value, t * root * root / b * _slope(a, root, h, b) / value)
@@ -58,14 +57,14 @@ def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:
     return (b * np.tanh(t), b / np.cosh(t))
 
 
-def _radius_from_depth(d: Array, h: Array, b: Array) -> Array:
+def _radius_from_depth(d, h, b):
     return _contact_from_depth(d, h, b)[0]
 
 
-def _contact_from_force(F: Array, h: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+def _contact_from_force(F, h, b, E_star):
     """Contact radius a and its root sqrt(b**2 - a**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.tanh(t), b / np.cosh(t))
         value = _force_at(a, root, h, b, E_star)
         return (value, 2 * E_star * a * t * root * root / b * _slope(a, root, h, b) / value)
@@ -75,17 +74,17 @@ def _contact_from_force(F: Array, h: Array, b: Array, E_star: Array) -> tuple[Ar
     return (b * np.tanh(t), b / np.cosh(t))
 
 
-def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _radius_from_force(F, h, b, E_star):
     return _contact_from_force(F, h, b, E_star)[0]
 
 
-def _force_from_depth(d: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _force_from_depth(d, h, b, E_star):
     a, root = _contact_from_depth(d, h, b)
     change = 2 * E_star * a * (d - _depth_at(a, root, h, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, h, b, E_star) + change
 
 
-def _depth_from_force(F: Array, h: Array, b: Array, E_star: Array) -> Array:
+def _depth_from_force(F, h, b, E_star):
     a, root = _contact_from_force(F, h, b, E_star)
     change = (F - _force_at(a, root, h, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, h, b) + change

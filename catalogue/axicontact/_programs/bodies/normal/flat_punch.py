@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 
-from ....normal.flat_punch import Array
 
 
-def _force(d: Array, a: Array, E_star: Array) -> Array:
+def _force(d, a, E_star):
     return 2 * E_star * d * a

@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 
-from ....normal.paraboloid import Array
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array) -> Array:
+def _depth(a, R):
     return a ** 2 / R
 
 
-def _force(a: Array, R: Array, E_star: Array) -> Array:
+def _force(a, R, E_star):
     return 4 * E_star / (3 * R) * a ** 3
 
 
-def _radius_from_depth(d: Array, R: Array) -> Array:
+def _radius_from_depth(d, R):
     return np.sqrt(R * d)
 
 
-def _radius_from_force(F: Array, R: Array, E_star: Array) -> Array:
+def _radius_from_force(F, R, E_star):
     return np.cbrt(3 * R / (4 * E_star) * F)
 
 
-def _force_from_depth(d: Array, R: Array, E_star: Array) -> Array:
+def _force_from_depth(d, R, E_star):
     return 4 * E_star / 3 * d * np.sqrt(R * d)

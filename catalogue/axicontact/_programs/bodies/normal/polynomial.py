@@ -6,48 +6,48 @@ from __future__ import annotations
 from ...._programs.bodies._runtime.functions import depth_over_height
 from ...._programs.bodies._runtime.inverse import inverse
 from ...._programs.bodies._runtime.shapes.powers import power_displacement, power_pressure
-from ....normal.polynomial import Array, reduce
+from ....normal.polynomial import reduce
 from ...._runtime.plain import MATH as np
 
 
-def _profile(r: Array, A: tuple[float, ...]) -> Array:
+def _profile(r, A):
     return sum((r ** j * A_j for j, A_j in enumerate(A, 1)))
 
 
-def _slope(a: Array, A: tuple[float, ...]) -> Array:
+def _slope(a, A):
     """Rate g'(a) of the indentation depth."""
     return sum((j * depth_over_height(j) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1)))
 
 
-def _depth(a: Array, A: tuple[float, ...]) -> Array:
+def _depth(a, A):
     return sum((depth_over_height(j) * a ** j * A_j for j, A_j in enumerate(A, 1)))
 
 
-def _force(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _force(a, A, E_star):
     terms = (j * depth_over_height(j) / (j + 1) * a ** (j + 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star * sum(terms)
 
 
-def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _pressure(r, a, A, E_star):
     terms = (j * depth_over_height(j) * a ** (j - 1) * power_pressure(r, a, j) * A_j for j, A_j in enumerate(A, 1) if A_j)
     return E_star / np.pi * sum(terms) if r < a else 0.0
 
 
-def _displacement(r: Array, a: Array, A: tuple[float, ...]) -> Array:
+def _displacement(r, a, A):
     terms = (depth_over_height(j) * a ** j * power_displacement(r, a, j) * A_j for j, A_j in enumerate(A, 1))
     outside = 2 * sum(terms) / np.pi
     inside = _depth(a, A) - _profile(r, A)
     return outside if r > a else inside
 
 
-def _mean_pressure(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _mean_pressure(a, A, E_star):
     terms = (j * depth_over_height(j) / (j + 1) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star / np.pi * sum(terms)
 
 
-def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
+def _radius_from_depth(d, A):
 
-    def curve(a: Array) -> tuple[Array, Array]:
+    def curve(a):
         value = _depth(a, A)
         return (value, a * _slope(a, A) / value)
     alone = (d / depth_over_height(j) / A_j for j, A_j in enumerate(A, 1))
@@ -56,9 +56,9 @@ def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:
     return inverse(curve, d, start, (1.0, len(A)), smooth=True)
 
 
-def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _radius_from_force(F, A, E_star):
 
-    def curve(a: Array) -> tuple[Array, Array]:
+    def curve(a):
         value = _force(a, A, E_star)
         return (value, 2 * E_star * a ** 2 * _slope(a, A) / value)
     alone = ((j + 1) / (2 * E_star * j * depth_over_height(j)) * F / A_j for j, A_j in enumerate(A, 1))
@@ -67,13 +67,13 @@ def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
     return inverse(curve, F, start, (2.0, len(A) + 1.0), smooth=True)
 
 
-def _force_from_depth(d: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _force_from_depth(d, A, E_star):
     a = _radius_from_depth(d, A)
     change = 2 * E_star * a * (d - _depth(a, A)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force(a, A, E_star) + change
 
 
-def _depth_from_force(F: Array, A: tuple[float, ...], E_star: Array) -> Array:
+def _depth_from_force(F, A, E_star):
     a = _radius_from_force(F, A, E_star)
     change = (F - _force(a, A, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth(a, A) + change

@@ -4,25 +4,24 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.functions import nth_root
-from ....normal.quartic import Array
 from ...._runtime.plain import MATH as np
 
 
-def _depth(a: Array, A: Array) -> Array:
+def _depth(a, A):
     return 8 * A / 3 * a ** 4
 
 
-def _force(a: Array, A: Array, E_star: Array) -> Array:
+def _force(a, A, E_star):
     return 64 * E_star * A / 15 * a ** 5
 
 
-def _radius_from_depth(d: Array, A: Array) -> Array:
+def _radius_from_depth(d, A):
     return np.sqrt(np.sqrt(3 * d / (8 * A)))
 
 
-def _radius_from_force(F: Array, A: Array, E_star: Array) -> Array:
+def _radius_from_force(F, A, E_star):
     return nth_root(15 * F / (64 * E_star * A), 5)
 
 
-def _force_from_depth(d: Array, A: Array, E_star: Array) -> Array:
+def _force_from_depth(d, A, E_star):
     return 4 * E_star / 5 * d * np.sqrt(np.sqrt(6 * d / A))

@@ -5,37 +5,36 @@ from __future__ import annotations
 
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.special import arctan_gap, root_gap
-from ....normal.rounded_punch import Array
 from ...._runtime.plain import MATH as np
 
 
-def _slope_beyond(t: Array, root: Array, R: Array, b: Array) -> Array:
+def _slope_beyond(t, root, R, b):
     """Rate g'(t) of the indentation depth g(t) for t > b."""
     angle = np.arctan2(root, b)
     return 2 * root / R - b / R * angle
 
 
-def _depth_at(a: Array, root: Array, R: Array, b: Array) -> Array:
+def _depth_at(a, root, R, b):
     return b / R * a * arctan_gap(root / b)
 
 
-def _depth(a: Array, R: Array, b: Array) -> Array:
+def _depth(a, R, b):
     return b / R * a * root_gap(a, b)
 
 
-def _force_at(a: Array, root: Array, R: Array, b: Array, E_star: Array) -> Array:
+def _force_at(a, root, R, b, E_star):
     return E_star / R * (root ** 3 / 3 + b * a ** 2 * arctan_gap(root / b))
 
 
-def _force(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+def _force(a, R, b, E_star):
     root = np.sqrt((a - b) * (a + b))
     return E_star / R * (b * a ** 2 * root_gap(a, b) + (a - b) * (a + b) * root / 3)
 
 
-def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
+def _contact_from_depth(d, R, b):
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _depth_at(a, root, R, b)
         return (value, root * root / a * _slope_beyond(a, root, R, b) / value)
@@ -45,14 +44,14 @@ def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:
     return (b * np.sqrt(1.0 + t * t), b * t)
 
 
-def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:
+def _radius_from_depth(d, R, b):
     return _contact_from_depth(d, R, b)[0]
 
 
-def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+def _contact_from_force(F, R, b, E_star):
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _force_at(a, root, R, b, E_star)
         return (value, 2 * E_star * root * root * _slope_beyond(a, root, R, b) / value)
@@ -62,17 +61,17 @@ def _contact_from_force(F: Array, R: Array, b: Array, E_star: Array) -> tuple[Ar
     return (b * np.sqrt(1.0 + t * t), b * t)
 
 
-def _radius_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
+def _radius_from_force(F, R, b, E_star):
     return _contact_from_force(F, R, b, E_star)[0]
 
 
-def _force_from_depth(d: Array, R: Array, b: Array, E_star: Array) -> Array:
+def _force_from_depth(d, R, b, E_star):
     a, root = _contact_from_depth(d, R, b)
     change = 2 * E_star * a * (d - _depth_at(a, root, R, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, R, b, E_star) + change
 
 
-def _depth_from_force(F: Array, R: Array, b: Array, E_star: Array) -> Array:
+def _depth_from_force(F, R, b, E_star):
     a, root = _contact_from_force(F, R, b, E_star)
     change = (F - _force_at(a, root, R, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, R, b) + change

@@ -4,40 +4,39 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ....normal.truncated_cone import Array
 from ...._runtime.plain import MATH as np
 
 
-def _slope_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+def _slope_beyond(t, root, theta, b):
     """Rate g'(t) of the indentation depth g(t) for t > b."""
     angle = np.arctan(root / b)
     return np.tan(theta) * angle + b * np.tan(theta) / root
 
 
-def _depth_at(a: Array, root: Array, theta: Array, b: Array) -> Array:
+def _depth_at(a, root, theta, b):
     angle = np.arctan(root / b)
     return np.tan(theta) * a * angle
 
 
-def _depth(a: Array, theta: Array, b: Array) -> Array:
+def _depth(a, theta, b):
     root = np.sqrt((a - b) * (a + b))
     return _depth_at(a, root, theta, b)
 
 
-def _force_at(a: Array, root: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _force_at(a, root, theta, b, E_star):
     angle = np.arctan(root / b)
     return E_star * np.tan(theta) * (a ** 2 * angle + b * root)
 
 
-def _force(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _force(a, theta, b, E_star):
     root = np.sqrt((a - b) * (a + b))
     return _force_at(a, root, theta, b, E_star)
 
 
-def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]:
+def _contact_from_depth(d, theta, b):
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _depth_at(a, root, theta, b)
         return (value, root * root / a * _slope_beyond(a, root, theta, b) / value)
@@ -47,14 +46,14 @@ def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]
     return (b * np.sqrt(1.0 + t * t), b * t)
 
 
-def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:
+def _radius_from_depth(d, theta, b):
     return _contact_from_depth(d, theta, b)[0]
 
 
-def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tuple[Array, Array]:
+def _contact_from_force(F, theta, b, E_star):
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, root = (b * np.sqrt(1.0 + t * t), b * t)
         value = _force_at(a, root, theta, b, E_star)
         return (value, 2 * E_star * root * root * _slope_beyond(a, root, theta, b) / value)
@@ -64,17 +63,17 @@ def _contact_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> tupl
     return (b * np.sqrt(1.0 + t * t), b * t)
 
 
-def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _radius_from_force(F, theta, b, E_star):
     return _contact_from_force(F, theta, b, E_star)[0]
 
 
-def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _force_from_depth(d, theta, b, E_star):
     a, root = _contact_from_depth(d, theta, b)
     change = 2 * E_star * a * (d - _depth_at(a, root, theta, b)) if (a > 0.0) & (a < np.inf) else 0.0
     return _force_at(a, root, theta, b, E_star) + change
 
 
-def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _depth_from_force(F, theta, b, E_star):
     a, root = _contact_from_force(F, theta, b, E_star)
     change = (F - _force_at(a, root, theta, b, E_star)) / (2 * E_star * a) if (a > 0.0) & (a < np.inf) else 0.0
     return _depth_at(a, root, theta, b) + change

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import inverse
-from ....plane.rounded_wedge import Array
 from ...._runtime.plain import MATH as np
 
 
-def _growth(t: Array, theta: Array, b: Array) -> Array:
+def _growth(t, theta, b):
     """Growth P'(t)/E_star of the line load."""
     return np.pi * np.tan(theta) / (2 * b) * t
 
 
-def _growth_beyond(t: Array, root: Array, theta: Array, b: Array) -> Array:
+def _growth_beyond(t, root, theta, b):
     """Growth P'(t)/E_star of the line load for t > b."""
     angle = np.arctan(b / root)
     return np.tan(theta) / b * t * angle
 
 
-def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _load(a, theta, b, E_star):
     below = np.pi * E_star * np.tan(theta) / (4 * b) * a ** 2
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan(b / root)
@@ -27,9 +26,9 @@ def _load(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     return below if a < b else above
 
 
-def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Array:
+def _half_width_from_load(P, theta, b, E_star):
 
-    def curve(a: Array) -> tuple[Array, Array]:
+    def curve(a):
         root = np.sqrt((a - b) * (a + b))
         growth = _growth(a, theta, b) if a < b else _growth_beyond(a, root, theta, b)
         value = _load(a, theta, b, E_star)

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.physics.slip import growth_below, stick_force
-from ....tangential.ellipsoid import Array, CLOSE
+from ....tangential.ellipsoid import CLOSE
 from ...._runtime.plain import MATH as np
 
 
-def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, E_star: Array, mu: Array) -> Array:
+def _traction(r, a, c, h, b, E_star, mu):
     sliding = normal._pressure(r, a, h, b, E_star)
     stuck = normal._pressure(r, c, h, b, E_star)
     close = (r < c) & (stuck >= CLOSE * sliding)
@@ -17,6 +17,6 @@ def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, E_star: Array, m
     return mu * (gain if close else sliding - stuck)
 
 
-def _stick_radius(F_x: Array, a: Array, h: Array, b: Array, E_star: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, h, b, E_star, mu):
     F = stick_force(normal._force(a, h, b, E_star), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, h, b, E_star)

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.physics.slip import stick_force
-from ....tangential.rounded_cone import Array
 
 
-def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, E_star: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, theta, b, E_star, mu):
     F = stick_force(normal._force(a, theta, b, E_star), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, theta, b, E_star)

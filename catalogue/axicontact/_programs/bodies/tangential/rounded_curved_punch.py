@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import rounded_curved_punch as normal
 from ...._programs.bodies._runtime.physics.slip import stick_force
-from ....tangential.rounded_curved_punch import Array
 
 
-def _stick_radius(F_x: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, R1, R2, b, E_star, mu):
     F = stick_force(normal._force(a, R1, R2, b, E_star), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R1, R2, b, E_star)

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.physics.slip import stick_force
-from ....tangential.sphere_tipped_cone import Array
 
 
-def _stick_radius(F_x: Array, a: Array, R: Array, theta: Array, E_star: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, R, theta, E_star, mu):
     F = stick_force(normal._force(a, R, theta, E_star), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, theta, E_star)

@@ -5,22 +5,21 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import power_law as normal
 from ...._programs.bodies._runtime.physics.relaxation import ramp_maxwell, ramp_power_creep, ramp_standard_solid
-from ....viscoelastic.power_law import Array
 
 
-def _ramp_force_maxwell(t: Array, v: Array, A: Array, n: Array, E: Array, tau: Array) -> Array:
+def _ramp_force_maxwell(t, v, A, n, E, tau):
     m = (n + 1) / n
     force = normal._force_from_depth(v * t, A, n, 1.0) * ramp_maxwell(t, m, E, tau)
     return 0.0 if t == 0.0 else force
 
 
-def _ramp_force_standard_solid(t: Array, v: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau):
     m = (n + 1) / n
     force = normal._force_from_depth(v * t, A, n, 1.0) * ramp_standard_solid(t, m, E_inf, E_1, tau)
     return 0.0 if t == 0.0 else force
 
 
-def _ramp_force_power_creep(t: Array, v: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def _ramp_force_power_creep(t, v, A, n, E, alpha, t_0):
     m = (n + 1) / n
     force = normal._force_from_depth(v * t, A, n, 1.0) * ramp_power_creep(t, m, E, alpha, t_0)
     return 0.0 if t == 0.0 else force

@@ -5,36 +5,35 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.physics.relaxation import creep_kelvin_voigt, creep_maxwell, creep_power_creep, creep_standard_solid, relaxation_kelvin_voigt, relaxation_maxwell, relaxation_power_creep, relaxation_standard_solid
-from ....viscoelastic.sphere_tipped_cone import Array
 
 
-def _step_force_maxwell(t: Array, d: Array, R: Array, theta: Array, E: Array, tau: Array) -> Array:
+def _step_force_maxwell(t, d, R, theta, E, tau):
     return relaxation_maxwell(t, E, tau) * normal._force_from_depth(d, R, theta, 1.0)
 
 
-def _step_load_radius_maxwell(t: Array, F: Array, R: Array, theta: Array, E: Array, tau: Array) -> Array:
+def _step_load_radius_maxwell(t, F, R, theta, E, tau):
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), R, theta, 1.0)
 
 
-def _step_force_kelvin_voigt(t: Array, d: Array, R: Array, theta: Array, E: Array, eta: Array) -> Array:
+def _step_force_kelvin_voigt(t, d, R, theta, E, eta):
     return relaxation_kelvin_voigt(t, E, eta) * normal._force_from_depth(d, R, theta, 1.0)
 
 
-def _step_load_radius_kelvin_voigt(t: Array, F: Array, R: Array, theta: Array, E: Array, eta: Array) -> Array:
+def _step_load_radius_kelvin_voigt(t, F, R, theta, E, eta):
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R, theta, 1.0)
 
 
-def _step_force_standard_solid(t: Array, d: Array, R: Array, theta: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def _step_force_standard_solid(t, d, R, theta, E_inf, E_1, tau):
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, R, theta, 1.0)
 
 
-def _step_load_radius_standard_solid(t: Array, F: Array, R: Array, theta: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def _step_load_radius_standard_solid(t, F, R, theta, E_inf, E_1, tau):
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), R, theta, 1.0)
 
 
-def _step_force_power_creep(t: Array, d: Array, R: Array, theta: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def _step_force_power_creep(t, d, R, theta, E, alpha, t_0):
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force_from_depth(d, R, theta, 1.0)
 
 
-def _step_load_radius_power_creep(t: Array, F: Array, R: Array, theta: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def _step_load_radius_power_creep(t, F, R, theta, E, alpha, t_0):
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R, theta, 1.0)

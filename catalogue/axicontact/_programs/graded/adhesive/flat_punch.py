@@ -6,7 +6,7 @@ from math import pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 
 C0 = np.array(0.0)
 C1 = np.array(6.283185307179586)
@@ -98,9 +98,9 @@ def block_pull_off_force_all_signed(out, a, H, k, dgamma, t0, t1, m0):
 
 BLOCKS = {
     ('_pull_off_depth', 0, 'a', 'H', 'k', 'dgamma'): {
-        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, scratch=1, masks=1),
+        ('a', 'H', 'k', 'dgamma'): (('a', 'H', 'k', 'dgamma'), prepare_pull_off_depth_all_signed, block_pull_off_depth_all_signed, 1, 1, (), False),
     },
     ('_pull_off_force', 0, 'a', 'H', 'k', 'dgamma'): {
-        ('a', 'H', 'k', 'dgamma'): Program(('a', 'H', 'k', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, scratch=2, masks=1),
+        ('a', 'H', 'k', 'dgamma'): (('a', 'H', 'k', 'dgamma'), prepare_pull_off_force_all_signed, block_pull_off_force_all_signed, 2, 1, (), False),
     },
 }

@@ -11,6 +11,8 @@ def depth(a, H, k, dgamma, A):
             value = bodies._depth(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -21,6 +23,8 @@ def displacement(r, a, H, k, dgamma, A):
         try:
             value = bodies._displacement(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -33,6 +37,8 @@ def force(a, H, k, dgamma, A):
             value = bodies._force(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -43,6 +49,8 @@ def pressure(r, a, H, k, dgamma, A):
         try:
             value = bodies._pressure(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -55,6 +63,8 @@ def pull_off_radius(H, k, dgamma, A, control):
             value = bodies._pull_off_radius(A, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(H) < 1000000000000.0 and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -66,6 +76,8 @@ def radius_from_depth(d, H, k, dgamma, A):
             value = bodies._radius_from_depth(d, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -76,6 +88,8 @@ def radius_from_force(F, H, k, dgamma, A):
         try:
             value = bodies._radius_from_force(F, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.adhesive import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
@@ -142,6 +142,8 @@ def displacement(r, a, R, b, H, k, dgamma):
         try:
             value = bodies._displacement(r, a, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -317,6 +319,8 @@ def pressure(r, a, R, b, H, k, dgamma):
             value = bodies._pressure(r, a, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -327,6 +331,8 @@ def pull_off_radius(R, b, H, k, dgamma, control):
         try:
             value = bodies._pull_off_radius(R, b, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -339,6 +345,8 @@ def radius_from_depth(d, R, b, H, k, dgamma):
             value = bodies._radius_from_depth(d, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -350,6 +358,8 @@ def radius_from_force(F, R, b, H, k, dgamma):
             value = bodies._radius_from_force(F, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -357,11 +367,11 @@ def radius_from_force(F, R, b, H, k, dgamma):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'b', 'H', 'k', 'dgamma'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=2, filled=(0.0,)),
-        ('a', 'R', 'b', 'H', 'k', 'dgamma'): Program(('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_depth_all, block_depth_all, scratch=2, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 2, (0.0,), False),
+        ('a', 'R', 'b', 'H', 'k', 'dgamma'): (('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_depth_all, block_depth_all, 2, 2, (0.0,), False),
     },
     ('_force', 1, 'a', 'R', 'b', 'H', 'k', 'dgamma'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=3, masks=3, filled=(0.0,)),
-        ('a', 'R', 'b', 'H', 'k', 'dgamma'): Program(('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_force_all, block_force_all, scratch=5, masks=3, filled=(0.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 3, 3, (0.0,), False),
+        ('a', 'R', 'b', 'H', 'k', 'dgamma'): (('a', 'R', 'b', 'H', 'k', 'dgamma'), prepare_force_all, block_force_all, 5, 3, (0.0,), False),
     },
 }

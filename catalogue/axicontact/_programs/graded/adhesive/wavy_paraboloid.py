@@ -5,11 +5,78 @@ from __future__ import annotations
 from ...._programs.bodies.graded.adhesive import wavy_paraboloid as bodies
 
 
+def depth(a, R, h, wavelength, H, k, dgamma):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._depth(a, R, h, wavelength, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def displacement(r, a, R, h, wavelength, H, k, dgamma):
     if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
         try:
             value = bodies._displacement(r, a, R, h, wavelength, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, h, wavelength, H, k, dgamma):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (dgamma > 1e-30) and (dgamma < 1e+30):
+        try:
+            value = bodies._force(a, R, h, wavelength, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R, h, wavelength, H, k, dgamma, control):
+    if R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and R > -1e+30 and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (H > -1e+30) and (H < 1e+30) and (k > -1e+30) and (k < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, h, wavelength, H, k, dgamma, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, h, wavelength, H, k, dgamma):
+    if d.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > -1e+30) and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (H > -1e+30) and (H < 1e+30) and (k > -1e+30) and (k < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, h, wavelength, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, h, wavelength, H, k, dgamma):
+    if F.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is dgamma.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > -1e+30) and (R < 1e+30) and (h > -1e+30) and (h < 1e+30) and (wavelength > -1e+30) and (wavelength < 1e+30) and (H > -1e+30) and (H < 1e+30) and (k > -1e+30) and (k < 1e+30) and (dgamma > -1e+30) and (dgamma < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, h, wavelength, H, k, dgamma)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass

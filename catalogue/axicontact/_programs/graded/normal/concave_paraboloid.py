@@ -6,7 +6,7 @@ from math import inf, nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.normal import concave_paraboloid as bodies
 
 C0 = np.array(-2.0)
@@ -26,6 +26,8 @@ def depth_from_force(F, a, h, H, k):
             value = bodies._depth_from_force(F, a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -37,6 +39,8 @@ def displacement(r, d, a, h, k):
             value = bodies._displacement(r, d, a, h, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -47,6 +51,8 @@ def force(d, a, h, H, k):
         try:
             value = bodies._force(d, a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -83,6 +89,8 @@ def minimum_force(a, h, H, k):
         try:
             value = bodies._minimum_force(a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -337,17 +345,17 @@ def block_zero_radius_all_signed(out, a, h, k, t0):
 
 BLOCKS = {
     ('_minimum_depth', 0, 'a', 'h', 'k'): {
-        ('a', 'h', 'k'): Program(('a', 'h', 'k'), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, scratch=1),
+        ('a', 'h', 'k'): (('a', 'h', 'k'), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, 1, 0, (), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'h', 'H', 'k'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=2, masks=2, filled=(0.0,)),
-        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=2, masks=3, filled=(0.0,)),
-        ('r', 'd', 'a', 'h', 'H', 'k'): Program(('r', 'd', 'a', 'h', 'H', 'k'), prepare_pressure_all, block_pressure_all, scratch=5, masks=3, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 2, 2, (0.0,), False),
+        ('r', 'd'): (('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, 2, 3, (0.0,), False),
+        ('r', 'd', 'a', 'h', 'H', 'k'): (('r', 'd', 'a', 'h', 'H', 'k'), prepare_pressure_all, block_pressure_all, 5, 3, (0.0,), False),
     },
     ('_stiffness', 0, 'a', 'H', 'k'): {
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, scratch=1, masks=1),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, 1, 1, (), False),
     },
     ('_zero_radius', 0, 'a', 'h', 'k'): {
-        ('a', 'h', 'k'): Program(('a', 'h', 'k'), prepare_zero_radius_all_signed, block_zero_radius_all_signed, scratch=1),
+        ('a', 'h', 'k'): (('a', 'h', 'k'), prepare_zero_radius_all_signed, block_zero_radius_all_signed, 1, 0, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import exp, expm1, fsum, inf, log, log1p, pow, sin
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._runtime.plain import rule
 from ...._programs.bodies.graded.normal import concave_power as bodies
 
@@ -22,6 +22,8 @@ def depth_from_force(F, a, h, n, H, k):
             value = bodies._depth_from_force(F, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -32,6 +34,8 @@ def displacement(r, d, a, h, n, k):
         try:
             value = bodies._displacement(r, d, a, h, n, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -44,6 +48,8 @@ def force(d, a, h, n, H, k):
             value = bodies._force(d, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -54,6 +60,8 @@ def minimum_depth(a, h, n, k):
         try:
             value = bodies._minimum_depth(a, h, n, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -66,6 +74,8 @@ def minimum_force(a, h, n, H, k):
             value = bodies._minimum_force(a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -76,6 +86,8 @@ def pressure(r, d, a, h, n, H, k):
         try:
             value = bodies._pressure(r, d, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -246,6 +258,8 @@ def zero_radius(a, h, n, k):
             value = a * v361 + 0.0 * h
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
             return None
         except (ArithmeticError, ValueError):
             pass
@@ -254,6 +268,6 @@ def zero_radius(a, h, n, k):
 
 BLOCKS = {
     ('_stiffness', 0, 'a', 'H', 'k'): {
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, scratch=1, masks=1),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, 1, 1, (), False),
     },
 }

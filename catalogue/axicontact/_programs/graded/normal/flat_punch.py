@@ -6,7 +6,7 @@ from math import inf, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.normal import flat_punch as bodies
 
 C0 = np.array(2.0)
@@ -75,6 +75,8 @@ def displacement(r, d, a, k):
         try:
             value = bodies._displacement(r, d, a, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -310,19 +312,19 @@ def block_stiffness_all_signed(out, a, H, k, t0, m0):
 
 BLOCKS = {
     ('_depth_from_force', 1, 'F', 'a', 'H', 'k'): {
-        ('F',): Program(('F',), prepare_depth_from_force_F, block_depth_from_force_F),
-        ('F', 'a', 'H', 'k'): Program(('F', 'a', 'H', 'k'), prepare_depth_from_force_all, block_depth_from_force_all, scratch=1, masks=1),
+        ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 0, (), False),
+        ('F', 'a', 'H', 'k'): (('F', 'a', 'H', 'k'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 1, (), False),
     },
     ('_force', 1, 'd', 'a', 'H', 'k'): {
-        ('d',): Program(('d',), prepare_force_d, block_force_d),
-        ('d', 'a', 'H', 'k'): Program(('d', 'a', 'H', 'k'), prepare_force_all, block_force_all, scratch=1, masks=1),
+        ('d',): (('d',), prepare_force_d, block_force_d, 0, 0, (), False),
+        ('d', 'a', 'H', 'k'): (('d', 'a', 'H', 'k'), prepare_force_all, block_force_all, 1, 1, (), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'H', 'k'): {
-        ('r',): Program(('r',), prepare_pressure_r, block_pressure_r, scratch=1, masks=2, filled=(0.0,)),
-        ('r', 'd'): Program(('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, scratch=1, masks=3, filled=(0.0,)),
-        ('r', 'd', 'a', 'H', 'k'): Program(('r', 'd', 'a', 'H', 'k'), prepare_pressure_all, block_pressure_all, scratch=2, masks=3, filled=(0.0,)),
+        ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 2, (0.0,), False),
+        ('r', 'd'): (('r', 'd'), prepare_pressure_r_d, block_pressure_r_d, 1, 3, (0.0,), False),
+        ('r', 'd', 'a', 'H', 'k'): (('r', 'd', 'a', 'H', 'k'), prepare_pressure_all, block_pressure_all, 2, 3, (0.0,), False),
     },
     ('_stiffness', 0, 'a', 'H', 'k'): {
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, scratch=1, masks=1),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all_signed, block_stiffness_all_signed, 1, 1, (), False),
     },
 }

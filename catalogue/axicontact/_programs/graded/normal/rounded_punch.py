@@ -6,7 +6,7 @@ from math import pow
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.normal import rounded_punch as bodies
 
 C0 = np.array(0.0)
@@ -20,6 +20,8 @@ def depth(a, R, b, k):
             value = bodies._depth(a, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -30,6 +32,8 @@ def depth_from_force(F, R, b, H, k):
         try:
             value = bodies._depth_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -42,6 +46,8 @@ def displacement(r, a, R, b, k):
             value = bodies._displacement(r, a, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -52,6 +58,8 @@ def force(a, R, b, H, k):
         try:
             value = bodies._force(a, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,6 +72,8 @@ def force_from_depth(d, R, b, H, k):
             value = bodies._force_from_depth(d, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -74,6 +84,8 @@ def mean_pressure(a, R, b, H, k):
         try:
             value = bodies._mean_pressure(a, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -86,6 +98,8 @@ def radius_from_depth(d, R, b, k):
             value = bodies._radius_from_depth(d, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -96,6 +110,8 @@ def radius_from_force(F, R, b, H, k):
         try:
             value = bodies._radius_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -160,7 +176,7 @@ def block_stiffness_all(out, a, H, k, t0, m0):
 
 BLOCKS = {
     ('_stiffness', 1, 'a', 'H', 'k'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 1, (), False),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, 1, 1, (), False),
     },
 }

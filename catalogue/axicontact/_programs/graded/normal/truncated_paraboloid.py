@@ -6,7 +6,7 @@ from math import nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.normal import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
@@ -111,6 +111,8 @@ def depth_from_force(F, R, b, H, k):
             value = bodies._depth_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -121,6 +123,8 @@ def displacement(r, a, R, b, k):
         try:
             value = bodies._displacement(r, a, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -258,6 +262,8 @@ def force_from_depth(d, R, b, H, k):
         try:
             value = bodies._force_from_depth(d, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -404,6 +410,8 @@ def pressure(r, a, R, b, H, k):
             value = bodies._pressure(r, a, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -415,6 +423,8 @@ def radius_from_depth(d, R, b, k):
             value = bodies._radius_from_depth(d, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -425,6 +435,8 @@ def radius_from_force(F, R, b, H, k):
         try:
             value = bodies._radius_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -489,19 +501,19 @@ def block_stiffness_all(out, a, H, k, t0, m0):
 
 BLOCKS = {
     ('_depth', 1, 'a', 'R', 'b', 'k'): {
-        ('a',): Program(('a',), prepare_depth_a, block_depth_a, scratch=2, masks=2, filled=(0.0,)),
-        ('a', 'R', 'b', 'k'): Program(('a', 'R', 'b', 'k'), prepare_depth_all, block_depth_all, scratch=2, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_depth_a, block_depth_a, 2, 2, (0.0,), False),
+        ('a', 'R', 'b', 'k'): (('a', 'R', 'b', 'k'), prepare_depth_all, block_depth_all, 2, 2, (0.0,), False),
     },
     ('_force', 1, 'a', 'R', 'b', 'H', 'k'): {
-        ('a',): Program(('a',), prepare_force_a, block_force_a, scratch=2, masks=2, filled=(0.0,)),
-        ('a', 'R', 'b', 'H', 'k'): Program(('a', 'R', 'b', 'H', 'k'), prepare_force_all, block_force_all, scratch=3, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_force_a, block_force_a, 2, 2, (0.0,), False),
+        ('a', 'R', 'b', 'H', 'k'): (('a', 'R', 'b', 'H', 'k'), prepare_force_all, block_force_all, 3, 2, (0.0,), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'b', 'H', 'k'): {
-        ('a',): Program(('a',), prepare_mean_pressure_a, block_mean_pressure_a, scratch=2, masks=2, filled=(0.0,)),
-        ('a', 'R', 'b', 'H', 'k'): Program(('a', 'R', 'b', 'H', 'k'), prepare_mean_pressure_all, block_mean_pressure_all, scratch=3, masks=2, filled=(0.0,)),
+        ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 2, 2, (0.0,), False),
+        ('a', 'R', 'b', 'H', 'k'): (('a', 'R', 'b', 'H', 'k'), prepare_mean_pressure_all, block_mean_pressure_all, 3, 2, (0.0,), False),
     },
     ('_stiffness', 1, 'a', 'H', 'k'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 1, (), False),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, 1, 1, (), False),
     },
 }

@@ -6,7 +6,7 @@ from math import pow
 
 import numpy as np
 
-from ...._runtime.arrays.blocks import Program, largest
+from ...._runtime.interface import largest
 from ...._programs.bodies.graded.normal import wavy_paraboloid as bodies
 
 C0 = np.array(0.0)
@@ -14,11 +14,104 @@ C1 = np.array(2.0)
 C2 = np.array(1.0)
 
 
+def depth(a, R, h, wavelength, k):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth(a, R, h, wavelength, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth_from_force(F, R, h, wavelength, H, k):
+    if F.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._depth_from_force(F, R, h, wavelength, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def displacement(r, a, R, h, wavelength, k):
     if r.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is k.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (k > 1e-30) and (k < 1.0):
         try:
             value = bodies._displacement(r, a, R, h, wavelength, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, h, wavelength, H, k):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force(a, R, h, wavelength, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force_from_depth(d, R, h, wavelength, H, k):
+    if d.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._force_from_depth(d, R, h, wavelength, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def mean_pressure(a, R, h, wavelength, H, k):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._mean_pressure(a, R, h, wavelength, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, h, wavelength, k):
+    if d.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is k.__class__ is float and d > 1e-30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_depth(d, R, h, wavelength, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, h, wavelength, H, k):
+    if F.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is float and F > 1e-30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0):
+        try:
+            value = bodies._radius_from_force(F, R, h, wavelength, H, k)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -83,7 +176,7 @@ def block_stiffness_all(out, a, H, k, t0, m0):
 
 BLOCKS = {
     ('_stiffness', 1, 'a', 'H', 'k'): {
-        ('a',): Program(('a',), prepare_stiffness_a, block_stiffness_a, masks=1),
-        ('a', 'H', 'k'): Program(('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, scratch=1, masks=1),
+        ('a',): (('a',), prepare_stiffness_a, block_stiffness_a, 0, 1, (), False),
+        ('a', 'H', 'k'): (('a', 'H', 'k'), prepare_stiffness_all, block_stiffness_all, 1, 1, (), False),
     },
 }

@@ -3,115 +3,116 @@
 from __future__ import annotations
 
 
-from ....._programs.bodies._runtime.graded.rules import raised, sine_integral, sine_over, sinh_over
-from ....._runtime.graded.growth import Array, Callable, _LONGEST, power_factor
+from ....._programs.bodies._runtime.graded.rules import nodes_for, raised, sine_mean, sine_over, sinh_over
+from ....._runtime.graded.growth import _LONGEST, power_factor
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import integral_in_strip
 from ....._runtime.plain import MATH as np
 
 
-def axis_power(n: Array, k: Array) -> Array:
+def axis_power(n, k):
     """n + k - 1, with which a pressure of f = r**n begins; the two first whose sum is exact, where it may cancel."""
     return k - 1.0 + n if n < 0.5 else n - 1.0 + k
 
 
-def power_depth(a: Array, n: Array, k: Array) -> Array:
+def power_depth(a, n, k):
     """g(a) of f = r**n."""
     return power_factor(n, k) * a ** n
 
 
-def power_rate(t: Array, n: Array, k: Array) -> Array:
+def power_rate(t, n, k):
     return power_factor(n, k) * n * (t ** n / t)
 
 
-def power_force(a: Array, n: Array, k: Array) -> Array:
+def power_force(a, n, k):
     return power_factor(n, k) * (n / (n + (1.0 + k))) * a ** n * raised(a, k)
 
 
-def power_mean(a: Array, n: Array, k: Array) -> Array:
+def power_mean(a, n, k):
     """Force over the square of the radius."""
     m = axis_power(n, k)
     power = a ** n / a * a ** k if a > 0.0 else 0.0 if m > 0.0 else np.inf if m < 0.0 else 1.0
     return power_factor(n, k) * (n / (n + (1.0 + k))) * power
 
 
-def sphere_depth(a: Array, root: Array, k: Array) -> Array:
+def sphere_depth(a, root, k):
     """g(a) of f = R - sqrt(R**2 - r**2); the ellipsoid is the sphere stretched by h/b."""
     open_ = root if root > 0.0 else a
     v = np.arcsinh(a / open_)
-    value = a * _steepness(a, open_, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k)
+    value = a * _steepness(a, open_, v, k) ** k * v * weighted(lambda x: sinh_over(x) ** k, v, k, nodes_for(v))
     return 0.0 if a == 0.0 else value if root > 0.0 else a * _last(k)
 
 
-def sphere_rate(t: Array, root: Array, k: Array) -> Array:
+def sphere_rate(t, root, k):
     open_ = root if root > 0.0 else t
     v, far = (np.arcsinh(t / open_), np.hypot(t, root) / open_)
 
-    def integrand(x: Array) -> Array:
+    def integrand(x):
         return sinh_over(x) ** k * (1.0 + (far / np.cosh(x)) ** 2)
     first = np.minimum(v, _LONGEST)
-    total = (open_ / t * first) ** k * first * weighted(integrand, first, k)
+    total = (open_ / t * first) ** k * first * weighted(integrand, first, k, nodes_for(first))
     if np.any(v > first):
         rest = integral_in_strip(lambda x: integrand(first + x) * (first + x) ** k, v - first)
         total = total + (open_ / t) ** k * rest
     return total if root > 0.0 else np.inf
 
 
-def sphere_force(a: Array, root: Array, k: Array) -> Array:
+def sphere_force(a, root, k):
     open_ = root if root > 0.0 else a
     v = np.arcsinh(a / open_)
     whole = np.sinh(v)
 
-    def integrand(x: Array) -> Array:
+    def integrand(x):
         over = sinh_over(x)
         return over ** k * (1.0 - (over * (x / whole)) ** 2)
-    value = a * raised(a, k) * _steepness(a, open_, v, k) ** k * v * weighted(integrand, v, k)
+    value = a * raised(a, k) * _steepness(a, open_, v, k) ** k * v * weighted(integrand, v, k, nodes_for(v))
     return 0.0 if a == 0.0 else value if root > 0.0 else a * raised(a, k) * 2.0 / (2.0 + k) * _last(k)
 
 
-def _steepness(a: Array, root: Array, v: Array, k: Array) -> Array:
+def _steepness(a, root, v, k):
     """v root/a, from the v at whose end the integral is largest for k > 0: a unit of v is 16 of its sinh at a = R."""
     return v / np.sinh(v) if k > 0.0 else root / a * v
 
 
-def _last(k: Array) -> Array:
+def _last(k):
     """Depth over radius where the sphere is vertical."""
     return 1.0 / k if k > 0.0 else np.inf
 
 
-def hyperboloid_depth(a: Array, b: Array, k: Array) -> Array:
+def hyperboloid_depth(a, b, k):
     """g(a) of f = sqrt(r**2 + b**2) - b."""
-    return a * (np.hypot(a, b) / a) ** k * sine_integral(np.arctan2(a, b), k) if a > 0.0 else 0.0
+    angle = np.arctan2(a, b)
+    return a * angle * (np.hypot(a, b) / a * angle) ** k * sine_mean(angle, k) if a > 0.0 else 0.0
 
 
-def hyperboloid_rate(t: Array, b: Array, k: Array) -> Array:
-    c = np.hypot(t, b)
-    return (c / t) ** k * sine_integral(np.arctan2(t, b), k) * (1.0 - k * (b / c) ** 2) + t / c * (b / c)
+def hyperboloid_rate(t, b, k):
+    c, angle = (np.hypot(t, b), np.arctan2(t, b))
+    return angle * (c / t * angle) ** k * sine_mean(angle, k) * (1.0 - k * (b / c) ** 2) + t / c * (b / c)
 
 
-def hyperboloid_force(a: Array, b: Array, k: Array) -> Array:
+def hyperboloid_force(a, b, k):
     angle = np.arctan2(a, b)
 
-    def integrand(y: Array) -> Array:
+    def integrand(y):
         return sine_over(y) ** k * np.sin(angle - y) * np.sin(angle + y)
     c = np.hypot(a, b)
-    return c ** k * c * c * raised(angle, k) * weighted(integrand, angle, k)
+    return c * c * angle * (c * angle) ** k * weighted(integrand, angle, k) if a > 0.0 else 0.0
 
 
-def gaussian_depth(a: Array, s: Array, k: Array) -> Array:
+def gaussian_depth(a, s, k):
     """g(a) of f = 1 - exp(-r**2/s**2)."""
     return 2.0 * (a / s) ** 2 * _bell(a, s, k, lambda fall: np.exp(-fall))
 
 
-def gaussian_rate(t: Array, s: Array, k: Array) -> Array:
+def gaussian_rate(t, s, k):
     return 4.0 * t / s / s * _bell(t, s, k, lambda fall: (1.0 - fall) * np.exp(-np.minimum(fall, 700.0)))
 
 
-def gaussian_force(a: Array, s: Array, k: Array) -> Array:
+def gaussian_force(a, s, k):
     return 2.0 * raised(a, k) * _bell(a, s, k, lambda fall: fall * np.exp(-fall))
 
 
-def _bell(a: Array, s: Array, k: Array, of: Callable[..., Array]) -> Array:
+def _bell(a, s, k, of):
     """Integral of x**k of(fall) from 0 to 1, where fall = (a/s)**2 (1 - x**2)."""
     square = (a / s) ** 2
     one = np.ones_like(np.asarray(square, dtype=np.float64))

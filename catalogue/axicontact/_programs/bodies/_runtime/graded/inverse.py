@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 
-from ....._programs.bodies._runtime.graded.growth import gaussian_rate
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, power_of, radius_itself, root_of, up_to
 from ....._programs.bodies._runtime.shapes.across import inverse_across
-from ....._runtime.graded.inverse import Array, CLOSE, Curve, LOST, Load, NEAREST, ROUNDING, Rooted, SHORT, SLACK, STEEPEST, Unknown
+from ....._runtime.graded.inverse import CLOSE, LOST, NEAREST, ROUNDING, SHORT, SLACK, STEEPEST, _at_break
 from ....._runtime.plain import MATH as np
 
 
-def radius_to(load: Load, rate: Load, value: Array, start: Array, needs: tuple[Array, ...]) -> Array:
+def radius_to(load, rate, value, start, needs):
     """The a with load(a, *needs) = value; `rate` is the derivative of the load."""
     value = value + np.zeros(1)
     start = start + np.zeros_like(value)
     return inverse(_curve(load, rate, needs), value, start, (SLACK, np.inf), smooth=True)
 
 
-def radius_up_to(load: Load, rate: Load, value: Array, largest: Array, needs: tuple[Array, ...], unknown: Unknown) -> Array:
+def radius_up_to(load, rate, value, largest, needs, unknown):
     """The same where the load ends at `largest` with slope zero; NaN beyond.
 
     Solved for the load over what it is short of its largest, which is the first or the second power of
@@ -38,11 +37,11 @@ def radius_up_to(load: Load, rate: Load, value: Array, largest: Array, needs: tu
     reach = unknown.of(end)
     least_short = 6.0 * ROUNDING * top
 
-    def place(t: Array) -> tuple[Array, Array]:
+    def place(t):
         a, step = unknown.back(t / (1.0 + t / reach))
         return (a, step / (1.0 + t / reach) ** 2)
 
-    def curve(t: Array) -> tuple[Array, Array]:
+    def curve(t):
         a, step = place(t)
         own = load(a, *needs)
         short = np.maximum(top - own, least_short)
@@ -53,15 +52,15 @@ def radius_up_to(load: Load, rate: Load, value: Array, largest: Array, needs: tu
     return place(t)[0] if held else np.nan
 
 
-def _curve(load: Load, rate: Load, needs: tuple[Array, ...]) -> Curve:
+def _curve(load, rate, needs):
 
-    def curve(a: Array) -> tuple[Array, Array]:
+    def curve(a):
         own = load(a, *needs)
         return (own, a * rate(a, *needs) / own)
     return curve
 
 
-def contact_beyond(load: Load, rate: Load, value: Array, b: Array, needs: tuple[Array, ...], exponents: tuple[Array, Array]) -> tuple[Array, Array]:
+def contact_beyond(load, rate, value, b, needs, exponents):
     """The same for a flat face of radius b, with the root b t = sqrt(a**2 - b**2); load and rate take both.
 
     The load grows as a power of t for small and for large t, with the two `exponents`; so does the unknown, which
@@ -71,7 +70,7 @@ def contact_beyond(load: Load, rate: Load, value: Array, b: Array, needs: tuple[
     value = value + np.zeros(1)
     unknown = beyond_edge(b, first, last)
 
-    def curve(x: Array) -> tuple[Array, Array]:
+    def curve(x):
         t, slope = root_of(x, first, last)
         a, root = (np.hypot(b, b * t), b * t)
         own = load(a, root, *needs)
@@ -81,7 +80,7 @@ def contact_beyond(load: Load, rate: Load, value: Array, b: Array, needs: tuple[
     return (unknown.back(x)[0], b * root_of(x, first, last)[0])
 
 
-def contact_below(load: Load, rate: Load, value: Array, R: Array, needs: tuple[Array, ...], exponent: Array, k: Array) -> tuple[Array, Array]:
+def contact_below(load, rate, value, R, needs, exponent, k):
     """The same for a sphere, in t = a/sqrt(R**2 - a**2), with that root; NaN where the load is beyond that of a = R.
 
     It begins as t**`exponent`, and ends as const - t**-k, log(t) or t**-k, by the sign of k; the unknown is
@@ -92,21 +91,21 @@ def contact_below(load: Load, rate: Load, value: Array, R: Array, needs: tuple[A
     value = value + np.zeros(1)
     k = 1e-30 if np.abs(k) < 1e-30 else k
 
-    def like(t: Array) -> tuple[Array, Array]:
+    def like(t):
         power = t ** exponent
         log = np.log1p(power)
         x = -np.expm1(-k / exponent * log) / k
         return (x, power / (1.0 + power) * np.exp(-k / exponent * log) / x)
 
-    def place(x: Array) -> Array:
+    def place(x):
         power = np.expm1(-exponent / k * np.log1p(-k * x))
         return power ** (1.0 / exponent)
 
-    def contact(t: Array) -> tuple[Array, Array]:
+    def contact(t):
         root = R / np.hypot(1.0, t)
         return (root * t, root)
 
-    def curve(x: Array) -> tuple[Array, Array]:
+    def curve(x):
         t = place(x)
         a, root = contact(t)
         own = load(a, root, *needs)
@@ -123,17 +122,7 @@ def contact_below(load: Load, rate: Load, value: Array, R: Array, needs: tuple[A
     return (a, root)
 
 
-def gaussian_reach(s: Array, k: Array) -> Array:
-    """The radius of largest depth of a Gaussian bump, where the contact ceases to be compact."""
-    low, high = (np.ones_like(s + k), 8.0 * np.ones_like(s + k))
-    for _ in range(60):
-        middle = (low + high) / 2.0
-        rises = gaussian_rate(s * middle, s, k) >= 0.0
-        low, high = (middle if rises else low, high if rises else middle)
-    return s * low
-
-
-def radius_across(load: Load, rate: Load, value: Array, b: Array, needs: tuple[Array, ...], tip: Array, least: Array | None=None, end: Array | None=None) -> Array:
+def radius_across(load, rate, value, b, needs, tip, least=None, end=None):
     """The a with load(a, root, *needs) = value, with root = sqrt(a**2 - b**2) for a break at b and 0 below it.
 
     Below the load is the power `tip` of a, in excess from t**least on beyond.
@@ -141,8 +130,8 @@ def radius_across(load: Load, rate: Load, value: Array, b: Array, needs: tuple[A
     value = value + np.zeros(1)
     if end is None and least is None:
         return inverse_across(_with_rate(load, rate, needs), value, b + np.zeros_like(value), tip)
-    first = np.zeros_like(value) if end is None else NEAREST * b + np.zeros_like(value)
-    base = load(b + np.zeros_like(value), first, *needs)
+    base, *close = _at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
+    base = base + np.zeros_like(value)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
     radius = b + np.zeros_like(value)
@@ -150,23 +139,23 @@ def radius_across(load: Load, rate: Load, value: Array, b: Array, needs: tuple[A
         radius = _below(load, rate, base if above else value, base, b, needs, below, tip)
     if not np.any(above):
         return radius
-    return _beyond(load, rate, value - base if above else 0.0, base, b, needs, 1.0 if least is None else least, tip) if above else radius
+    return _beyond(load, rate, value - base if above else 0.0, base, b, needs, 1.0 if least is None else least, tip, *close) if above else radius
 
 
-def _with_rate(load: Load, rate: Load, needs: tuple[Array, ...]) -> Rooted:
+def _with_rate(load, rate, needs):
     """Value and derivative by ln a."""
     return lambda a, root: (load(a, root, *needs), a * rate(a, root, *needs))
 
 
-def _below(load: Load, rate: Load, value: Array, base: Array, b: Array, needs: tuple[Array, ...], unknown: Unknown, tip: Array) -> Array:
+def _below(load, rate, value, base, b, needs, unknown, tip):
     """The radius up to b."""
     largest = unknown.of(b + np.zeros_like(value))
 
-    def share(x: Array) -> Array:
+    def share(x):
         a, step = unknown.back(x)
         return x * step / a
 
-    def curve(x: Array) -> tuple[Array, Array]:
+    def curve(x):
         a, step = unknown.back(x)
         own = load(a, difference_root(a, b), *needs)
         return (own, x * step * rate(a, difference_root(a, b), *needs) / own)
@@ -175,35 +164,34 @@ def _below(load: Load, rate: Load, value: Array, base: Array, b: Array, needs: t
     return np.minimum(unknown.back(x)[0], b)
 
 
-def _beyond(load: Load, rate: Load, excess: Array, base: Array, b: Array, needs: tuple[Array, ...], least: Array | float, tip: Array) -> Array:
+def _beyond(load, rate, excess, base, b, needs, least, tip, at_close, slope_at_close):
     """The radius beyond b, where the load exceeds that of b by nearly c t**least + C t**2.
 
     Both terms are read from the load close to b, and with them the t at which one gives way to the other.
     """
     curve_at = _with_rate(load, rate, needs)
 
-    def more_and_rate(t: Array) -> tuple[Array, Array]:
-        y, slope = curve_at(b * np.sqrt(1.0 + t * t), b * t)
+    def more_and_rate(t, y, slope):
         slope = slope * (t * t / (1.0 + t * t))
         more = np.maximum(y - base, ROUNDING * base)
         return (more, slope if more > LOST * ROUNDING * base else np.maximum(slope, np.minimum(least, 1.0) * more))
     near = CLOSE * np.ones_like(excess)
-    more, slope = more_and_rate(near)
+    more, slope = more_and_rate(near, at_close, slope_at_close)
     second = np.clip((slope / more - least) / np.maximum(2.0 - least, ROUNDING), ROUNDING, 1.0 - ROUNDING)
     meet = near * ((1.0 - second) / second) ** (1.0 / np.maximum(2.0 - least, 0.2))
     meet = np.minimum(np.maximum(meet, NEAREST), 1.0 / NEAREST)
     unit = more * (1.0 - second) * (meet / near) ** least
 
-    def place(x: Array) -> tuple[Array, Array]:
+    def place(x):
         t, power = root_of(x, least, 2.0)
         return (meet * t, power)
 
-    def curve(x: Array) -> tuple[Array, Array]:
+    def curve(x):
         t, power = place(x)
-        own, slope = more_and_rate(t)
+        own, slope = more_and_rate(t, *curve_at(b * np.sqrt(1.0 + t * t), b * t))
         return (own, slope / own / power)
 
-    def share(x: Array) -> Array:
+    def share(x):
         t, power = place(x)
         return t * t / (1.0 + t * t) / power
     noise = 8.0 * ROUNDING * (base + excess)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.growth import power_depth, power_force
-from ....._programs.bodies._runtime.graded.rules import raised
+from ....._programs.bodies._runtime.graded.rules import either, raised
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.physics.slip import gained_share
-from ....._runtime.graded.slip import Array, CLOSE, Callable, DECAY, Lengths, NODES, PANEL, Whole, power_factor
+from ....._runtime.graded.slip import CLOSE, DECAY, NODES, PANEL, power_factor
 from ....._runtime.plain import integral_by_panels, integral_in_strip
 from ....._runtime.plain import MATH as np
 
 
-def power_gain(quantity: str, r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
+def power_gain(quantity, r, c, a, n, k):
     """For f = r**n."""
     if quantity == 'depth':
         return power_depth(a, n, k) * gained_share(c, a, n)
@@ -21,19 +21,19 @@ def power_gain(quantity: str, r: Array, c: Array, a: Array, n: Array, k: Array) 
     return power_factor(n, k) * n * _power_growth(r, c, a, n, k)
 
 
-def _power_growth(r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
+def _power_growth(r, c, a, n, k):
     """The integral of t**(n - 1) (t**2 - r**2)**((k - 1)/2), from the end where it is larger far from r."""
     inner, outer = (difference_root(c, r), difference_root(a, r))
     falls = n + (k - 1.0) >= 0.0
     end = a if falls else c
-    start: Array = outer if falls else inner
+    start = outer if falls else inner
     side = 1.0 - 2.0 * falls
     lost = (a / outer) ** 2 * -np.expm1(-2.0 * DECAY / np.maximum(n - 2.0, 0.001))
     cut = -0.5 * np.log1p(-np.minimum(lost, 1.0 - 1e-16))
     last = cut if (n > 2.0) & (lost < 1.0) else np.inf
     stop = np.minimum(_span(c, a, inner), last)
 
-    def integrand(w: Array) -> Array:
+    def integrand(w):
         distance = start * np.exp(side * w)
         base = r * r + distance * distance if falls else c * c
         change = 0.5 * np.log1p(start * start * np.abs(np.expm1(2.0 * side * w)) / base)
@@ -42,47 +42,42 @@ def _power_growth(r: Array, c: Array, a: Array, n: Array, k: Array) -> Array:
     return end ** n / end / end * raised(start, k) * within
 
 
-def beyond_gain(quantity: str, whole: Whole, rate: Whole, lengths: Lengths, r: Array, c: Array, a: Array, k: Array) -> Array:
+def beyond_gain(quantity, whole, rate, lengths, r, c, a, k):
     """For g' that begins at the break with a power of the distance to it."""
     b, = lengths
-    return _beyond(quantity, whole, rate, lengths, b, r, c, a, k)
+    close = _close(np.maximum(r, b), c, a)
+    return either(close, lambda: _grown(quantity, lambda t, root: rate(t, root, *lengths, k), r, c, a, b, k, close), lambda: _difference(quantity, whole, lengths, b, r, c, a, k))
 
 
-def _beyond(quantity: str, whole: Whole, rate: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array) -> Array:
-    return _chosen(*_values(quantity, whole, lengths, b, r, c, a, k), lambda close: _grown(quantity, lambda t, root: rate(t, root, *lengths, k), r, c, a, b, k, close))
+def _close(m, c, a):
+    """Where most of what is there at a was there at c, counted from the branch point m."""
+    inner = difference_root(c, m)
+    return (inner > 0.0) & (inner >= CLOSE * difference_root(a, m))
 
 
-def _values(quantity: str, whole: Whole, lengths: Lengths, b: Array, r: Array, c: Array, a: Array, k: Array) -> tuple[Array, Array]:
+def _difference(quantity, whole, lengths, b, r, c, a, k):
     if quantity == 'pressure':
-        return (whole(r, a, *lengths, k), whole(r, c, *lengths, k))
-    return (whole(a, difference_root(a, b), *lengths, k), whole(c, difference_root(c, b), *lengths, k))
+        return whole(r, a, *lengths, k) - whole(r, c, *lengths, k)
+    return whole(a, difference_root(a, b), *lengths, k) - whole(c, difference_root(c, b), *lengths, k)
 
 
-def _chosen(outer: Array, inner: Array, gain: Callable[[Array], Array]) -> Array:
-    """outer - inner, as the gain where they are close."""
-    close = inner >= CLOSE * outer
-    if not np.any(close):
-        return outer - inner
-    return gain(close) if close else outer - inner
-
-
-def _weight(quantity: str, t: Array, y: Array, k: Array) -> Array:
+def _weight(quantity, t, y, k):
     if quantity == 'depth':
         return 1.0
     return t * t ** k if quantity == 'force' else y ** k / y
 
 
-def _span(c: Array, a: Array, distance: Array) -> Array:
+def _span(c, a, distance):
     """Logarithm of the growth of sqrt(t**2 - m**2), which is `distance` at t = c."""
     return 0.5 * np.log1p((a - c) / distance * ((a + c) / distance)) if a > c else 0.0
 
 
-def _grown(quantity: str, rate: Whole, r: Array, c: Array, a: Array, b: Array, k: Array, close: Array) -> Array:
+def _grown(quantity, rate, r, c, a, b, k, close):
     """The integral from c to a for rate(t, sqrt(t**2 - b**2)), where c is beyond r and b."""
     branch = np.maximum(r, b)
     start = difference_root(c, branch)
 
-    def integrand(w: Array) -> Array:
+    def integrand(w):
         distance = start * np.exp(w)
         t, root, y = (np.sqrt((branch - x) * (branch + x) + distance * distance) for x in (0.0, b, r))
         return rate(t, root) * _weight(quantity, t, y, k) * distance * (distance / t)

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.functions import halves
-from ....._runtime.physics.branches import Array
 from ....._runtime.plain import MATH as np
 
 
-def exponent_of(x: Array) -> Array:
+def exponent_of(x):
     """The whole m with 2**m <= x < 2**(m + 1)."""
     return np.frexp(x)[1] - 1
 
 
-def stress_at(unit: Array, H: Array, k: Array) -> tuple[Array, Array]:
+def stress_at(unit, H, k):
     """The exponent of the power of two near H L**k for L = 2**unit, and H in units of that stress and of L."""
     mantissa, exponent = np.frexp(H)
     high, low = halves(k)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.special import gamma_ratio
-from ....._runtime.physics.circle import Array, LAST, SHORTEST, STEP
+from ....._runtime.physics.circle import LAST, SHORTEST, STEP
 from ....._runtime.plain import integral_in_strip
 from ....._runtime.plain import MATH as np
 
 
-def _far(r: Array, a: Array) -> tuple[Array, Array]:
+def _far(r, a):
     """The longer length, and the root of 1 - (shorter/longer)**2."""
     far, near = (np.maximum(r, a), np.minimum(r, a))
     return (far, np.sqrt((far - near) / far * ((far + near) / far)) if far < np.inf else 1.0)
 
 
-def power(r: Array, a: Array, s: Array) -> Array:
+def power(r, a, s):
     """w E_star/(p_0 a) for any s > -1, as the integral over the circle of (11.105) in the angle psi from the edge."""
     fallen = a / np.maximum(r, a)
     r, a, s = (np.asarray(r), np.asarray(a), np.asarray(s))
@@ -28,7 +28,7 @@ def power(r: Array, a: Array, s: Array) -> Array:
     return fallen * (2.0 / np.sqrt(np.pi) * strength * sides)
 
 
-def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
+def _inside(ratio, kc, exponent):
     """Integral of (1 - ratio**2 cos(psi)**2)**exponent over a quarter turn, kc**2 = 1 - ratio**2.
 
     With tan(psi/2) = least sinh(whole - v) the nearest zeros of the base are pi/2 away from all v.
@@ -40,7 +40,7 @@ def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
     stop = whole - np.arcsinh(np.sqrt((1.0 - cosine) / (1.0 + cosine)) / least)
     scale = 1.0 / np.expm1(-2.0 * whole)
 
-    def places(v: Array) -> tuple[Array, Array, Array]:
+    def places(v):
         """sin(psi), cos(psi) and dpsi/dv over -2 scale."""
         decay = np.exp(-v)
         turned = decay * np.expm1(2.0 * (v - whole))
@@ -49,7 +49,7 @@ def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
         rest = scale * (1.0 + decay + turned) * np.expm1(-v)
         return (2.0 * tangent * share, rest * (1.0 + tangent) * share, (2.0 * decay + turned) * share)
 
-    def integrand(v: Array) -> Array:
+    def integrand(v):
         sine, cosine, stretch = places(v)
         taken = (ratio * cosine) ** 2
         base = sine * sine + (kc * cosine) ** 2
@@ -58,7 +58,7 @@ def _inside(ratio: Array, kc: Array, exponent: Array) -> Array:
     return -2.0 * scale * integral_in_strip(integrand, stop, 1.0 / np.sqrt(1.0 + positive / 4.0))
 
 
-def _outside(kc: Array, power: Array) -> Array:
+def _outside(kc, power):
     """Sum over equal steps of u, sin(psi) = 1/cosh(u): of sin(psi)**(2 power)/sqrt(1 + kc**2 sinh(u)**2).
 
     All derivatives vanish at both ends; the nearest singularities are pi/2 away, for large powers less by their width.

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.functions import gamma, gamma_quotient
-from ....._runtime.physics.relaxation import Array, ROUNDING, SWITCH, TERMS
+from ....._runtime.physics.relaxation import ROUNDING, SWITCH, TERMS
 from ....._runtime.plain import integral
 from ....._runtime.plain import MATH as np
 
 
-def fading(x: Array, m: Array) -> Array:
+def fading(x, m):
     """1F1(1; m + 1; -x) = int_0^1 m (1 - y)**(m - 1) exp(-x y) dy for x >= 0 and m >= 1: positive terms only."""
     low = np.minimum(x, SWITCH)
     term, total = (np.exp(-low), np.exp(-low))
@@ -26,48 +26,48 @@ def fading(x: Array, m: Array) -> Array:
     return total if x <= SWITCH else tail if x < np.inf else 0.0
 
 
-def ramp_maxwell(t: Array, m: Array, E: Array, tau: Array) -> Array:
+def ramp_maxwell(t, m, E, tau):
     return E * fading(t / tau, m)
 
 
-def ramp_standard_solid(t: Array, m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def ramp_standard_solid(t, m, E_inf, E_1, tau):
     return E_inf + E_1 * fading(t / tau, m)
 
 
-def ramp_power_creep(t: Array, m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def ramp_power_creep(t, m, E, alpha, t_0):
     return E * (t_0 / t) ** alpha * gamma_quotient(1.0 + m, 1.0 + m - alpha) / gamma(1.0 + alpha)
 
 
-def relaxation_maxwell(t: Array, E: Array, tau: Array) -> Array:
+def relaxation_maxwell(t, E, tau):
     return E * np.exp(-t / tau)
 
 
-def relaxation_standard_solid(t: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def relaxation_standard_solid(t, E_inf, E_1, tau):
     return E_inf + E_1 * np.exp(-t / tau)
 
 
-def relaxation_kelvin_voigt(t: Array, E: Array, eta: Array) -> Array:
+def relaxation_kelvin_voigt(t, E, eta):
     """For t > 0; a step of the depth needs an infinite force at t = 0."""
     return E if t > 0.0 else np.inf
 
 
-def relaxation_power_creep(t: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def relaxation_power_creep(t, E, alpha, t_0):
     return E * (t_0 / t) ** alpha * np.sin(np.pi * alpha) / (np.pi * alpha)
 
 
-def creep_maxwell(t: Array, E: Array, tau: Array) -> Array:
+def creep_maxwell(t, E, tau):
     return (1.0 + t / tau) / E
 
 
-def creep_standard_solid(t: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+def creep_standard_solid(t, E_inf, E_1, tau):
     glassy = E_inf + E_1
     x = t / tau * (E_inf / glassy)
     return 1.0 / glassy - E_1 / glassy * np.expm1(-x) / E_inf
 
 
-def creep_kelvin_voigt(t: Array, E: Array, eta: Array) -> Array:
+def creep_kelvin_voigt(t, E, eta):
     return -np.expm1(-E * t / eta) / E
 
 
-def creep_power_creep(t: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+def creep_power_creep(t, E, alpha, t_0):
     return (t / t_0) ** alpha / E

@@ -6,11 +6,11 @@ from __future__ import annotations
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._programs.bodies._runtime.physics.adhesion import hess_retraction
 from ....._runtime.physics.single import at_the_end
-from ....._runtime.physics.stable import Array, Branches, Callable, EPS, LOST, Load, NOISE, SLACK, Unknown, XI
+from ....._runtime.physics.stable import EPS, LOST, NOISE, SLACK, XI
 from ....._runtime.plain import MATH as np
 
 
-def stable_radius(value: Array, found: Branches, load: Load, slope_of: Load, pulled: Load, inner: Unknown, outer: Unknown | None=None, corner: Array | None=None) -> Array:
+def stable_radius(value, found, load, slope_of, pulled, inner, outer=None, corner=None):
     """The largest radius of a stable contact under this load; NaN below pull-off.
 
     `slope_of` is the derivative of the load, `pulled` the part of it by adhesion.
@@ -33,7 +33,7 @@ def stable_radius(value: Array, found: Branches, load: Load, slope_of: Load, pul
     parts = fixed + np.abs(value)
     least_short = 4.0 * NOISE * parts
 
-    def excess(t: Array) -> tuple[Array, Array]:
+    def excess(t):
         a, step = place(t)
         own = load(a)
         more, short = (own - least, np.maximum(top - own, least_short) if ends else 1.0)
@@ -45,7 +45,7 @@ def stable_radius(value: Array, found: Branches, load: Load, slope_of: Load, pul
         slope = np.maximum(slope, 0.7) if np.logical_not(ends) & (more < 0.5 * wanted) else slope
         return (more, LOST if lost else slope)
 
-    def share(t: Array) -> Array:
+    def share(t):
         a, step = place(t)
         return t * step / a
     short = np.maximum(top - value, least_short) if ends else 1.0
@@ -63,7 +63,7 @@ def stable_radius(value: Array, found: Branches, load: Load, slope_of: Load, pul
     return np.inf if (value == np.inf) & (high == np.inf) else a if np.isfinite(least) else np.nan
 
 
-def _branch_of(value: Array, found: Branches, load: Load, pulled: Load) -> tuple[Array, Array, Array, Array]:
+def _branch_of(value, found, load, pulled):
     """The last branch with this load: its ends, and the load there, known to the rounding of its parts."""
     low = high = least = largest = np.full_like(value, np.nan)
     for first, last in zip(found.first, found.last, strict=True):
@@ -76,7 +76,7 @@ def _branch_of(value: Array, found: Branches, load: Load, pulled: Load) -> tuple
     return (low, high, least, largest)
 
 
-def _divided(value: Array, low: Array, high: Array, least: Array, top: Array, load: Load, corner: Array) -> tuple[Array, ...]:
+def _divided(value, low, high, least, top, load, corner):
     """The part of the branch on the side of the corner where the load is, and whether that is beyond."""
     bend = load(corner + np.zeros_like(low))
     inside = (low < corner) & np.logical_not(high <= corner)
@@ -87,19 +87,19 @@ def _divided(value: Array, low: Array, high: Array, least: Array, top: Array, lo
     return (low, high, least, top, low >= corner)
 
 
-def _counted(low: Array, high: Array, beyond: Array, inner: Unknown, outer: Unknown | None) -> tuple[Array, Array, Array, Callable[[Array], tuple[Array, Array]]]:
+def _counted(low, high, beyond, inner, outer):
     """The unknown at `low`, how far it is to `high`, the largest t, and the radius with its derivative by t.
 
     t is what the unknown exceeds its first value by, times reach over what it is short of the last.
     """
 
-    def of(a: Array) -> Array:
+    def of(a):
         return inner.of(a) if outer is None else outer.of(a if beyond else low) if beyond else inner.of(a)
     first = of(low)
     last = np.inf if high == np.inf else of(low if high == np.inf else high)
     reach = last - first
 
-    def place(t: Array) -> tuple[Array, Array]:
+    def place(t):
         open_ = np.logical_not(np.isfinite(reach))
         share = 0.0 if open_ else t / reach
         x = first + (t / (1.0 + share) if share < np.inf else reach)
@@ -112,7 +112,7 @@ def _counted(low: Array, high: Array, beyond: Array, inner: Unknown, outer: Unkn
     return (first, reach, np.inf if np.isfinite(reach) | beyond else inner.end - first, place)
 
 
-def growth(slope: Array, a: Array, control: str, E_star: Array, dgamma: Array) -> Array:
+def growth(slope, a, control, E_star, dgamma):
     """Derivative of the load by that of the depth without adhesion, with the retraction weighed by xi."""
     own = slope - XI[control] * hess_retraction(a, E_star, dgamma) / (2.0 * a)
     return 2.0 * E_star * a * own if control == 'force' else own

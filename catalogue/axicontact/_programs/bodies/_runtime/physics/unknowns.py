@@ -4,55 +4,55 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.integrals import difference_root
-from ....._runtime.physics.unknowns import Array, CLOSEST, SETTLED, SHARP, STEPS, Unknown
+from ....._runtime.physics.unknowns import CLOSEST, SETTLED, SHARP, STEPS, Unknown
 from ....._runtime.plain import MATH as np
 
 
-def radius_itself() -> Unknown:
+def radius_itself():
     return Unknown(lambda a: a, lambda x: (x, np.ones_like(x)))
 
 
-def up_to(R: Array, k: Array | float=0.0) -> Unknown:
+def up_to(R, k=0.0):
     """For a profile that is vertical at R: (1 - exp(-k v))/k with v = artanh(a/R), like the depth near R."""
     k = 1e-30 if np.abs(k) < 1e-30 else k
 
-    def like(v: Array) -> Array:
+    def like(v):
         return -np.expm1(-k * v) / k
 
-    def of(a: Array) -> Array:
+    def of(a):
         return like(np.minimum(np.arctanh(np.minimum(a / R, 1.0)), CLOSEST))
 
-    def back(x: Array) -> tuple[Array, Array]:
+    def back(x):
         v = -np.log1p(-k * x) / k
         return (R * np.tanh(v), R * np.exp(k * v) / np.cosh(v) ** 2)
     return Unknown(of, back, like(CLOSEST), order=3.0, unit=0.5)
 
 
-def on_the_bump(s: Array) -> Unknown:
+def on_the_bump(s):
     """For f = h (1 - exp(-r**2/s**2)): the share of the height of the bump."""
 
-    def back(x: Array) -> tuple[Array, Array]:
+    def back(x):
         ratio = np.sqrt(-np.log1p(-x))
         return (s * ratio, s / (2.0 * ratio * (1.0 - x)))
     return Unknown(lambda a: -np.expm1(-(a / s) ** 2), back)
 
 
-def beyond_edge(b: Array, first: Array | float=1.0, last: Array | float=1.0) -> Unknown:
+def beyond_edge(b, first=1.0, last=1.0):
     """For a load that leaves b as t**first and ends as t**last, t = sqrt(a**2/b**2 - 1)."""
     plain = isinstance(first, float) and first == last == 1.0
 
-    def of(a: Array) -> Array:
+    def of(a):
         t = difference_root(a, b) / b
         return t if plain else power_of(t, first, last)
 
-    def back(x: Array) -> tuple[Array, Array]:
+    def back(x):
         t, slope = (x, 1.0) if plain else root_of(x, first, last)
         a = b * np.hypot(1.0, t)
         return (a, a * (t * t / (1.0 + t * t)) / (x * slope))
     return Unknown(of, back, order=3.0 / first, unit=1.0)
 
 
-def root_of(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
+def root_of(x, first, last):
     """The t at which x is t**first for small t and t**last for large, and d ln x/d ln t there.
 
     Joined at t**2 = first/last without a kink; but where the first is near 0 the bend would be sharp, and x is
@@ -66,7 +66,7 @@ def root_of(x: Array, first: Array | float, last: Array | float) -> tuple[Array,
     return (t, first if x < 1.0 else last * square / (square + 1.0 - share))
 
 
-def power_of(t: Array, first: Array | float, last: Array | float) -> Array:
+def power_of(t, first, last):
     """The x of which `root_of` gives t."""
     if np.any(first < SHARP):
         return _product(t, first, last)
@@ -75,11 +75,11 @@ def power_of(t: Array, first: Array | float, last: Array | float) -> Array:
     return low if t * t < share else (np.maximum(t * t - share, 0.0) + 1.0) ** (last / 2.0)
 
 
-def _product(t: Array, first: Array | float, last: Array | float) -> Array:
+def _product(t, first, last):
     return t ** first * (1.0 + t * t) ** ((last - first) / 2.0)
 
 
-def _root_of_product(x: Array, first: Array | float, last: Array | float) -> tuple[Array, Array]:
+def _root_of_product(x, first, last):
     """Halley's steps in ln t."""
     wanted, gain = (np.log(x), last - first)
     near = 0.5 * np.log(np.expm1(np.minimum(np.maximum(2.0 * wanted / last, 0.0), 600.0)) + first / last)

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from ....._programs.bodies._runtime.functions import nth_root
 from ....._programs.bodies._runtime.inverse import above_noise, inverse, joining, leaving_power
-from ....._runtime.shapes.across import Array, Callable, NOISE, ROUNDING, Rooted
+from ....._runtime.shapes.across import NOISE, ROUNDING
 from ....._runtime.plain import MATH as np
 
 
-def inverse_beyond(curve: Rooted, value: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None=None, leaving: tuple[float, float] | None=None) -> Array:
+def inverse_beyond(curve, value, b, tip, powers=None, leaving=None):
     """The radius at which a curve has this value that is its power `tip` up to b, where it bends or its slope jumps.
 
     `curve` gives its value and the derivative by ln radius from b on, from the radius and sqrt(radius**2 - b**2).
@@ -25,7 +25,7 @@ def inverse_beyond(curve: Rooted, value: Array, b: Array, tip: Array | float, po
     return _beyond(curve, high, base, b, tip, powers, leaving) if above else radius
 
 
-def inverse_across(curve: Rooted, value: Array, b: Array, tip: Array | float, end: Array | None=None, powers: tuple[float, float] | None=None) -> Array:
+def inverse_across(curve, value, b, tip, end=None, powers=None):
     """The same for a curve that only begins as that power: one iteration for both sides of b.
 
     Below it the root is zero, and the unknown the radius; or artanh(radius/end), for a curve that would be infinitely
@@ -37,7 +37,7 @@ def inverse_across(curve: Rooted, value: Array, b: Array, tip: Array | float, en
         return _beyond(curve, value, base, b, tip, powers)
     radius_at, share, reach = _tip(b, end)
 
-    def both(t: Array) -> tuple[Array, Array]:
+    def both(t):
         inner = np.minimum(t, reach)
         y, rate = curve(b * np.sqrt(1.0 + t * t) if above else radius_at(inner), b * t if above else 0.0)
         more, slope = _excess(t, y, rate, base, powers[0] if powers else 2.0)
@@ -53,17 +53,17 @@ def inverse_across(curve: Rooted, value: Array, b: Array, tip: Array | float, en
     return b * np.sqrt(1.0 + t * t) if above else np.minimum(b, radius_at(np.minimum(t, reach)))
 
 
-def _beyond(curve: Rooted, value: Array, base: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None, leaving: tuple[float, float] | None=None) -> Array:
+def _beyond(curve, value, base, b, tip, powers, leaving=None):
     small = None if leaving else (powers or (2.0,))[0]
 
-    def excess(t: Array) -> tuple[Array, Array]:
+    def excess(t):
         return _excess(t, *curve(b * np.sqrt(1.0 + t * t), b * t), base, small)
     start = _start(curve, value - base, base, b, tip, powers, leaving)
     t = inverse(excess, value - base, start, (1.0, np.inf), smooth=True, noise=NOISE * value)
     return b * np.sqrt(1.0 + t * t)
 
 
-def _start(curve: Rooted, more: Array, base: Array, b: Array, tip: Array | float, powers: tuple[float, float] | None, leaving: tuple[float, float] | None=None) -> Array:
+def _start(curve, more, base, b, tip, powers, leaving=None):
     """About the t at which the excess is this."""
     if powers is None and leaving is None:
         return np.ones_like(more)
@@ -73,12 +73,12 @@ def _start(curve: Rooted, more: Array, base: Array, b: Array, tip: Array | float
     return leaving_power(more / one, base / one * (2.0 ** (tip / 2.0) - 1.0), tip, *(leaving or ()))
 
 
-def _excess(t: Array, y: Array, rate: Array, base: Array, small: float | None) -> tuple[Array, Array]:
+def _excess(t, y, rate, base, small):
     """The excess of a curve over its value at b and its logarithmic slope in t, both as `inverse_beyond` says."""
     return above_noise(y - base, rate * (t * t / (1.0 + t * t)), base, small, 1.0)
 
 
-def _tip(b: Array, end: Array | None) -> tuple[Callable[[Array], Array], Callable[[Array], Array], Array]:
+def _tip(b, end):
     """The radius of the unknown up to b; the derivative of its logarithm by that of the unknown; the unknown at b."""
     if end is None:
         return (lambda t: t, np.ones_like, b)

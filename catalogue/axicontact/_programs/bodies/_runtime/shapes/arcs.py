@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.rules import pressure_integral_tanh
-from ....._runtime.shapes.arcs import Array, END, LEGENDRE_CHI
+from ....._runtime.shapes.arcs import END, LEGENDRE_CHI
 from ....._runtime.plain import MATH as np
 
 
-def arc_strips(r: Array, a: Array, R: Array) -> Array:
+def arc_strips(r, a, R):
     """Integral of artanh(t/R)/sqrt(t**2 - r**2) from r to a <= R, for r < a.
 
     It is chi(high) - chi(low) with low high = (r/(R + sqrt(R**2 - r**2)))**2 and chi(x) = x + x**3/9 + x**5/25 + ...;
@@ -30,5 +30,5 @@ def arc_strips(r: Array, a: Array, R: Array) -> Array:
     return pressure_integral_tanh(_arc_rate, (), r, a, R) if beyond else near
 
 
-def _arc_rate(t: Array, root: Array) -> Array:
+def _arc_rate(t, root):
     return np.arcsinh(t / root)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.special import struve_h0, struve_h1
-from ....._runtime.shapes.waves import Array, FAR, LOOKS, ROUNDING, TERMS, TURNS
+from ....._runtime.shapes.waves import FAR, LOOKS, ROUNDING, TERMS, TURNS
 from ....._runtime.plain import MATH as np
 
 
-def inverse_over_waves(value: Array, waves: Array, power: int) -> Array:
+def inverse_over_waves(value, waves, power):
     """The z at which the integral of x**(power - 1) g'(x) from 0 to z is `value`, g(x) = x**2 + waves x H_0(x).
 
     Where the waves are as steep as they may be the slope of the curve touches zero, and no power of z is close to it.
@@ -37,7 +37,7 @@ def inverse_over_waves(value: Array, waves: Array, power: int) -> Array:
     return (z if value < np.inf else np.inf) if value >= 0.0 else np.nan
 
 
-def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, list[Array]]:
+def _series(z, waves, width, power):
     """The curve at z, and the coefficients of its change at z + width s from that of s on.
 
     With H_0' = 2/pi - H_1 and (x H_1)' = x H_0; g' = 2 x + waves (H_0 + 2/pi x - x H_1).
@@ -58,7 +58,7 @@ def _series(z: Array, waves: Array, width: Array, power: int) -> tuple[Array, li
     return (y, [width * slopes[n] / (n + 1) for n in range(TERMS)])
 
 
-def _reached(series: list[Array], change: Array, value: Array) -> Array:
+def _reached(series, change, value):
     """The s in [-1, 1] at which the series has grown by `change`, or the end before it.
 
     By Laguerre's steps for a cubic: where the slope touches zero the root is nearly a triple one.

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_stiffness
-from .....graded.adhesive.concave_quartic import Array, power_factor
+from .....graded.adhesive.concave_quartic import power_factor
 
 
-def _pull_off_depth(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _pull_off_depth(a, h, H, k, dgamma):
     return -h * power_factor(4.0, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _pull_off_force(a: Array, h: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _pull_off_force(a, h, H, k, dgamma):
     return -punch_stiffness(a, H, k) * (h * power_factor(4.0, k) * 4.0 / (4.0 + 1.0 + k) + graded_retraction(a, H, k, dgamma))

@@ -7,27 +7,27 @@ from ....._programs.bodies.graded.normal import ellipsoid as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.ellipsoid import Array, Branches, _samples
+from .....graded.adhesive.ellipsoid import _samples
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, h, b, H, k, dgamma):
     return normal._depth(a, h, b, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, h, b, H, k, dgamma):
     return normal._force(a, h, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, h, b, H, k, dgamma):
     return normal._displacement(r, a, h, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(h, b, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, h, b, k), _samples(h, b, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(h, b, H, k, dgamma, control):
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -39,7 +39,7 @@ def _pull_off_radius(h: Array, b: Array, H: Array, k: Array, dgamma: Array, cont
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, h, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import up_to
     unit = exponent_of(b)
@@ -55,7 +55,7 @@ def _radius_from_depth(d: Array, h: Array, b: Array, H: Array, k: Array, dgamma:
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, h: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, h, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import up_to
     unit = exponent_of(b)

@@ -7,27 +7,27 @@ from ....._programs.bodies.graded.normal import gaussian as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.gaussian import Array, Branches, _samples
+from .....graded.adhesive.gaussian import _samples
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, h, s, H, k, dgamma):
     return normal._depth(a, h, s, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, h, s, H, k, dgamma):
     return normal._force(a, h, s, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, h, s, H, k, dgamma):
     return normal._displacement(r, a, h, s, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(h, s, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, h, s, k), _samples(h, s, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(h, s, H, k, dgamma, control):
     unit = exponent_of(s)
     stress, H = stress_at(unit, H, k)
     h = np.ldexp(h, -unit)
@@ -39,7 +39,7 @@ def _pull_off_radius(h: Array, s: Array, H: Array, k: Array, dgamma: Array, cont
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, h, s, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import on_the_bump
     unit = exponent_of(s)
@@ -55,7 +55,7 @@ def _radius_from_depth(d: Array, h: Array, s: Array, H: Array, k: Array, dgamma:
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, h: Array, s: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, h, s, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import on_the_bump
     unit = exponent_of(s)

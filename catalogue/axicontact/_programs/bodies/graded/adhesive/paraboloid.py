@@ -6,50 +6,49 @@ from __future__ import annotations
 from ....._programs.bodies.graded.normal import paraboloid as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_displacement, punch_stiffness, stationary, tension, unloading_radius
 from ....._programs.bodies._runtime.physics.adhesion import power_law_radius
-from .....graded.adhesive.paraboloid import Array
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, R, H, k, dgamma):
     return normal._depth(a, R, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, R, H, k, dgamma):
     return normal._force(a, R, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _pressure(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _pressure(r, a, R, H, k, dgamma):
     return normal._pressure(r, a, R, H, k) - tension(r, a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, R, H, k, dgamma):
     return normal._displacement(r, a, R, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _pull_off_radius(R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, H, k, dgamma, control):
     rate = normal._rate(np.ones_like(H * k), R, k)
     own = unloading_radius(rate, 2.0, H, k, dgamma, control)
     return own if dgamma > 0.0 else 0.0
 
 
-def _pull_off_depth(a: Array, R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_depth(a, R, H, k, dgamma, control):
     """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
     return normal._depth(a, R, k) * (1.0 - 2.0 * 2.0 / stationary(control, k))
 
 
-def _radius_from_depth(d: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, H, k, dgamma):
     a_c = _pull_off_radius(R, H, k, dgamma, control='depth')
     least = _pull_off_depth(a_c, R, H, k, dgamma, control='depth')
     plain = normal._radius_from_depth(np.maximum(d, 0.0), R, k)
     return power_law_radius(d, a_c, least, 2.0, (1.0 - k) / 2.0, plain)
 
 
-def _pull_off_force(a: Array, R: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_force(a, R, H, k, dgamma, control):
     """With the retraction 2 a g'(a)/xi of pull-off, free of cancellation."""
     return normal._force(a, R, H, k) * (1.0 - 2.0 * (2.0 + 1.0 + k) / stationary(control, k))
 
 
-def _radius_from_force(F: Array, R: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, H, k, dgamma):
     a_c = _pull_off_radius(R, H, k, dgamma, control='force')
     least = _pull_off_force(a_c, R, H, k, dgamma, control='force')
     plain = normal._radius_from_force(np.maximum(F, 0.0), R, H, k)

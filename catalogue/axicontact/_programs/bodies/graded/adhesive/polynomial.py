@@ -6,36 +6,36 @@ from __future__ import annotations
 from ....._programs.bodies.graded.normal import polynomial as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness, tension
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.polynomial import Array, Branches, _samples
+from .....graded.adhesive.polynomial import _samples
 
 
-def _depth(a: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, A, H, k, dgamma):
     return normal._depth(a, A, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, A, H, k, dgamma):
     return normal._force(a, A, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _pressure(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _pressure(r, a, A, H, k, dgamma):
     return normal._pressure(r, a, A, H, k) - tension(r, a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, A, H, k, dgamma):
     return normal._displacement(r, a, A, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(A: tuple[float, ...], H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(A, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, A, k), _samples(A, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(A: tuple[float, ...], H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(A, H, k, dgamma, control):
     found = _branches(A, H, k, dgamma, control)
     load = _force if control == 'force' else _depth
     return lowest(found, lambda a: load(a, A, H, k, dgamma))
 
 
-def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, A, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import radius_itself
     found = _branches(A, H, k, dgamma, control='depth')
@@ -44,7 +44,7 @@ def _radius_from_depth(d: Array, A: tuple[float, ...], H: Array, k: Array, dgamm
     return stable_radius(d, found, lambda a: _depth(a, A, H, k, dgamma), slope, pulled, radius_itself())
 
 
-def _radius_from_force(F: Array, A: tuple[float, ...], H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, A, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import radius_itself
     found = _branches(A, H, k, dgamma, control='force')

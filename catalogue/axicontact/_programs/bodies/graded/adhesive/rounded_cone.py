@@ -7,27 +7,27 @@ from ....._programs.bodies.graded.normal import rounded_cone as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.rounded_cone import Array, Branches, _samples
+from .....graded.adhesive.rounded_cone import _samples
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, theta, b, H, k, dgamma):
     return normal._depth(a, theta, b, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, theta, b, H, k, dgamma):
     return normal._force(a, theta, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, theta, b, H, k, dgamma):
     return normal._displacement(r, a, theta, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(theta, b, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, theta, b, k), _samples(theta, b, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(theta, b, H, k, dgamma, control):
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     b = np.ldexp(b, -unit)
@@ -38,7 +38,7 @@ def _pull_off_radius(theta: Array, b: Array, H: Array, k: Array, dgamma: Array, 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, theta, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
     unit = exponent_of(b)
@@ -53,7 +53,7 @@ def _radius_from_depth(d: Array, theta: Array, b: Array, H: Array, k: Array, dga
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, theta: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, theta, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
     unit = exponent_of(b)

@@ -7,27 +7,27 @@ from ....._programs.bodies.graded.normal import sphere_tipped_cone as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.sphere_tipped_cone import Array, Branches, _samples
+from .....graded.adhesive.sphere_tipped_cone import _samples
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, R, theta, H, k, dgamma):
     return normal._depth(a, R, theta, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, R, theta, H, k, dgamma):
     return normal._force(a, R, theta, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, R, theta, H, k, dgamma):
     return normal._displacement(r, a, R, theta, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, theta, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, theta, k), _samples(R, theta, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, theta, H, k, dgamma, control):
     unit = exponent_of(R * np.sin(theta))
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -38,7 +38,7 @@ def _pull_off_radius(R: Array, theta: Array, H: Array, k: Array, dgamma: Array, 
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, theta, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, up_to
     unit = exponent_of(R * np.sin(theta))
@@ -53,7 +53,7 @@ def _radius_from_depth(d: Array, R: Array, theta: Array, H: Array, k: Array, dga
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, theta: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, theta, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, up_to
     unit = exponent_of(R * np.sin(theta))

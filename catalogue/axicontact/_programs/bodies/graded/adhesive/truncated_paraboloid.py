@@ -7,31 +7,31 @@ from ....._programs.bodies.graded.normal import truncated_paraboloid as normal
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness, tension
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
-from .....graded.adhesive.truncated_paraboloid import Array, Branches, _samples
+from .....graded.adhesive.truncated_paraboloid import _samples
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, R, b, H, k, dgamma):
     return normal._depth(a, R, b, k) - graded_retraction(a, H, k, dgamma)
 
 
-def _force(a: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _force(a, R, b, H, k, dgamma):
     return normal._force(a, R, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
 
 
-def _pressure(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _pressure(r, a, R, b, H, k, dgamma):
     return normal._pressure(r, a, R, b, H, k) - tension(r, a, H, k, dgamma)
 
 
-def _displacement(r: Array, a: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _displacement(r, a, R, b, H, k, dgamma):
     return normal._displacement(r, a, R, b, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
 
 
-def _branches(R: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Branches:
+def _branches(R, b, H, k, dgamma, control):
     return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, b, k), _samples(R, b, k), least_steepness(control, H, k, dgamma))
 
 
-def _pull_off_radius(R: Array, b: Array, H: Array, k: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(R, b, H, k, dgamma, control):
     unit = exponent_of(b)
     stress, H = stress_at(unit, H, k)
     R = np.ldexp(R, -unit)
@@ -43,7 +43,7 @@ def _pull_off_radius(R: Array, b: Array, H: Array, k: Array, dgamma: Array, cont
     return np.ldexp(radius, unit)
 
 
-def _radius_from_depth(d: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d, R, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
     unit = exponent_of(b)
@@ -59,7 +59,7 @@ def _radius_from_depth(d: Array, R: Array, b: Array, H: Array, k: Array, dgamma:
     return np.ldexp(radius, unit)
 
 
-def _radius_from_force(F: Array, R: Array, b: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _radius_from_force(F, R, b, H, k, dgamma):
     from ....._programs.bodies._runtime.physics.stable import stable_radius
     from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
     unit = exponent_of(b)

@@ -4,9 +4,71 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import wavy_paraboloid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_displacement
-from .....graded.adhesive.wavy_paraboloid import Array
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness
+from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
+from ....._runtime.physics.single import branches, lowest
+from .....graded.adhesive.wavy_paraboloid import _samples
+from ....._runtime.plain import MATH as np
 
 
-def _displacement(r: Array, a: Array, R: Array, h: Array, wavelength: Array, H: Array, k: Array, dgamma: Array) -> Array:
+def _depth(a, R, h, wavelength, H, k, dgamma):
+    return normal._depth(a, R, h, wavelength, k) - graded_retraction(a, H, k, dgamma)
+
+
+def _force(a, R, h, wavelength, H, k, dgamma):
+    return normal._force(a, R, h, wavelength, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+
+
+def _displacement(r, a, R, h, wavelength, H, k, dgamma):
     return normal._displacement(r, a, R, h, wavelength, k) - graded_retraction(a, H, k, dgamma) * punch_displacement(r, a, k)
+
+
+def _branches(R, h, wavelength, H, k, dgamma, control):
+    return branches(lambda a: a ** ((1.0 + k) / 2.0) * normal._rate(a, R, h, wavelength, k), _samples(R, h, wavelength, k), least_steepness(control, H, k, dgamma))
+
+
+def _pull_off_radius(R, h, wavelength, H, k, dgamma, control):
+    unit = exponent_of(wavelength)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    found = _branches(R, h, wavelength, H, k, dgamma, control)
+    load = _force if control == 'force' else _depth
+    radius = lowest(found, lambda a: load(a, R, h, wavelength, H, k, dgamma))
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_depth(d, R, h, wavelength, H, k, dgamma):
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import radius_itself
+    unit = exponent_of(wavelength)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    d = np.ldexp(d, -unit)
+    found = _branches(R, h, wavelength, H, k, dgamma, control='depth')
+    slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control='depth')
+    pulled = pull_of(H, k, dgamma, control='depth')
+    radius = stable_radius(d, found, lambda a: _depth(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself())
+    return np.ldexp(radius, unit)
+
+
+def _radius_from_force(F, R, h, wavelength, H, k, dgamma):
+    from ....._programs.bodies._runtime.physics.stable import stable_radius
+    from ....._programs.bodies._runtime.physics.unknowns import radius_itself
+    unit = exponent_of(wavelength)
+    stress, H = stress_at(unit, H, k)
+    R = np.ldexp(R, -unit)
+    h = np.ldexp(h, -unit)
+    wavelength = np.ldexp(wavelength, -unit)
+    dgamma = np.ldexp(dgamma, -(stress + unit))
+    F = np.ldexp(F, -(stress + 2 * unit))
+    found = _branches(R, h, wavelength, H, k, dgamma, control='force')
+    slope = growth_of(normal._rate, (R, h, wavelength, k), H, k, dgamma, control='force')
+    pulled = pull_of(H, k, dgamma, control='force')
+    radius = stable_radius(F, found, lambda a: _force(a, R, h, wavelength, H, k, dgamma), slope, pulled, radius_itself())
+    return np.ldexp(radius, unit)

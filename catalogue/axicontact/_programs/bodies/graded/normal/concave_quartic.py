@@ -4,31 +4,33 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import punch_stiffness
-from .....graded.normal.concave_quartic import Array, power_factor
+from ....._programs.bodies._runtime.graded.rules import either
+from .....graded.normal.concave_quartic import power_factor
 from ....._runtime.plain import MATH as np
 
 
-def _force(d: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+def _force(d, a, h, H, k):
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
     return punch_stiffness(a, H, k) * (d + h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k)) if complete else np.nan
 
 
-def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
+def _displacement(r, d, a, h, k):
     from ....._programs.bodies._runtime.graded.displacement import power_sag, punch_share
     from .....normal import concave_quartic as normal
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
-    outside = d * punch_share(r, a, k) + h * power_sag(r, a, 4.0, k) / a ** 4.0
-    return (outside if r > a else d - normal._profile(r, a=a, h=h)) if complete else np.nan
+    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, 4.0, k) / a ** 4.0
+    value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h))
+    return value if complete else np.nan
 
 
-def _depth_from_force(F: Array, a: Array, h: Array, H: Array, k: Array) -> Array:
+def _depth_from_force(F, a, h, H, k):
     complete = _minimum_force(a, h, H, k) * (1.0 - 1e-15) <= F
     return F / punch_stiffness(a, H, k) - h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k) if complete else np.nan
 
 
-def _minimum_depth(a: Array, h: Array, k: Array) -> Array:
+def _minimum_depth(a, h, k):
     return -4 * h * (k - 1) / ((k + 1) ** 2 * (k + 3)) + 0.0 * a
 
 
-def _minimum_force(a: Array, h: Array, H: Array, k: Array) -> Array:
+def _minimum_force(a, h, H, k):
     return punch_stiffness(a, H, k) * (_minimum_depth(a, h, k) + h * power_factor(4.0, k) * (1.0 + k) / (4.0 + 1.0 + k))

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import punch_displacement
-from .....graded.normal.flat_punch import Array
 
 
-def _displacement(r: Array, d: Array, a: Array, k: Array) -> Array:
+def _displacement(r, d, a, k):
     return d * punch_displacement(r, a, k)

@@ -4,52 +4,54 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.growth import power_depth, power_force, power_mean, power_rate
-from .....graded.normal.paraboloid import Array
+from ....._programs.bodies._runtime.graded.punch import punch_stiffness
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, R: Array, k: Array) -> Array:
+def _depth(a, R, k):
     return power_depth(a, 2.0, k) / (2 * R)
 
 
-def _rate(a: Array, R: Array, k: Array) -> Array:
+def _rate(a, R, k):
     """Rate g'(a) of the depth."""
     return power_rate(a, 2.0, k) / (2 * R)
 
 
-def _force(a: Array, R: Array, H: Array, k: Array) -> Array:
+def _force(a, R, H, k):
     growth = power_force(a, 2.0, k) / (2 * R)
     return 2.0 * H / (1.0 + k) * growth
 
 
-def _mean_pressure(a: Array, R: Array, H: Array, k: Array) -> Array:
+def _mean_pressure(a, R, H, k):
     growth = power_mean(a, 2.0, k) / (2 * R)
     return 2.0 * H / (1.0 + k) / np.pi * growth
 
 
-def _pressure(r: Array, a: Array, R: Array, H: Array, k: Array) -> Array:
+def _pressure(r, a, R, H, k):
     from ....._programs.bodies._runtime.graded.pressure import power_pressure
     inside = np.minimum(r, a)
     growth = power_pressure(inside, a, 2.0, k) / (2 * R)
     return H / np.pi * growth if r < a else 0.0
 
 
-def _displacement(r: Array, a: Array, R: Array, k: Array) -> Array:
+def _displacement(r, a, R, k):
     from ....._programs.bodies._runtime.graded.displacement import power_displacement
     return power_displacement(r, a, 2.0, k) / (2 * R)
 
 
-def _radius_from_depth(d: Array, R: Array, k: Array) -> Array:
+def _radius_from_depth(d, R, k):
     return np.sqrt(d / _depth(np.ones_like(d), R, k))
 
 
-def _radius_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
+def _radius_from_force(F, R, H, k):
     return (F / _force(np.ones_like(F), R, H, k)) ** (1.0 / (3.0 + k))
 
 
-def _force_from_depth(d: Array, R: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, R, k), R, H, k)
+def _force_from_depth(d, R, H, k):
+    stiffness = punch_stiffness(_radius_from_depth(d, R, k), H, k)
+    return d * (stiffness * (2.0 / (2.0 + (1.0 + k)))) if (d > 0.0) & (d < np.inf) else d
 
 
-def _depth_from_force(F: Array, R: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, R, H, k), R, k)
+def _depth_from_force(F, R, H, k):
+    stiffness = punch_stiffness(_radius_from_force(F, R, H, k), H, k)
+    return F / (stiffness * (2.0 / (2.0 + (1.0 + k)))) if (F > 0.0) & (F < np.inf) else F

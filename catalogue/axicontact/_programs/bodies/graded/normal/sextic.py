@@ -4,52 +4,54 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.growth import power_depth, power_force, power_mean, power_rate
-from .....graded.normal.sextic import Array
+from ....._programs.bodies._runtime.graded.punch import punch_stiffness
 from ....._runtime.plain import MATH as np
 
 
-def _depth(a: Array, A: Array, k: Array) -> Array:
+def _depth(a, A, k):
     return A * power_depth(a, 6.0, k)
 
 
-def _rate(a: Array, A: Array, k: Array) -> Array:
+def _rate(a, A, k):
     """Rate g'(a) of the depth."""
     return A * power_rate(a, 6.0, k)
 
 
-def _force(a: Array, A: Array, H: Array, k: Array) -> Array:
+def _force(a, A, H, k):
     growth = A * power_force(a, 6.0, k)
     return 2.0 * H / (1.0 + k) * growth
 
 
-def _mean_pressure(a: Array, A: Array, H: Array, k: Array) -> Array:
+def _mean_pressure(a, A, H, k):
     growth = A * power_mean(a, 6.0, k)
     return 2.0 * H / (1.0 + k) / np.pi * growth
 
 
-def _pressure(r: Array, a: Array, A: Array, H: Array, k: Array) -> Array:
+def _pressure(r, a, A, H, k):
     from ....._programs.bodies._runtime.graded.pressure import power_pressure
     inside = np.minimum(r, a)
     growth = A * power_pressure(inside, a, 6.0, k)
     return H / np.pi * growth if r < a else 0.0
 
 
-def _displacement(r: Array, a: Array, A: Array, k: Array) -> Array:
+def _displacement(r, a, A, k):
     from ....._programs.bodies._runtime.graded.displacement import power_displacement
     return A * power_displacement(r, a, 6.0, k)
 
 
-def _radius_from_depth(d: Array, A: Array, k: Array) -> Array:
+def _radius_from_depth(d, A, k):
     return (d / _depth(np.ones_like(d), A, k)) ** (1.0 / 6.0)
 
 
-def _radius_from_force(F: Array, A: Array, H: Array, k: Array) -> Array:
+def _radius_from_force(F, A, H, k):
     return (F / _force(np.ones_like(F), A, H, k)) ** (1.0 / (7.0 + k))
 
 
-def _force_from_depth(d: Array, A: Array, H: Array, k: Array) -> Array:
-    return _force(_radius_from_depth(d, A, k), A, H, k)
+def _force_from_depth(d, A, H, k):
+    stiffness = punch_stiffness(_radius_from_depth(d, A, k), H, k)
+    return d * (stiffness * (6.0 / (6.0 + (1.0 + k)))) if (d > 0.0) & (d < np.inf) else d
 
 
-def _depth_from_force(F: Array, A: Array, H: Array, k: Array) -> Array:
-    return _depth(_radius_from_force(F, A, H, k), A, k)
+def _depth_from_force(F, A, H, k):
+    stiffness = punch_stiffness(_radius_from_force(F, A, H, k), H, k)
+    return F / (stiffness * (6.0 / (6.0 + (1.0 + k)))) if (F > 0.0) & (F < np.inf) else F

@@ -4,34 +4,37 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import paraboloid as normal
+from ....._programs.bodies._runtime.graded.rules import either
 from ....._programs.bodies._runtime.physics.slip import stick_force
-from .....graded.tangential.paraboloid import Array
 from ....._runtime.plain import MATH as np
 
 
-def _tangential_force(a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+def _tangential_force(a, c, R, H, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
     gain = power_gain('force', 0.0, c, a, 2.0, k) / (2 * R)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
-def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+def _traction(r, a, c, R, H, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
-    inside = np.minimum(r, c)
-    gain = power_gain('pressure', inside, c, a, 2.0, k) / (2 * R)
-    return mu * (H / np.pi * gain if r < c else normal._pressure(r, a, R, H, k))
+
+    def gain():
+        inside = np.minimum(r, c)
+        gain = power_gain('pressure', inside, c, a, 2.0, k) / (2 * R)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, H, k))
 
 
-def _tangential_displacement(a: Array, c: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _tangential_displacement(a, c, R, H, H_x, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
     gain = power_gain('depth', 0.0, c, a, 2.0, k) / (2 * R)
     return mu * (H / H_x) * gain
 
 
-def _stick_radius(F_x: Array, a: Array, R: Array, H: Array, k: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, R, H, k, mu):
     F = stick_force(normal._force(a, R, H, k), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, H, k)
 
 
-def _full_slip_displacement(a: Array, R: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _full_slip_displacement(a, R, H, H_x, k, mu):
     return mu * (H / H_x) * normal._depth(a, R, k)

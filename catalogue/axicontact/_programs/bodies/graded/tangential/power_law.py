@@ -4,34 +4,37 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import power_law as normal
+from ....._programs.bodies._runtime.graded.rules import either
 from ....._programs.bodies._runtime.physics.slip import stick_force
-from .....graded.tangential.power_law import Array
 from ....._runtime.plain import MATH as np
 
 
-def _tangential_force(a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
+def _tangential_force(a, c, A, n, H, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
     gain = A * power_gain('force', 0.0, c, a, n, k)
     return mu * (2.0 * H / (1.0 + k)) * gain
 
 
-def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
+def _traction(r, a, c, A, n, H, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
-    inside = np.minimum(r, c)
-    gain = A * power_gain('pressure', inside, c, a, n, k)
-    return mu * (H / np.pi * gain if r < c else normal._pressure(r, a, A, n, H, k))
+
+    def gain():
+        inside = np.minimum(r, c)
+        gain = A * power_gain('pressure', inside, c, a, n, k)
+        return gain
+    return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, n, H, k))
 
 
-def _tangential_displacement(a: Array, c: Array, A: Array, n: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _tangential_displacement(a, c, A, n, H, H_x, k, mu):
     from ....._programs.bodies._runtime.graded.slip import power_gain
     gain = A * power_gain('depth', 0.0, c, a, n, k)
     return mu * (H / H_x) * gain
 
 
-def _stick_radius(F_x: Array, a: Array, A: Array, n: Array, H: Array, k: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, A, n, H, k, mu):
     F = stick_force(normal._force(a, A, n, H, k), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, A, n, H, k)
 
 
-def _full_slip_displacement(a: Array, A: Array, n: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _full_slip_displacement(a, A, n, H, H_x, k, mu):
     return mu * (H / H_x) * normal._depth(a, A, n, k)

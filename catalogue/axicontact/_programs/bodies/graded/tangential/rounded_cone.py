@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from ....._programs.bodies.graded.normal import rounded_cone as normal
 from ....._programs.bodies._runtime.physics.slip import stick_force
-from .....graded.tangential.rounded_cone import Array
 
 
-def _stick_radius(F_x: Array, a: Array, theta: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, theta, b, H, k, mu):
     F = stick_force(normal._force(a, theta, b, H, k), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, theta, b, H, k)
 
 
-def _full_slip_displacement(a: Array, theta: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _full_slip_displacement(a, theta, b, H, H_x, k, mu):
     return mu * (H / H_x) * normal._depth(a, theta, b, k)

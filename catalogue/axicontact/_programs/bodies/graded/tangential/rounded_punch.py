@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from ....._programs.bodies.graded.normal import rounded_punch as normal
 from ....._programs.bodies._runtime.physics.slip import stick_force
-from .....graded.tangential.rounded_punch import Array
 
 
-def _stick_radius(F_x: Array, a: Array, R: Array, b: Array, H: Array, k: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, R, b, H, k, mu):
     F = stick_force(normal._force(a, R, b, H, k), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, b, H, k)
 
 
-def _full_slip_displacement(a: Array, R: Array, b: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _full_slip_displacement(a, R, b, H, H_x, k, mu):
     return mu * (H / H_x) * normal._depth(a, R, b, k)

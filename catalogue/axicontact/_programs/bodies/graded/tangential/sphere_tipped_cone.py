@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from ....._programs.bodies.graded.normal import sphere_tipped_cone as normal
 from ....._programs.bodies._runtime.physics.slip import stick_force
-from .....graded.tangential.sphere_tipped_cone import Array
 
 
-def _stick_radius(F_x: Array, a: Array, R: Array, theta: Array, H: Array, k: Array, mu: Array) -> Array:
+def _stick_radius(F_x, a, R, theta, H, k, mu):
     F = stick_force(normal._force(a, R, theta, H, k), F_x, mu)
     return a if (F_x == 0.0) & (a >= 0.0) else normal._radius_from_force(F, R, theta, H, k)
 
 
-def _full_slip_displacement(a: Array, R: Array, theta: Array, H: Array, H_x: Array, k: Array, mu: Array) -> Array:
+def _full_slip_displacement(a, R, theta, H, H_x, k, mu):
     return mu * (H / H_x) * normal._depth(a, R, theta, k)

@@ -4,7 +4,7 @@ from ....._programs.expressions._runtime.graded.growth import sphere_depth
 from ....._programs.expressions._runtime.graded.growth import sphere_force
 from ....._programs.expressions._runtime.graded.growth import sphere_rate
 from ....._programs.expressions._runtime.graded.rules import raised
-from ....._programs.expressions._runtime.graded.rules import sine_integral
+from ....._programs.expressions._runtime.graded.rules import sine_mean
 from ....._programs.expressions._runtime.graded.rules import sine_over
 from ....._programs.expressions._runtime.integrals import difference_root
 from ....._runtime.steps import nodes_along
@@ -47,14 +47,16 @@ def rounded_depth(xp, a, root, b, k):
     v1 = a < b
     v6 = xp.where(v1, 2.0 * b, a)
     v7 = xp.where(v1, b, root)
-    v13 = v6 / b * tip(xp, v6, v7, b, k) + sine_integral(xp, xp.arctan2(v7, b), k)
-    return a * xp.where(v1, xp.where(v1, a, 0.5 * b) / b / (1.0 + k), v13)
+    v11 = xp.arctan2(v7, b)
+    v15 = v6 / b * tip(xp, v6, v7, b, k) + raised(xp, v11, k) * sine_mean(xp, v11, k)
+    return a * xp.where(v1, xp.where(v1, a, 0.5 * b) / b / (1.0 + k), v15)
 
 
 def flank_force(xp, a, root, b, k):
     v3 = xp.maximum(a, b)
-    v10 = raised(xp, root / v3, k) * (b / v3) + sine_integral(xp, xp.arctan2(root, b), k)
-    return a * raised(xp, a, k) * v10 / (2.0 + k)
+    v8 = xp.arctan2(root, b)
+    v12 = raised(xp, root / v3, k) * (b / v3) + raised(xp, v8, k) * sine_mean(xp, v8, k)
+    return a * raised(xp, a, k) * v12 / (2.0 + k)
 
 
 def rounded_force(xp, a, root, b, k):
@@ -71,16 +73,15 @@ def rounded_rate(xp, t, root, b, k):
     v1 = t < b
     v7 = xp.where(v1, 2.0 * b, t)
     v8 = xp.where(v1, b, root)
-    v15 = 2.0 * v7 / b * tip(xp, v7, v8, b, k) + sine_integral(xp, xp.arctan2(v8, b), k)
-    return xp.where(v1, 2.0 * xp.where(v1, t, 0.5 * b) / b / (1.0 + k), v15)
+    v13 = xp.arctan2(v8, b)
+    v17 = 2.0 * v7 / b * tip(xp, v7, v8, b, k) + raised(xp, v13, k) * sine_mean(xp, v13, k)
+    return xp.where(v1, 2.0 * xp.where(v1, t, 0.5 * b) / b / (1.0 + k), v17)
 
 
 def rounding_rate(xp, t, root, b, k):
-    v1 = xp.arctan2(root, b)
-    v4, v5 = weighted_along(xp, 1.0 + k, t, root, b, k)
-    v6 = v4 * v1
-    v14 = xp.sum(v5 * ((2.0 * t * xp.cos(v6) - b) * sine_over(xp, v6) ** k), axis=0)
-    return raised(xp, v1, k) * v14
+    v7 = xp.arctan2(root, b)
+    v6 = 2.0 * t * raised(xp, root / t, k) / (1.0 + k)
+    return v6 - b * (raised(xp, v7, k) * sine_mean(xp, v7, k))
 
 
 def rounding_depth(xp, a, root, b, k):
@@ -98,6 +99,11 @@ def rounding_force(xp, a, root, b, k):
     v20 = 2.0 * xp.sin((v4 + v9) / 2.0) * xp.sin((v4 - v9) / 2.0) * xp.cos(v9) ** 2.0
     v25 = raised(xp, v4, k) * xp.sum(v8 * (v20 * sine_over(xp, v9) ** k), axis=0)
     return a * a * raised(xp, a, k) * v25
+
+
+def flank_depth(xp, a, root, b, k):
+    v1 = xp.arctan2(root, b)
+    return a * (raised(xp, v1, k) * sine_mean(xp, v1, k))
 
 
 def tipped_depth(xp, a, root, R, b, end, k):
@@ -123,9 +129,9 @@ def tipped_depth(xp, a, root, R, b, end, k):
     v59 = xp.sqrt(v2 * v2 + v57)
     v68 = v59 ** k * (1.0 / xp.sqrt(end * end + v57)) * v43 * (v43 / v59)
     v71 = a ** (-k) * a * (v15 * xp.sum(v17 * v36, axis=0) + v15 * xp.sum(v17 * v68, axis=0))
-    v78 = xp.minimum(a, b)
-    v77 = v71 + b / end * (a * sine_integral(xp, xp.arctan2(v2, b), k))
-    return xp.where(v1, v77, sphere_depth(xp, v78, difference_root(xp, R, v78), k))
+    v76 = xp.minimum(a, b)
+    v78 = sphere_depth(xp, v76, difference_root(xp, R, v76), k)
+    return xp.where(v1, v71 + b / end * flank_depth(xp, a, v2, b, k), v78)
 
 
 def tipped_force(xp, a, root, R, b, end, k):
@@ -187,10 +193,11 @@ def tipped_rate(xp, t, root, R, b, end, k):
     v61 = xp.sqrt(v2 * v2 + v59)
     v65 = xp.sqrt(end * end + v59)
     v73 = v61 ** k * ((1.0 + (R / v65) ** 2.0) / v65) * v45 * (v45 / v61)
+    v78 = xp.arctan2(v2, b)
     v76 = t ** (-k) * (v14 * xp.sum(v16 * v38, axis=0) + v14 * xp.sum(v16 * v73, axis=0))
-    v82 = xp.minimum(t, b)
-    v81 = v76 + b / end * sine_integral(xp, xp.arctan2(v2, b), k)
-    return xp.where(v1, v81, sphere_rate(xp, v82, difference_root(xp, R, v82), k))
+    v84 = xp.minimum(t, b)
+    v83 = v76 + b / end * (raised(xp, v78, k) * sine_mean(xp, v78, k))
+    return xp.where(v1, v83, sphere_rate(xp, v84, difference_root(xp, R, v84), k))
 
 
 def flank_rate(xp, t, root, b, k):
@@ -198,5 +205,6 @@ def flank_rate(xp, t, root, b, k):
     v2 = xp.where(v1, t, 0.5 * b)
     v3 = xp.where(v1, 2.0 * b, t)
     v4 = xp.where(v1, b, root)
-    v12 = sine_integral(xp, xp.arctan2(v4, b), k) + b / v3 * (v4 / v3) ** (k - 1.0)
-    return xp.where(v1, 0.0, v12)
+    v5 = xp.arctan2(v4, b)
+    v14 = raised(xp, v5, k) * sine_mean(xp, v5, k) + b / v3 * (v4 / v3) ** (k - 1.0)
+    return xp.where(v1, 0.0, v14)

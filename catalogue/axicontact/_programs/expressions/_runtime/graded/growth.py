@@ -1,7 +1,7 @@
 """Formulas of axicontact._runtime.graded.growth over an array library `xp`."""
 
 from ....._programs.expressions._runtime.graded.rules import raised
-from ....._programs.expressions._runtime.graded.rules import sine_integral
+from ....._programs.expressions._runtime.graded.rules import sine_mean
 from ....._programs.expressions._runtime.graded.rules import sine_over
 from ....._programs.expressions._runtime.graded.rules import sinh_over
 from ....._runtime.steps import nodes_along
@@ -174,24 +174,28 @@ def gaussian_force(xp, a, s, k):
 def hyperboloid_depth(xp, a, b, k):
     v1 = a > 0.0
     v2 = xp.where(v1, a, 1.0)
-    v9 = v2 * (xp.hypot(v2, b) / v2) ** k * sine_integral(xp, xp.arctan2(v2, b), k)
-    return xp.where(v1, v9, 0.0)
+    v3 = xp.arctan2(v2, b)
+    v12 = xp.where(v1, v2 * v3 * (xp.hypot(v2, b) / v2 * v3) ** k * sine_mean(xp, v3, k), 0.0)
+    return v12
 
 
 def hyperboloid_force(xp, a, b, k):
-    v1 = xp.hypot(a, b)
-    v5 = xp.arctan2(a, b)
-    v9, v10 = weighted_along(xp, 1.0 + k, a, b, k)
-    v11 = v9 * v5
-    v20 = xp.sum(v10 * (sine_over(xp, v11) ** k * xp.sin(v5 - v11) * xp.sin(v5 + v11)), axis=0)
-    return v1 ** k * v1 * v1 * raised(xp, v5, k) * v20
+    v1 = a > 0.0
+    v2 = xp.where(v1, a, 1.0)
+    v3 = xp.hypot(v2, b)
+    v5 = xp.arctan2(v2, b)
+    v11, v12 = weighted_along(xp, 1.0 + k, a, b, k)
+    v13 = v11 * v5
+    v22 = xp.sum(v12 * (sine_over(xp, v13) ** k * xp.sin(v5 - v13) * xp.sin(v5 + v13)), axis=0)
+    return xp.where(v1, v3 * v3 * v5 * (v3 * v5) ** k * v22, 0.0)
 
 
 def hyperboloid_rate(xp, t, b, k):
-    v1 = xp.hypot(t, b)
-    v7 = b / v1
-    v11 = (v1 / t) ** k * sine_integral(xp, xp.arctan2(t, b), k) * (1.0 - k * v7 ** 2.0)
-    return v11 + t / v1 * v7
+    v1 = xp.arctan2(t, b)
+    v2 = xp.hypot(t, b)
+    v9 = b / v2
+    v13 = v1 * (v2 / t * v1) ** k * sine_mean(xp, v1, k) * (1.0 - k * v9 ** 2.0)
+    return v13 + t / v2 * v9
 
 
 def power_mean(xp, a, n, k):

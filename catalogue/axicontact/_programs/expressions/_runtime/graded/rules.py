@@ -23,6 +23,6 @@ def sine_over(xp, y):
     return xp.where(v1, xp.sin(v2) / xp.where(v4, xp.where(v4, v2, 1.0), 1.0), 1.0)
 
 
-def sine_integral(xp, angle, k):
-    v3, v4 = weighted_along(xp, 1.0 + k, angle, k)
-    return raised(xp, angle, k) * xp.sum(v4 * sine_over(xp, v3 * angle) ** k, axis=0)
+def sine_mean(xp, angle, k):
+    v2, v3 = weighted_along(xp, 1.0 + k, angle, k)
+    return xp.sum(v3 * sine_over(xp, v2 * angle) ** k, axis=0)

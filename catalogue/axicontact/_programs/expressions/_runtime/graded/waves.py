@@ -1,58 +1,64 @@
 """Formulas of axicontact._runtime.graded.waves over an array library `xp`."""
 
 from ....._programs.expressions._runtime.graded.rules import raised
-from ....._programs.expressions._runtime.graded.rules import sine_over
 from ....._runtime.steps import nodes_along
 from ....._runtime.steps import weighted_along
 
 
 def waves_depth(xp, a, q, k):
-    v23, v24 = nodes_along(xp, 4, a, q, k)
+    v27, v28 = nodes_along(xp, 4, a, q, k)
     v1 = q * a
-    v2 = v1 > xp.inf
-    v3 = xp.where(v2, v1, 2.0 * xp.inf)
-    v5 = xp.minimum(xp.where(v2, 0.5 * xp.inf, v1), xp.inf)
-    v8 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v5, 1e-300))
-    v11, v12 = weighted_along(xp, 1.0 + k, a, q, k)
-    v13 = v11 * v8
-    v20 = xp.sum(v12 * (xp.sin(v5 * xp.cos(v13)) * sine_over(xp, v13) ** k), axis=0)
-    v22 = 1.5707963267948966 - v8
-    v26 = v8 + v23 * v22
-    v33 = v22 * xp.sum(v24 * (xp.sin(v5 * xp.cos(v26)) * xp.sin(v26) ** k), axis=0)
-    return v1 * xp.where(v2, 0.0, raised(xp, v8, k) * v20 + v33)
+    v4 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v1, 1e-300))
+    v8, v9 = weighted_along(xp, 1.0 + k, a, q, k)
+    v10 = v8 * v4
+    v14 = v10 > 0.0
+    v15 = xp.where(v14, v10, 1.0)
+    v17 = v15 > 0.0
+    v22 = xp.where(v14, xp.sin(v15) / xp.where(v17, xp.where(v17, v15, 1.0), 1.0), 1.0) ** k
+    v26 = 1.5707963267948966 - v4
+    v30 = v4 + v27 * v26
+    v37 = v26 * xp.sum(v28 * (xp.sin(v1 * xp.cos(v30)) * xp.sin(v30) ** k), axis=0)
+    v39 = v1 * (v4 * v4 ** k * xp.sum(v9 * (xp.sin(v1 * xp.cos(v10)) * v22), axis=0) + v37)
+    return v39
 
 
 def waves_force(xp, a, q, k):
-    v27, v28 = nodes_along(xp, 4, a, q, k)
+    v31, v32 = nodes_along(xp, 4, a, q, k)
     v1 = q * a
-    v4 = v1 > xp.inf
-    v5 = xp.where(v4, v1, 2.0 * xp.inf)
-    v7 = xp.minimum(xp.where(v4, 0.5 * xp.inf, v1), xp.inf)
-    v10 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v7, 1e-300))
-    v13, v14 = weighted_along(xp, 1.0 + k, a, q, k)
-    v15 = v13 * v10
-    v16 = xp.cos(v15)
-    v24 = xp.sum(v14 * (xp.sin(v7 * v16) * v16 * v16 * sine_over(xp, v15) ** k), axis=0)
-    v26 = 1.5707963267948966 - v10
-    v30 = v10 + v27 * v26
-    v31 = xp.cos(v30)
-    v39 = v26 * xp.sum(v28 * (xp.sin(v7 * v31) * v31 * v31 * xp.sin(v30) ** k), axis=0)
-    return v1 * raised(xp, a, k) * xp.where(v4, 0.0, raised(xp, v10, k) * v24 + v39)
+    v6 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v1, 1e-300))
+    v10, v11 = weighted_along(xp, 1.0 + k, a, q, k)
+    v12 = v10 * v6
+    v13 = xp.cos(v12)
+    v18 = v12 > 0.0
+    v19 = xp.where(v18, v12, 1.0)
+    v21 = v19 > 0.0
+    v26 = xp.where(v18, xp.sin(v19) / xp.where(v21, xp.where(v21, v19, 1.0), 1.0), 1.0) ** k
+    v30 = 1.5707963267948966 - v6
+    v34 = v6 + v31 * v30
+    v35 = xp.cos(v34)
+    v43 = v30 * xp.sum(v32 * (xp.sin(v1 * v35) * v35 * v35 * xp.sin(v34) ** k), axis=0)
+    v44 = v6 * v6 ** k * xp.sum(v11 * (xp.sin(v1 * v13) * v13 * v13 * v26), axis=0) + v43
+    return v1 * raised(xp, a, k) * v44
+
+
+def tilted(xp, x, tangent):
+    return (2.0 * tangent + x * ((1.0 - tangent) * (1.0 + tangent))) / (1.0 + tangent * tangent)
 
 
 def waves_rate(xp, t, q, k):
-    v26, v27 = nodes_along(xp, 4, t, q, k)
+    v29, v30 = nodes_along(xp, 4, t, q, k)
     v1 = q * t
-    v2 = v1 > xp.inf
-    v3 = xp.where(v2, v1, 2.0 * xp.inf)
-    v5 = xp.minimum(xp.where(v2, 0.5 * xp.inf, v1), xp.inf)
-    v8 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v5, 1e-300))
-    v11, v12 = weighted_along(xp, 1.0 + k, t, q, k)
-    v13 = v11 * v8
-    v15 = v5 * xp.cos(v13)
-    v23 = xp.sum(v12 * ((xp.sin(v15) + v15 * xp.cos(v15)) * sine_over(xp, v13) ** k), axis=0)
-    v25 = 1.5707963267948966 - v8
-    v29 = v8 + v26 * v25
-    v31 = v5 * xp.cos(v29)
-    v39 = v25 * xp.sum(v27 * ((xp.sin(v31) + v31 * xp.cos(v31)) * xp.sin(v29) ** k), axis=0)
-    return q * xp.where(v2, 0.0, raised(xp, v8, k) * v23 + v39)
+    v4 = xp.minimum(1.5707963267948966, 8.0 / xp.maximum(v1, 1e-300))
+    v8, v9 = weighted_along(xp, 1.0 + k, t, q, k)
+    v10 = v8 * v4
+    v12 = v1 * xp.cos(v10)
+    v16 = v10 > 0.0
+    v17 = xp.where(v16, v10, 1.0)
+    v19 = v17 > 0.0
+    v24 = xp.where(v16, xp.sin(v17) / xp.where(v19, xp.where(v19, v17, 1.0), 1.0), 1.0) ** k
+    v28 = 1.5707963267948966 - v4
+    v32 = v4 + v29 * v28
+    v34 = v1 * xp.cos(v32)
+    v41 = v28 * xp.sum(v30 * (tilted(xp, v34, xp.tan(0.5 * v34)) * xp.sin(v32) ** k), axis=0)
+    v42 = v4 * v4 ** k * xp.sum(v9 * (tilted(xp, v12, xp.tan(0.5 * v12)) * v24), axis=0) + v41
+    return q * v42

@@ -19,21 +19,19 @@ def tangential_force(xp, a, c, h, s, H, k, mu):
     v2 = h * gaussian_rate(xp, a, s, k)
     v3 = v2 >= 0.0
     v4 = xp.where(v3, v2, 1.0)
-    v9 = gaussian_force(xp, c, s, k)
-    v10 = gaussian_force(xp, a, s, k)
-    v11 = 0.25 * v10
-    v12 = v9 >= v11
+    v9 = difference_root(xp, c, 0.0)
+    v14 = (v9 > 0.0) & (v9 >= 0.25 * difference_root(xp, a, 0.0))
     v18 = xp.maximum(c - 0.0, 0.0) * (c + 0.0)
     v19 = v18 > 0.0
     v22 = xp.where(v19, xp.sqrt(xp.where(v19, v18, 1.0)), 0.0)
-    v24 = (xp.where(v12, v9, 2.0 * v11) >= v11) & (v22 > 0.0)
+    v24 = v14 & (v22 > 0.0)
     v26 = xp.where(v24, span(xp, c, a, v22), 0.0)
     v31 = v22 * xp.exp(v27 * v26)
     v34 = xp.sqrt(0.0 + v31 * v31)
     v41 = gaussian_rate(xp, v34, s, k) * (v34 * v34 ** k) * v31 * (v31 / v34)
-    v43 = xp.where(v24, v26 * xp.sum(v28 * v41, axis=0), 0.0)
-    v48 = mu * (2.0 * H / (1.0 + k)) * (h * xp.where(v12, v43, v10 - xp.where(v12, 0.5 * v11, v9)))
-    return xp.where(v3, v48, xp.nan)
+    v46 = gaussian_force(xp, a, s, k) - gaussian_force(xp, c, s, k)
+    v48 = h * xp.where(v14, xp.where(v24, v26 * xp.sum(v28 * v41, axis=0), 0.0), v46)
+    return xp.where(v3, mu * (2.0 * H / (1.0 + k)) * v48, xp.nan)
 
 
 def traction(xp, r, a, c, h, s, H, k, mu):
@@ -43,23 +41,21 @@ def traction(xp, r, a, c, h, s, H, k, mu):
     v4 = xp.where(v3, v2, 1.0)
     v5 = r < c
     v8 = xp.minimum(xp.where(v5, r, 0.5 * c), c)
-    v9 = gaussian_pressure(xp, v8, c, s, k)
-    v10 = gaussian_pressure(xp, v8, a, s, k)
-    v11 = 0.25 * v10
-    v12 = v9 >= v11
+    v9 = difference_root(xp, c, v8)
+    v14 = (v9 > 0.0) & (v9 >= 0.25 * difference_root(xp, a, v8))
     v15 = xp.maximum(v8, 0.0)
     v16 = difference_root(xp, c, v15)
-    v18 = (xp.where(v12, v9, 2.0 * v11) >= v11) & (v16 > 0.0)
+    v18 = v14 & (v16 > 0.0)
     v20 = xp.where(v18, span(xp, c, a, v16), 0.0)
     v28 = v16 * xp.exp(v21 * v20)
     v29 = v28 * v28
     v31 = xp.sqrt((v15 - 0.0) * (v15 + 0.0) + v29)
     v37 = xp.sqrt((v15 - v8) * (v15 + v8) + v29)
     v43 = gaussian_rate(xp, v31, s, k) * (v37 ** k / v37) * v28 * (v28 / v31)
-    v45 = xp.where(v18, v20 * xp.sum(v22 * v43, axis=0), 0.0)
-    v50 = H / 3.141592653589793 * (h * xp.where(v12, v45, v10 - xp.where(v12, 0.5 * v11, v9)))
-    v54 = mu * xp.where(v5, v50, graded_normal_pressure(xp, xp.where(v5, 2.0 * c, r), a, h, s, H, k))
-    return xp.where(v3, v54, xp.nan)
+    v48 = gaussian_pressure(xp, v8, a, s, k) - gaussian_pressure(xp, v8, c, s, k)
+    v50 = h * xp.where(v14, xp.where(v18, v20 * xp.sum(v22 * v43, axis=0), 0.0), v48)
+    v53 = graded_normal_pressure(xp, xp.where(v5, 2.0 * c, r), a, h, s, H, k)
+    return xp.where(v3, mu * xp.where(v5, H / 3.141592653589793 * v50, v53), xp.nan)
 
 
 def tangential_displacement(xp, a, c, h, s, H, H_x, k, mu):
@@ -67,20 +63,19 @@ def tangential_displacement(xp, a, c, h, s, H, H_x, k, mu):
     v2 = h * gaussian_rate(xp, a, s, k)
     v3 = v2 >= 0.0
     v4 = xp.where(v3, v2, 1.0)
-    v7 = gaussian_depth(xp, c, s, k)
-    v8 = gaussian_depth(xp, a, s, k)
-    v9 = 0.25 * v8
-    v10 = v7 >= v9
+    v7 = difference_root(xp, c, 0.0)
+    v12 = (v7 > 0.0) & (v7 >= 0.25 * difference_root(xp, a, 0.0))
     v16 = xp.maximum(c - 0.0, 0.0) * (c + 0.0)
     v17 = v16 > 0.0
     v20 = xp.where(v17, xp.sqrt(xp.where(v17, v16, 1.0)), 0.0)
-    v22 = (xp.where(v10, v7, 2.0 * v9) >= v9) & (v20 > 0.0)
+    v22 = v12 & (v20 > 0.0)
     v24 = xp.where(v22, span(xp, c, a, v20), 0.0)
     v29 = v20 * xp.exp(v25 * v24)
     v32 = xp.sqrt(0.0 + v29 * v29)
     v37 = v24 * xp.sum(v26 * (gaussian_rate(xp, v32, s, k) * v29 * (v29 / v32)), axis=0)
-    v42 = h * xp.where(v10, xp.where(v22, v37, 0.0), v8 - xp.where(v10, 0.5 * v9, v7))
-    return xp.where(v3, mu * (H / H_x) * v42, xp.nan)
+    v41 = gaussian_depth(xp, a, s, k) - gaussian_depth(xp, c, s, k)
+    v45 = xp.where(v3, mu * (H / H_x) * (h * xp.where(v12, xp.where(v22, v37, 0.0), v41)), xp.nan)
+    return v45
 
 
 def stick_radius(xp, F_x, a, h, s, H, k, mu):

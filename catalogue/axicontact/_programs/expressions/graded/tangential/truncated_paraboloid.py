@@ -15,73 +15,69 @@ from ....._runtime.steps import nodes_along
 
 
 def tangential_force(xp, a, c, R, b, H, k, mu):
-    v21, v22 = nodes_along(xp, 1, a, c, R, b, H, k, mu)
+    v17, v18 = nodes_along(xp, 1, a, c, R, b, H, k, mu)
     v1 = c >= b
     v2 = xp.where(v1, c, 2.0 * b)
-    v8 = rim_force(xp, v2, difference_root(xp, v2, b), b, k)
-    v10 = rim_force(xp, a, difference_root(xp, a, b), b, k)
-    v11 = 0.25 * v10
-    v12 = v8 >= v11
-    v15 = xp.maximum(0.0, b)
-    v16 = difference_root(xp, v2, v15)
-    v18 = (xp.where(v12, v8, 2.0 * v11) >= v11) & (v16 > 0.0)
-    v20 = xp.where(v18, span(xp, v2, a, v16), 0.0)
-    v28 = v16 * xp.exp(v21 * v20)
-    v29 = v28 * v28
-    v31 = xp.sqrt((v15 - 0.0) * (v15 + 0.0) + v29)
-    v41 = rim_rate(xp, v31, xp.sqrt((v15 - b) * (v15 + b) + v29), b, k) * (v31 * v31 ** k) * v28
-    v45 = xp.where(v18, v20 * xp.sum(v22 * (v41 * (v28 / v31)), axis=0), 0.0)
-    v51 = xp.where(v1, 0.5 * b, c)
-    v50 = mu * (2.0 * H / (1.0 + k)) * (xp.where(v12, v45, v10 - xp.where(v12, 0.5 * v11, v8)) / R)
-    return xp.where(v1, v50, xp.nan)
+    v7 = xp.maximum(0.0, b)
+    v8 = difference_root(xp, v2, v7)
+    v9 = v8 > 0.0
+    v13 = v9 & (v8 >= 0.25 * difference_root(xp, a, v7))
+    v14 = v13 & v9
+    v16 = xp.where(v14, span(xp, v2, a, v8), 0.0)
+    v24 = v8 * xp.exp(v17 * v16)
+    v25 = v24 * v24
+    v27 = xp.sqrt((v7 - 0.0) * (v7 + 0.0) + v25)
+    v37 = rim_rate(xp, v27, xp.sqrt((v7 - b) * (v7 + b) + v25), b, k) * (v27 * v27 ** k) * v24
+    v45 = rim_force(xp, v2, difference_root(xp, v2, b), b, k)
+    v41 = xp.where(v14, v16 * xp.sum(v18 * (v37 * (v24 / v27)), axis=0), 0.0)
+    v48 = xp.where(v13, v41, rim_force(xp, a, difference_root(xp, a, b), b, k) - v45) / R
+    v50 = xp.where(v1, 0.5 * b, c)
+    return xp.where(v1, mu * (2.0 * H / (1.0 + k)) * v48, xp.nan)
 
 
 def traction(xp, r, a, c, R, b, H, k, mu):
-    v19, v20 = nodes_along(xp, 1, r, a, c, R, b, H, k, mu)
+    v17, v18 = nodes_along(xp, 1, r, a, c, R, b, H, k, mu)
     v1 = c >= b
     v2 = xp.where(v1, c, 2.0 * b)
     v3 = r < v2
     v6 = xp.minimum(xp.where(v3, r, 0.5 * v2), v2)
-    v7 = rim_pressure(xp, v6, v2, b, k)
-    v8 = rim_pressure(xp, v6, a, b, k)
-    v9 = 0.25 * v8
-    v10 = v7 >= v9
-    v13 = xp.maximum(v6, b)
-    v14 = difference_root(xp, v2, v13)
-    v16 = (xp.where(v10, v7, 2.0 * v9) >= v9) & (v14 > 0.0)
-    v18 = xp.where(v16, span(xp, v2, a, v14), 0.0)
-    v26 = v14 * xp.exp(v19 * v18)
-    v27 = v26 * v26
-    v29 = xp.sqrt((v13 - 0.0) * (v13 + 0.0) + v27)
-    v40 = xp.sqrt((v13 - v6) * (v13 + v6) + v27)
-    v44 = rim_rate(xp, v29, xp.sqrt((v13 - b) * (v13 + b) + v27), b, k) * (v40 ** k / v40) * v26
-    v48 = xp.where(v16, v18 * xp.sum(v20 * (v44 * (v26 / v29)), axis=0), 0.0)
-    v53 = H / 3.141592653589793 * (xp.where(v10, v48, v8 - xp.where(v10, 0.5 * v9, v7)) / R)
-    v58 = xp.where(v1, 0.5 * b, c)
-    v57 = mu * xp.where(v3, v53, graded_normal_pressure(xp, xp.where(v3, 2.0 * v2, r), a, R, b, H, k))
-    return xp.where(v1, v57, xp.nan)
+    v7 = xp.maximum(v6, b)
+    v8 = difference_root(xp, v2, v7)
+    v9 = v8 > 0.0
+    v13 = v9 & (v8 >= 0.25 * difference_root(xp, a, v7))
+    v14 = v13 & v9
+    v16 = xp.where(v14, span(xp, v2, a, v8), 0.0)
+    v24 = v8 * xp.exp(v17 * v16)
+    v25 = v24 * v24
+    v27 = xp.sqrt((v7 - 0.0) * (v7 + 0.0) + v25)
+    v38 = xp.sqrt((v7 - v6) * (v7 + v6) + v25)
+    v42 = rim_rate(xp, v27, xp.sqrt((v7 - b) * (v7 + b) + v25), b, k) * (v38 ** k / v38) * v24
+    v46 = xp.where(v14, v16 * xp.sum(v18 * (v42 * (v24 / v27)), axis=0), 0.0)
+    v51 = xp.where(v13, v46, rim_pressure(xp, v6, a, b, k) - rim_pressure(xp, v6, v2, b, k)) / R
+    v54 = graded_normal_pressure(xp, xp.where(v3, 2.0 * v2, r), a, R, b, H, k)
+    v57 = xp.where(v1, 0.5 * b, c)
+    return xp.where(v1, mu * xp.where(v3, H / 3.141592653589793 * v51, v54), xp.nan)
 
 
 def tangential_displacement(xp, a, c, R, b, H, H_x, k, mu):
-    v19, v20 = nodes_along(xp, 1, a, c, R, b, H, H_x, k, mu)
+    v15, v16 = nodes_along(xp, 1, a, c, R, b, H, H_x, k, mu)
     v1 = c >= b
     v2 = xp.where(v1, c, 2.0 * b)
-    v6 = rim_depth(xp, v2, difference_root(xp, v2, b), b, k)
-    v8 = rim_depth(xp, a, difference_root(xp, a, b), b, k)
-    v9 = 0.25 * v8
-    v10 = v6 >= v9
-    v13 = xp.maximum(0.0, b)
-    v14 = difference_root(xp, v2, v13)
-    v16 = (xp.where(v10, v6, 2.0 * v9) >= v9) & (v14 > 0.0)
-    v18 = xp.where(v16, span(xp, v2, a, v14), 0.0)
-    v26 = v14 * xp.exp(v19 * v18)
-    v27 = v26 * v26
-    v29 = xp.sqrt((v13 - 0.0) * (v13 + 0.0) + v27)
-    v38 = rim_rate(xp, v29, xp.sqrt((v13 - b) * (v13 + b) + v27), b, k) * v26 * (v26 / v29)
-    v40 = xp.where(v16, v18 * xp.sum(v20 * v38, axis=0), 0.0)
-    v46 = xp.where(v1, 0.5 * b, c)
-    v45 = mu * (H / H_x) * (xp.where(v10, v40, v8 - xp.where(v10, 0.5 * v9, v6)) / R)
-    return xp.where(v1, v45, xp.nan)
+    v5 = xp.maximum(0.0, b)
+    v6 = difference_root(xp, v2, v5)
+    v7 = v6 > 0.0
+    v11 = v7 & (v6 >= 0.25 * difference_root(xp, a, v5))
+    v12 = v11 & v7
+    v14 = xp.where(v12, span(xp, v2, a, v6), 0.0)
+    v22 = v6 * xp.exp(v15 * v14)
+    v23 = v22 * v22
+    v25 = xp.sqrt((v5 - 0.0) * (v5 + 0.0) + v23)
+    v34 = rim_rate(xp, v25, xp.sqrt((v5 - b) * (v5 + b) + v23), b, k) * v22 * (v22 / v25)
+    v40 = rim_depth(xp, v2, difference_root(xp, v2, b), b, k)
+    v41 = rim_depth(xp, a, difference_root(xp, a, b), b, k) - v40
+    v43 = xp.where(v11, xp.where(v12, v14 * xp.sum(v16 * v34, axis=0), 0.0), v41) / R
+    v45 = xp.where(v1, 0.5 * b, c)
+    return xp.where(v1, mu * (H / H_x) * v43, xp.nan)
 
 
 def stick_radius(xp, F_x, a, R, b, H, k, mu):

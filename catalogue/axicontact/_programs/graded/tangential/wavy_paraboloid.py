@@ -1,0 +1,31 @@
+"""Programs of axicontact.graded.tangential.wavy_paraboloid."""
+
+from __future__ import annotations
+
+from ...._programs.bodies.graded.tangential import wavy_paraboloid as bodies
+
+
+def full_slip_displacement(a, R, h, wavelength, H, H_x, k, mu):
+    if a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is H_x.__class__ is k.__class__ is mu.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (H_x > 1e-30) and (H_x < 1e+30) and (k > 1e-30) and (k < 1.0) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._full_slip_displacement(a, R, h, wavelength, H, H_x, k, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(H_x) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def stick_radius(F_x, a, R, h, wavelength, H, k, mu):
+    if F_x.__class__ is a.__class__ is R.__class__ is h.__class__ is wavelength.__class__ is H.__class__ is k.__class__ is mu.__class__ is float and F_x > 1e-30 and (F_x < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (h > 1e-30) and (h < 1e+30) and (wavelength > 1e-30) and (wavelength < 1e+30) and (H > 1e-30) and (H < 1e+30) and (k > 1e-30) and (k < 1.0) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._stick_radius(F_x, a, R, h, wavelength, H, k, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
