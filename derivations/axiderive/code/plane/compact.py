@@ -164,7 +164,7 @@ class Compact:
                 f"    value = {load.call('a')}",
                 "    return value, E_star * a * growth / value",
                 "",
-                f"return inverse(curve, P, np.full_like(P, {b}), ({low}, {high}))",
+                f"return inverse(curve, P, np.full_like(P, 0.99 * {b}), ({low}, {high}))",
             ]
         self._add("aP", body)
 

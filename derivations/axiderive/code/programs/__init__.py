@@ -9,7 +9,6 @@ All three are written from one graph (`graph`); what iterates keeps its text (`b
 from __future__ import annotations
 
 import ast
-import math
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from typing import TypeGuard
 from ...stable.measure import imported
 from ..module import PACKAGE, PLACE
 from .blocks import Blocks
-from .bodies import Twins
+from .bodies import CALLED, OF_MATH, Twins
 from .graph import Lengths, Node, needed, trace
 from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum, settled
 from .sharing import Shared
@@ -32,7 +31,6 @@ EVALUATING = ("elementwise", "even", "odd")
 """Functions of the run time whose first argument is a formula, and whose further ones are its arguments."""
 REACH, REQUIRE = "require_reach", "require"
 """What asks that its first argument is not below the second, and that parameters are inside their domains."""
-OF_MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
 
 
 @dataclass(frozen=True)
@@ -248,8 +246,7 @@ class _Module:
         values = [f"{name} = np.array({value})" for value, name in self.constants.items()]
         values += [f"{name} = rule({lengths!r})" for lengths, name in self.rules.items()]
         text = "\n".join([*values, *self.texts])
-        called = set(re.findall(r"(?<![\w.])(?:(\w+)(?=\()|(inf|nan)\b)", text))
-        math_names = sorted({name for pair in called for name in pair if name in OF_MATH})
+        math_names = sorted({name for pair in re.findall(CALLED, text) for name in pair} & OF_MATH)
         lines = [f'"""Programs of {PACKAGE}.{self.path}."""', "", "from __future__ import annotations", ""]
         lines += [f"from math import {', '.join(math_names)}", ""] if math_names else []
         lines += ["import numpy as np", ""] if self.records else []

@@ -1,12 +1,14 @@
 """Bodies that iterate or integrate, over plain numbers: the same with `math` under NumPy's names for `np`.
 
-What a body calls of the package is taken along; constants and classes stay where they are.  A body that needs nodes
-along an axis, or anything else that only arrays have, has no such twin.
+What a body calls of the package is taken along, as a flat function where it has a graph; constants and classes stay
+where they are.  A body that needs nodes along an axis, or anything else that only arrays have, has no such twin.
 """
 
 from __future__ import annotations
 
 import ast
+import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dis import get_instructions
@@ -18,6 +20,14 @@ from typing import Any
 
 import numpy as np
 
+from .graph import Lengths, Node, trace
+from .plain import Lines
+
+OF_MATH = frozenset(name for name in dir(math) if not name.startswith("_"))
+WITHOUT_ERRORS = frozenset(("sqrt", "log", "log1p"))
+"""Functions of `math` that are not a number outside their domain, under the same names."""
+NUMBERS = frozenset(("Array", "Array | float", "float"))
+"""Annotations of arguments that are numbers."""
 NEEDS_ARRAYS = frozenset(("gauss_legendre",))
 """Names that a body may not refer to: nodes along an axis."""
 COUNTERPARTS = {
@@ -30,6 +40,8 @@ COUNTERPARTS = {
 RULES = ("_runtime.integrals", "_runtime.graded.rules")
 """Those of which these are rules of integration."""
 BODIES = "_programs.bodies"
+CALLED = r"(?<![\w.])(?:(\w+)(?=\()|(inf|nan)\b)"
+"""Names of a flat function that are functions or numbers of `math`."""
 HEAD = '"""Bodies of {title} over plain numbers: the same with `math` for NumPy."""\n\n'
 
 
@@ -44,6 +56,8 @@ class Twin:
     """Modules of the package by the name they go by."""
     others: set[str] = field(default_factory=set)
     """Modules of other packages."""
+    rules: dict[Lengths, str] = field(default_factory=dict)
+    """Names of rules of integration by the lengths of their intervals."""
 
 
 class Twins:
@@ -54,6 +68,7 @@ class Twins:
         self.found: dict[str, Twin] = {}
         self.math = import_module(f"{package}._runtime.plain").MATH
         self._needy: dict[FunctionType, bool] = {}
+        self._graphs: dict[FunctionType, Node | None] = {}
         self._integrating: dict[FunctionType, bool] = {}
 
     def add(self, function: FunctionType) -> bool:
@@ -66,8 +81,17 @@ class Twins:
             twin = self.found.setdefault(self._module(own), Twin())
             if own.__name__ not in twin.functions:
                 twin.functions[own.__name__] = own
-                pending += self._taken(own, twin)
+                pending += self._taken(own, twin) if self._graph(own) is None else ()
         return True
+
+    def _graph(self, function: FunctionType) -> Node | None:
+        """The result of a function of numbers alone, if it has a graph that always holds."""
+        if function not in self._graphs:
+            *given, result = [*function.__annotations__.items()] or [("return", "")]
+            flat = result == ("return", "Array") and NUMBERS.issuperset(kind for _, kind in given)
+            found = trace(function, dict(given), ()) if flat and not self._decorators(function) else None
+            self._graphs[function] = None if found is None or found.name == "unless" else found
+        return self._graphs[function]
 
     def needs_arrays(self, function: FunctionType) -> bool:
         """Whether a body, or one that it calls, needs nodes along an axis or what only arrays have."""
@@ -115,8 +139,16 @@ class Twins:
             found |= {one.name: getattr(module, one.name) for one in node.names}
         return found
 
-    def _written(self, function: FunctionType) -> str:
+    def _flat(self, function: FunctionType, result: Node, rules: dict[Lengths, str]) -> str:
+        """The text of a twin that has a graph."""
+        arguments = [name for name in function.__annotations__ if name != "return"]
+        lines = "\n".join(f"    {line}" for line in Lines(result, None, rules).text())
+        return ast.unparse(ast.parse(f"def {function.__name__}({', '.join(arguments)}):\n{lines}\n"))
+
+    def _written(self, function: FunctionType, rules: dict[Lengths, str]) -> str:
         """The text of a twin."""
+        if (result := self._graph(function)) is not None:
+            return self._flat(function, result, rules)
         own, late = self._module(function), self._late(function)
 
         def home(path: str, name: str) -> str:
@@ -145,9 +177,16 @@ class Twins:
         lines += [
             f"from {level}{module} import {', '.join(sorted(names))}" for module, names in sorted(twin.imports.items())
         ]
-        texts = [self._written(function) for function in functions]
-        if any("np." in text for text in texts):
-            lines.append(f"from {level}_runtime.plain import MATH as np")
+        texts = [self._written(function, twin.rules) for function in functions]
+        rules = [f"{name} = rule({lengths!r})" for lengths, name in twin.rules.items()]
+        flat = [text for one, text in zip(functions, texts, strict=True) if self._graph(one) is not None]
+        called = {name for pair in re.findall(CALLED, "\n".join(rules + flat)) for name in pair} & OF_MATH
+        plain = sorted(called & WITHOUT_ERRORS) + ["rule"] * bool(rules)
+        plain += ["MATH as np"] * any("np." in text for text in texts)
+        lines += [f"from {level}_runtime.plain import {', '.join(plain)}"] if plain else []
+        of_math = sorted(called - WITHOUT_ERRORS)
+        lines[2:2] = [f"from math import {', '.join(of_math)}"] if of_math else []
+        lines += ["", *rules] if rules else []
         head = HEAD.format(title=f"axicontact.{path}")
         return head + "\n".join(lines) + "".join(f"\n\n\n{text}" for text in texts) + "\n"
 

@@ -25,7 +25,7 @@ OPERATORS = {
 }  # fmt: skip
 PREFIXES = {"negative": "-", "invert": "not "}
 NAMES = {
-    "power": "pow", "absolute": "abs", "arctan": "atan", "arctan2": "atan2", "arcsinh": "asinh",
+    "power": "pow", "absolute": "abs", "arctan": "atan", "arctan2": "atan2", "arcsinh": "asinh", "arctanh": "atanh",
     "minimum": "{0} if {0} < {1} or {0} != {0} else {1}", "maximum": "{0} if {0} > {1} or {0} != {0} else {1}",
     "square": "{0} * {0}",
 }  # fmt: skip
@@ -71,26 +71,31 @@ def function(
 
 
 def settled(arguments: Iterable[str]) -> list[str]:
-    """The lines for a result that is no number, where no argument is far out: an inverse of what no contact carries."""
-    ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in arguments]
-    return [f"if {' and '.join(['value != value', *ordinary])}:", "    return value"]
+    """The lines for a result that is no number, or nothing outside the contact, where no argument is far out."""
+    known = [*arguments]
+    outside = [f" or value == 0.0 and {own} > a" for own in ("r", "x") if {own, "a"}.issubset(known)]
+    ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in known]
+    return [f"if ({''.join(['value != value', *outside])}) and {' and '.join(ordinary)}:", "    return value"]
 
 
 class Lines:
     """Lines of one function: what occurs once is written where it is used, the rest has a name.
 
-    `ranges` are those of the arguments; the numbered `rules` are asked for by the lengths for which they have nodes.
+    `ranges` are those of the arguments; without them every value is returned as it is.  The numbered `rules` are asked
+    for by the lengths for which they have nodes.
     """
 
-    def __init__(self, result: Node, ranges: Mapping[str, tuple[float, float]], rules: dict[Lengths, str]) -> None:
-        self.nodes, self.arguments = needed(result), tuple(ranges)
+    def __init__(
+        self, result: Node, ranges: Mapping[str, tuple[float, float]] | None, rules: dict[Lengths, str]
+    ) -> None:
+        self.nodes, self.arguments = needed(result), tuple(ranges or ())
         self.loops = loops(self.nodes)
         self.paths = {node: self._outside(node, path) for node, path in places(self.nodes).items()}
         self.rules = rules
         self.named = self._named()
         self.split = {choice for node in self.named for choice, _ in self.paths[node]}
         self.written: set[Node] = set()
-        self.proved = _proved(self.nodes, bounds(self.nodes, ranges))
+        self.proved = {*self.nodes} if ranges is None else _proved(self.nodes, bounds(self.nodes, ranges))
 
     def _outside(self, node: Node, path: Path) -> Path:
         """The choices that are made before the loop, for what does not change in it."""

@@ -131,7 +131,7 @@ def _waves(graph: Graph, a: Traced, q: Traced, k: Traced, of: Callable[..., Trac
     def over(y: Traced) -> Traced:
         return of(phase * np.cos(y), np.cos(y))
 
-    def over_angle(y: Traced) -> Traced:
+    def over_angle(y: Traced) -> Any:
         return np.where(y > 0.0, np.sin(y) / np.where(y > 0.0, y, 1.0), 1.0)
 
     near = _weighted(graph, lambda y: over(y) * over_angle(y) ** k, first, k)

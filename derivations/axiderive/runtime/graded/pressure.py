@@ -12,11 +12,12 @@ from functools import partial
 
 import numpy as np
 
+from ..functions import either
 from ..integrals import difference_root, integral, integral_by_panels, integral_in_strip
 from ..interface import Array
 from .breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from .growth import axis_power, gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from .rules import NODES, either, nodes_for, raised, sine_integral, sinh_over, weighted
+from .rules import NODES, nodes_for, raised, sine_integral, sinh_over, weighted
 from .waves import waves_rate
 
 Slope = Callable[..., Array]
