@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -18,13 +18,6 @@ def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
     for coefficient in bottom[-2::-1]:
         below = below * v + coefficient
     return above / below
-
-
-def either(condition: Array, x: Callable[[], Array], y: Callable[[], Array]) -> Array:
-    """x() where the condition holds and y() elsewhere; what is chosen nowhere is not asked for."""
-    if np.all(condition):
-        return x()
-    return np.where(condition, x(), y()) if np.any(condition) else y()
 
 
 def sine_root(x: Array, R: Array, theta: Array) -> Array:

@@ -40,6 +40,8 @@ COUNTERPARTS = {
 RULES = ("_runtime.integrals", "_runtime.graded.rules")
 """Those of which these are rules of integration."""
 BODIES = "_programs.bodies"
+LONGEST = 100
+"""Digits of constants that are written again."""
 CALLED = r"(?<![\w.])(?:(\w+)(?=\()|(inf|nan)\b)"
 """Names of a flat function that are functions or numbers of `math`."""
 HEAD = '"""Bodies of {title} over plain numbers: the same with `math` for NumPy."""\n\n'
@@ -56,6 +58,8 @@ class Twin:
     """Modules of the package by the name they go by."""
     others: set[str] = field(default_factory=set)
     """Modules of other packages."""
+    constants: dict[str, str] = field(default_factory=dict)
+    """Short numbers by name: to import their module would take longer than most calls."""
     rules: dict[Lengths, str] = field(default_factory=dict)
     """Names of rules of integration by the lengths of their intervals."""
 
@@ -122,8 +126,15 @@ class Twins:
                 yield from filter(None, [self._body(getattr(value, a)) for a in sorted(_attributes_of(function, name))])
             elif isinstance(value, ModuleType):
                 twin.others.add(value.__name__)
+            elif (text := _literal(value)) and len(text) <= LONGEST:
+                twin.constants[name] = text
             else:
-                twin.imports.setdefault(own, set()).add(name)
+                twin.imports.setdefault(self._defining(value, own), set()).add(name)
+
+    def _defining(self, value: Any, own: str) -> str:
+        """The module of the package that a class or kept results are defined in, `own` for what does not say it."""
+        home = str(getattr(getattr(value, "function", value), "__module__", ""))
+        return home.removeprefix(f"{self.package}.") if home.startswith(f"{self.package}.") else own
 
     def _body(self, value: Any) -> FunctionType | None:
         """The function of a module of the package behind a name, without its decorators; None for anything else."""
@@ -179,14 +190,15 @@ class Twins:
         ]
         texts = [self._written(function, twin.rules) for function in functions]
         rules = [f"{name} = rule({lengths!r})" for lengths, name in twin.rules.items()]
+        constants = [f"{name} = {value}" for name, value in sorted(twin.constants.items())]
         flat = [text for one, text in zip(functions, texts, strict=True) if self._graph(one) is not None]
-        called = {name for pair in re.findall(CALLED, "\n".join(rules + flat)) for name in pair} & OF_MATH
+        called = {name for pair in re.findall(CALLED, "\n".join(constants + rules + flat)) for name in pair} & OF_MATH
         plain = sorted(called & WITHOUT_ERRORS) + ["rule"] * bool(rules)
         plain += ["MATH as np"] * any("np." in text for text in texts)
         lines += [f"from {level}_runtime.plain import {', '.join(plain)}"] if plain else []
         of_math = sorted(called - WITHOUT_ERRORS)
         lines[2:2] = [f"from math import {', '.join(of_math)}"] if of_math else []
-        lines += ["", *rules] if rules else []
+        lines += ["", *constants, *rules] if constants or rules else []
         head = HEAD.format(title=f"axicontact.{path}")
         return head + "\n".join(lines) + "".join(f"\n\n\n{text}" for text in texts) + "\n"
 
@@ -303,6 +315,17 @@ class _Single(ast.NodeTransformer):
         for one in node.names:
             homes.setdefault(self.home(_resolved(self.module, node), one.name), []).append(one)
         return [ast.ImportFrom(home, names, self.module.count(".") + 3) for home, names in homes.items()]
+
+
+def _literal(value: Any) -> str:
+    """A number, a word or several as they are written; empty for anything else."""
+    if isinstance(value, dict):
+        both = [(_literal(key), _literal(own)) for key, own in value.items()]
+        return f"{{{', '.join(f'{key}: {own}' for key, own in both)}}}" if all(map(all, both)) else ""
+    if isinstance(value, tuple):
+        inner = [_literal(own) for own in value]
+        return f"({', '.join(inner)},)" if all(inner) else ""
+    return repr(float(value) if isinstance(value, float) else value) if isinstance(value, (int, float, str)) else ""
 
 
 def _names(code: CodeType) -> set[str]:

@@ -9,9 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..functions import either
 from ..integrals import difference_root, integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from .growth import sphere_depth, sphere_force, sphere_rate
 from .rules import raised, sine_integral, sine_over, weighted
 

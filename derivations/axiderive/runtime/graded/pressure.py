@@ -12,9 +12,8 @@ from functools import partial
 
 import numpy as np
 
-from ..functions import either
 from ..integrals import difference_root, integral, integral_by_panels, integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from .breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from .growth import axis_power, gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
 from .rules import NODES, nodes_for, raised, sine_integral, sinh_over, weighted

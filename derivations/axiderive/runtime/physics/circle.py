@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..functions import either
 from ..integrals import integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from ..special import gamma_ratio
 
 STEPS, SHORTEST = 7, 1e-9
