@@ -75,8 +75,12 @@ class Kept:
         return self.kept(*given) if numbers else self.function(*given)
 
     def _of(self, *given: Any) -> Any:
+        # a power of Python's zero is an error where one of NumPy's is infinite
+        known = [np.float64(own) if isinstance(own, float) else own for own in given]
         with np.errstate(all="ignore"):
-            result = self.function(*given)
+            result = self.function(*known)
+        if type(result) is tuple:
+            return tuple([float(own) if isinstance(own, float) else own for own in result])
         return result if isinstance(result, tuple) else float(result)
 
 
@@ -84,6 +88,13 @@ def largest(block: Array) -> float:
     """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
     bits = np.maximum.reduce(block.view(np.uint64))
     return float(bits.view(np.float64)) if bits < INFINITE else np.inf
+
+
+def either(condition: Array, x: Callable[[], Array], y: Callable[[], Array]) -> Array:
+    """x() where the condition holds and y() elsewhere; what is chosen nowhere is not asked for."""
+    if np.all(condition):
+        return x()
+    return np.where(condition, x(), y()) if np.any(condition) else y()
 
 
 def of_a_module(function: Callable[..., Any]) -> TypeGuard[FunctionType]:

@@ -100,21 +100,21 @@ def _maximum(x: float, y: float) -> float:
     return x if x > y or x != x else y
 
 
-def _sqrt(x: float) -> float:
+def sqrt(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else math.nan
 
 
-def _log(x: float) -> float:
+def log(x: float) -> float:
     return math.log(x) if x > 0.0 else -math.inf if x == 0.0 else math.nan
 
 
-def _log1p(x: float) -> float:
+def log1p(x: float) -> float:
     return math.log1p(x) if x > -1.0 else -math.inf if x == -1.0 else math.nan
 
 
 MATH = SimpleNamespace(
     pi=math.pi, e=math.e, inf=math.inf, nan=math.nan, float64=float,
-    sqrt=_sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=_log, log1p=_log1p,
+    sqrt=sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=log, log1p=log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
     sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh, hypot=math.hypot,
     ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor,

@@ -383,4 +383,4 @@ def _half_width_from_load(P: Array, theta: Array, b: Array, E_star: Array) -> Ar
         value = _load(a, theta, b, E_star)
         return value, E_star * a * growth / value
 
-    return inverse(curve, P, np.full_like(P, b), (1.0, 2.0))
+    return inverse(curve, P, np.full_like(P, 0.99 * b), (1.0, 2.0))

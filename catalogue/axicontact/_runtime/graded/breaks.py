@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 
 from ..integrals import difference_root, integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from .growth import sphere_depth, sphere_force, sphere_rate
-from .rules import either, raised, sine_integral, sine_over, weighted
+from .rules import raised, sine_integral, sine_over, weighted
 
 
 def flank_depth(a: Array, root: Array, b: Array, k: Array) -> Array:

@@ -13,10 +13,10 @@ from functools import partial
 import numpy as np
 
 from ..integrals import difference_root, integral, integral_by_panels, integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from .breaks import past_tip, rounded_rate, rounding_rate, tipped_rate
 from .growth import axis_power, gaussian_rate, hyperboloid_rate, power_factor, sphere_rate
-from .rules import NODES, either, nodes_for, raised, sine_integral, sinh_over, weighted
+from .rules import NODES, nodes_for, raised, sine_integral, sinh_over, weighted
 from .waves import waves_rate
 
 Slope = Callable[..., Array]

@@ -108,13 +108,6 @@ def legendre_table(count: int) -> Array:
     return weights[:, None] * (2.0 * np.arange(count) + 1.0) * np.stack(columns, axis=1)
 
 
-def either(condition: Array, x: Callable[[], Array], y: Callable[[], Array]) -> Array:
-    """x() where the condition holds and y() elsewhere; what is chosen nowhere is not asked for."""
-    if np.all(condition):
-        return x()
-    return np.where(condition, x(), y()) if np.any(condition) else y()
-
-
 def raised(x: Array, k: Array) -> Array:
     """x**(1 + k), with no rounding of the exponent."""
     return np.where(x > 0.0, x * x**k, 0.0)

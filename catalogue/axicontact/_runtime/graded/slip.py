@@ -13,11 +13,11 @@ from collections.abc import Callable
 import numpy as np
 
 from ..integrals import difference_root, integral_by_panels, integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from ..physics.slip import CLOSE, gained_share
 from .growth import power_depth, power_factor, power_force, sphere_rate
 from .pressure import SPAN, growth_beyond_cap
-from .rules import either, raised
+from .rules import raised
 
 Whole = Callable[..., Array]
 Lengths = tuple[Array, ...]

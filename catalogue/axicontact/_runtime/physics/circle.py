@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..integrals import integral_in_strip
-from ..interface import Array
+from ..interface import Array, either
 from ..special import gamma_ratio
 
 STEPS, SHORTEST = 7, 1e-9
@@ -53,10 +53,12 @@ def power(r: Array, a: Array, s: Array) -> Array:
     _, kc = _far(r, a)
     # Gamma(s + 1)/Gamma(s + 3/2)
     strength = 1.0 / gamma_ratio(s + 1.0)
-    within = r < a
-    inside = _inside(np.where(within, r / a, 0.0), np.where(within, kc, 1.0), s + 0.5)
-    outside = _outside(np.where(r > a, kc, 1.0), s + 1.0)
-    sides = np.where(within, inside, np.where(r > a, outside, np.sqrt(np.pi) / 2.0 * strength))
+    within, beyond = r < a, r > a
+    sides = either(
+        within,
+        lambda: _inside(np.where(within, r / a, 0.5), np.where(within, kc, 1.0), s + 0.5),
+        lambda: np.where(beyond, _outside(np.where(beyond, kc, 1.0), s + 1.0), np.sqrt(np.pi) / 2.0 * strength),
+    )
     return fallen * (2.0 / np.sqrt(np.pi) * strength * sides)
 
 

@@ -11,8 +11,7 @@ import numpy as np
 
 from ..._runtime.graded.growth import power_factor
 from ..._runtime.graded.punch import punch_pressure, punch_stiffness
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, require, require_order
+from ..._runtime.interface import Array, Result, either, elementwise, require, require_order
 from ..._runtime.shapes.ring import lifted_at_zero_pressure, ring_of_zero_pressure
 
 if TYPE_CHECKING:

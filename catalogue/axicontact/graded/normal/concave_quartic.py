@@ -11,8 +11,7 @@ import numpy as np
 
 from ..._runtime.graded.growth import power_factor
 from ..._runtime.graded.punch import punch_pressure, punch_stiffness
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, require
+from ..._runtime.interface import Array, Result, either, elementwise, require
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

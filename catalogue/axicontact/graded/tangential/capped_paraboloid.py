@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
+from ..._runtime.interface import Array, Result, either, elementwise, numbers, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import capped_paraboloid as normal
 

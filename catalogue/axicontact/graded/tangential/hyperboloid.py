@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.growth import hyperboloid_depth, hyperboloid_force, hyperboloid_rate
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import hyperboloid as normal
 

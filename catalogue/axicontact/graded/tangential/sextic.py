@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order
+from ..._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import sextic as normal
 

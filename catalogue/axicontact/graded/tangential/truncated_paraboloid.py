@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..._runtime.graded.breaks import rim_depth, rim_force, rim_rate
-from ..._runtime.graded.rules import either
-from ..._runtime.interface import Array, Result, elementwise, numbers, require, require_order, require_reach
+from ..._runtime.interface import Array, Result, either, elementwise, numbers, require, require_order, require_reach
 from ..._runtime.physics.slip import stick_force
 from ..normal import truncated_paraboloid as normal
 

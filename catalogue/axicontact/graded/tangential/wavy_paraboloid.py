@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..._runtime.graded.rules import either
 from ..._runtime.graded.waves import waves_depth, waves_force, waves_rate
-from ..._runtime.interface import Array, Result, elementwise, numbers, require_order
+from ..._runtime.interface import Array, Result, either, elementwise, numbers, require_order
 from ..._runtime.physics.slip import stick_force
 from ..normal import wavy_paraboloid as normal
 

@@ -2,26 +2,17 @@
 
 from __future__ import annotations
 
+from math import cos, sin
 import math
 
-from ...._runtime.plain import MATH as np
-
-
-def rational(v, top, bottom):
-    """P(v)/Q(v) with coefficients in ascending order, for v >= 0; the terms of either do not cancel."""
-    above, below = (top[-1], bottom[-1])
-    for coefficient in top[-2::-1]:
-        above = above * v + coefficient
-    for coefficient in bottom[-2::-1]:
-        below = below * v + coefficient
-    return above / below
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def sine_root(x, R, theta):
-    """sqrt(x**2 - (R*sin(theta))**2), and zero for x below; a sine close to 1 is rounded away from its angle."""
-    sine, cosine = (R * np.sin(theta), R * np.cos(theta))
-    square = cosine * cosine - (R - x) * (R + x) if cosine < sine else (x - sine) * (x + sine)
-    return np.sqrt(np.maximum(square, 0.0))
+    v4 = R * sin(theta)
+    v6 = R * cos(theta)
+    v16 = v6 * v6 - (R - x) * (R + x) if v6 < v4 else (x - v4) * (x + v4)
+    return sqrt(v16 if v16 > 0.0 or v16 != v16 else 0.0)
 
 
 def halves(x):
@@ -36,16 +27,6 @@ def nth_root(x, n, more=0):
     degree = n + more
     y = x ** (1.0 / degree)
     return y + y * ((x / (y ** n * y ** more) - 1.0) / degree) if (x > 0.0) & (x < np.inf) else y
-
-
-def lower_power(x, n):
-    """x**(n - 1) for x >= 0; the rounding of n - 1 would cost up to ln(x) units."""
-    return x ** n / x if x > 0.0 else x ** (n - 1.0)
-
-
-def from_start(v, top, bottom, start):
-    """start + v P(v)/Q(v), where the start is most of it."""
-    return start + v * rational(v, top, bottom)
 
 
 def depth_over_height(j):

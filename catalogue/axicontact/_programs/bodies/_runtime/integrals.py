@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 from ...._runtime.integrals import Course
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def of_displacement(a, *other):
@@ -13,5 +13,5 @@ def of_displacement(a, *other):
 
 
 def difference_root(x, y):
-    """sqrt(x**2 - y**2), and zero for x < y."""
-    return np.sqrt(np.maximum(x - y, 0.0) * (x + y))
+    v2 = x - y
+    return sqrt((v2 if v2 > 0.0 or v2 != v2 else 0.0) * (x + y))

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from math import exp, inf
 
-from ...._runtime.inverse import ITERATIONS, LOST, PATIENCE, POLISHING, ROUNDING, SETTLED
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log, log1p, MATH as np
+
+ITERATIONS = 120
+LOST = 16.0
+PATIENCE = 8
+POLISHING = 3
+ROUNDING = 1.1102230246251565e-16
+SETTLED = 1e-09
 
 
 def inverse(curve, value, start, exponents, largest=np.inf, share=None, smooth=False, noise=None):
@@ -61,15 +68,18 @@ def inverse(curve, value, start, exponents, largest=np.inf, share=None, smooth=F
 
 
 def _last_step(t, value, y, slope):
-    change = t * ((value - y) / y) / slope
-    return change if np.abs(change) < 0.001 * t else 0.0
+    v7 = t * ((value - y) / y) / slope
+    if abs(v7) < 0.001 * t:
+        return v7
+    return 0.0
 
 
 def _missed(value, y):
-    """ln value - ln y, to the last digit where they are close."""
-    missed = (value - y) / y
-    near = np.abs(missed) < 0.5
-    return np.log1p(missed if near else 0.0) if near else np.log(value / y)
+    v3 = (value - y) / y
+    v6 = abs(v3) < 0.5
+    if v6:
+        return log1p(v3 if v6 else 0.0)
+    return log(value / y)
 
 
 def _safe(position, step, error, exponents, low, high, late):
@@ -90,15 +100,12 @@ def _safe(position, step, error, exponents, low, high, late):
 
 
 def _step(step, before, slope_before, error, slope):
-    """The next step in ln t: of the cubic through the last two points and their slopes, with ln curve as variable.
-
-    Newton's where the two disagree: next to a kink, or before the end is near.
-    """
-    newton, way = (error / slope, np.inf if before == error else before - error)
-    mean = step / way
-    bend, bend_before = ((1.0 / slope - mean) / way, (mean - 1.0 / slope_before) / way)
-    more = error * error * (bend + (bend - bend_before) / way * before)
-    return newton + (more if np.abs(more) < 0.5 * np.abs(newton) else 0.0)
+    v5 = error / slope
+    v9 = inf if before == error else before - error
+    v10 = step / v9
+    v14 = (1.0 / slope - v10) / v9
+    v23 = error * error * (v14 + (v14 - (v10 - 1.0 / slope_before) / v9) / v9 * before)
+    return v5 + (v23 if abs(v23) < 0.5 * abs(v5) else 0.0)
 
 
 def inverse_below(curve, value, largest, exponents, like=np.sqrt):
@@ -162,7 +169,17 @@ def joining(like, slope, small, large):
 
 
 def leaving_power(like, share, tip, small, large):
-    """The same where a power of the radius, `share` at t = 1, is left by a sum with powers of t."""
-    x, rest = (np.log(like), np.maximum(1.0 - share, 1e-300))
-    below = _joined(np.minimum(x, 0.0), (share, 2.0), (rest, small), -0.5 * (2.0 + small))
-    return below if x < 0.0 else _joined(np.maximum(x, 0.0), (share, tip), (rest, large), -0.5 * (tip + large))
+    v5 = log(like)
+    v7 = 1.0 - share
+    v17 = log(share)
+    v21 = log(v7 if v7 > 1e-300 or v7 != v7 else 1e-300)
+    if v5 < 0.0:
+        v15 = -0.5 * (2.0 + small)
+        v19 = v15 / 2.0 * (v5 - v17)
+        v23 = v15 / small * (v5 - v21)
+        return exp(((v19 if v19 > v23 or v19 != v19 else v23) + log1p(exp(-abs(v19 - v23)))) / v15)
+    v34 = v5 if v5 > 0.0 or v5 != v5 else 0.0
+    v36 = -0.5 * (tip + large)
+    v39 = v36 / tip * (v34 - v17)
+    v42 = v36 / large * (v34 - v21)
+    return exp(((v39 if v39 > v42 or v39 != v39 else v42) + log1p(exp(-abs(v39 - v42)))) / v36)

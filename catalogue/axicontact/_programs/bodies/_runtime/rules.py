@@ -4,9 +4,10 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.integrals import difference_root
-from ...._runtime.plain import in_groups, integral, integral_in_strip
-from ...._runtime.rules import WAVES
+from ...._runtime.plain import in_groups, integral_in_strip
 from ...._runtime.plain import MATH as np
+
+WAVES = ((0.25, 8,), (1.97, 16,), (4.7, 24,), (7.96, 32,), (23.3, 64,),)
 
 
 def pressure_integral_waves(slope, r, a, wavelength):
@@ -56,21 +57,3 @@ def displacement_integral_waves(slope, r, a, wavelength):
         return slope(r * np.sin(angle)) * angle * np.cos(angle)
     width = wavelength / (r + wavelength / 2.0)
     return r * integral_in_strip(integrand, np.arctan2(a, difference_root(r, a)), width, WAVES)
-
-
-def force_integral(slope, a, count):
-    """Integral of t g'(t) from 0 to a, for g' without singularities near."""
-    return integral(lambda t: t * slope(t), a, count)
-
-
-@in_groups
-def force_integral_beyond(slope, reach, b):
-    """Integral of t g'(t) from b to sqrt(b**2 + reach**2); `slope` takes t and sqrt(t**2 - b**2)."""
-    stop = np.arcsinh(reach / b)
-    fallen = falling(stop)
-
-    def integrand(v):
-        root = reach * fallen(v)
-        t = np.sqrt(b * b + root * root)
-        return slope(t, root) * root * t
-    return (integrand, stop, 1.0, True, 0.0)

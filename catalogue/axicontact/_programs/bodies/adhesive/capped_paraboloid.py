@@ -3,28 +3,36 @@
 from __future__ import annotations
 
 
-from ...._programs.bodies.normal import capped_paraboloid as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.capped_paraboloid import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, R1, R2, b, E_star, dgamma):
-    return normal._depth(a, R1, R2, b) - hess_retraction(a, E_star, dgamma)
+    return (a * a / R1 if a < b else a * (a + (R1 - R2) / R2 * sqrt((a - b) * (a + b))) / R1) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R1, R2, b, E_star, dgamma):
-    return normal._force(a, R1, R2, b, E_star) - pull(a, E_star, dgamma)
+    v9 = 3.0 * R1
+    v12 = a * a
+    v13 = a * v12
+    v19 = 2.0 * E_star
+    return (4.0 * E_star / v9 * v13 if a < b else v19 / v9 * (2.0 * v13 + (R1 - R2) / R2 * (2.0 * v12 + b * b) * sqrt((a - b) * (a + b)))) - v19 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R1, R2, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope(a, R1) if a < b else normal._slope_beyond(a, root, R1, R2, b)
+    v13 = 2.0 * a / R1
+    if a < b:
+        return v13
+    v4 = a - b
+    v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (a + b))
+    v14 = R1 - R2
+    v16 = R1 * R2
+    return v13 + 2.0 * v14 / v16 * v9 + b * b * v14 / (v16 * v9)
 
 
 def _branches(R1, R2, b, E_star, dgamma, control):

@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
+from math import asinh
 
-from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import up_to
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.ellipsoid import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, sqrt, MATH as np
 
 
 def _depth(a, h, b, E_star, dgamma):
-    return normal._depth(a, h, b) - hess_retraction(a, E_star, dgamma)
+    return h / b * a * (log1p(2.0 * a / (b - a)) / 2.0) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, h, b, E_star, dgamma):
-    return normal._force(a, h, b, E_star) - pull(a, E_star, dgamma)
+    v10 = log1p(2.0 * a / (b - a)) / 2.0
+    v15 = a / b
+    if v10 < 1.0:
+        v21 = v10 * v10
+        v56 = v15 * (v15 * v15) * ((((((1.0716932453474512e-06 * v21 + 0.00019982814521087247) * v21 + 0.007076196047699156) * v21 + 0.08608622548411103) * v21 + 0.3073858328214721) * v21 + 0.3333333333333333) / (((((2.565078604208634e-08 * v21 + 2.0203143566039827e-05) * v21 + 0.001617010334189783) * v21 + 0.03639274880225476) * v21 + 0.32215749846441627) * v21 + 1.0))
+    else:
+        v56 = v10 - v15
+    return E_star * h * (a * a * v10 / b + b * v56) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, h, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(b - a, 0.0) * (b + a))
-    return normal._slope(a, root, h, b)
+    v3 = b - a
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (b + a))
+    return h / b * asinh(a / v8) + h * a / (v8 * v8)
 
 
 def _branches(h, b, E_star, dgamma, control):

@@ -2,28 +2,56 @@
 
 from __future__ import annotations
 
+from math import fsum, inf, nan
 
-from ...._programs.bodies.normal import gaussian as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import on_the_bump
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.gaussian import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((inf, 32),))
 
 
 def _depth(a, h, s, E_star, dgamma):
-    return normal._depth(a, h, s) - hess_retraction(a, E_star, dgamma)
+    if a <= 1.5019752682686114 * s:
+        v5 = a / s
+        v11 = v5 * v5
+        v49 = ((((((((((((1.567077144036674e-13 * v11 + -3.840375691006307e-12) * v11 + 3.8015754128174666e-11) * v11 + -1.8423006918213799e-10) * v11 + 4.472469827763728e-10) * v11 + -1.1927516362741588e-09) * v11 + 6.225892246861416e-09) * v11 + 3.4413148480148793e-09) * v11 + -9.933344851449817e-08) * v11 + -5.127541706569233e-07) * v11 + 1.8119768160503268e-06) * v11 + 2.151585040783394e-05) * v11 + 4.61098799999374e-06) * v11
+        v71 = 2.0 * h * (v5 / ((((((v49 + -0.000684089638073553) * v11 + -0.002257495580553435) * v11 + 0.016931216930225715) * v11 + 0.17777777777782838) * v11 + 0.6666666666666656) * v11 + 1.0)) * v5
+    else:
+        v71 = nan
+    return v71 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, h, s, E_star, dgamma):
-    return normal._force(a, h, s, E_star) - pull(a, E_star, dgamma)
+    v6 = 2.0 * E_star
+    if a <= 1.5019752682686114 * s:
+        v11 = 2.0 * h / s
+        v75 = []
+        for node, weight in RULE_0(a / 1.0):
+            v8 = node * a
+            v9 = v8 / s
+            v12 = v9 * v9
+            v50 = ((((((((((((1.567077144036674e-13 * v12 + -3.840375691006307e-12) * v12 + 3.8015754128174666e-11) * v12 + -1.8423006918213799e-10) * v12 + 4.472469827763728e-10) * v12 + -1.1927516362741588e-09) * v12 + 6.225892246861416e-09) * v12 + 3.4413148480148793e-09) * v12 + -9.933344851449817e-08) * v12 + -5.127541706569233e-07) * v12 + 1.8119768160503268e-06) * v12 + 2.151585040783394e-05) * v12 + 4.61098799999374e-06) * v12
+            v67 = v9 / ((((((v50 + -0.000684089638073553) * v12 + -0.002257495580553435) * v12 + 0.016931216930225715) * v12 + 0.17777777777782838) * v12 + 0.6666666666666656) * v12 + 1.0)
+            v74 = v8 * (v11 * (v67 + (1.0 - 2.0 * v67 * v9) * v9))
+            v75.append(weight * v74)
+        v75 = fsum(v75) * a
+        v81 = v6 * v75
+    else:
+        v81 = nan
+    return v81 - v6 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, h, s):
-    """Derivative g'(a) of the depth without adhesion."""
-    return normal._slope(a, h, s)
+    v3 = a / s
+    v7 = v3 * v3
+    v45 = ((((((((((((1.567077144036674e-13 * v7 + -3.840375691006307e-12) * v7 + 3.8015754128174666e-11) * v7 + -1.8423006918213799e-10) * v7 + 4.472469827763728e-10) * v7 + -1.1927516362741588e-09) * v7 + 6.225892246861416e-09) * v7 + 3.4413148480148793e-09) * v7 + -9.933344851449817e-08) * v7 + -5.127541706569233e-07) * v7 + 1.8119768160503268e-06) * v7 + 2.151585040783394e-05) * v7 + 4.61098799999374e-06) * v7
+    v63 = v3 / ((((((v45 + -0.000684089638073553) * v7 + -0.002257495580553435) * v7 + 0.016931216930225715) * v7 + 0.17777777777782838) * v7 + 0.6666666666666656) * v7 + 1.0)
+    return 2.0 * h / s * (v63 + (1.0 - 2.0 * v63 * v3) * v3)
 
 
 def _branches(h, s, E_star, dgamma, control):

@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
+from math import atan, atan2, tan
 
-from ...._programs.bodies.normal import hyperboloid as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.hyperboloid import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, theta, b, E_star, dgamma):
-    return normal._depth(a, theta, b) - hess_retraction(a, E_star, dgamma)
+    return tan(theta) * a * atan(a / b) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, theta, b, E_star, dgamma):
-    return normal._force(a, theta, b, E_star) - pull(a, E_star, dgamma)
+    v12 = a / b
+    if v12 < 1.0:
+        v16 = v12 * v12
+        v59 = v12 * v16 * (((((((2.229767813968649e-06 * v16 + 0.0021043873129700233) * v16 + 0.04325113828415611) * v16 + 0.2725778671008127) * v16 + 0.7123414383945195) * v16 + 0.8116412201960678) * v16 + 0.3333333333333333) / ((((((0.002445452808893491 * v16 + 0.06453295925870227) * v16 + 0.5368820963772863) * v16 + 1.9680296155712274) * v16 + 3.5294070829658954) * v16 + 3.034923660588189) * v16 + 1.0))
+    else:
+        v59 = v12 - atan(v12)
+    return E_star * tan(theta) * (a * a * atan2(a, b) + b * b * v59) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, theta, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    return normal._slope(a, theta, b)
+    v5 = tan(theta)
+    return v5 * atan(a / b) + b * v5 * a / (a * a + b * b)
 
 
 def _branches(theta, b, E_star, dgamma, control):

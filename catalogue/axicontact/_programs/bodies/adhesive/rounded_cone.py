@@ -2,29 +2,45 @@
 
 from __future__ import annotations
 
+from math import atan, tan
 
-from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.rounded_cone import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, theta, b, E_star, dgamma):
-    return normal._depth(a, theta, b) - hess_retraction(a, E_star, dgamma)
+    v5 = tan(theta)
+    if a < b:
+        v22 = v5 / b * (a * a)
+    else:
+        v13 = sqrt((a - b) * (a + b))
+        v22 = v5 * a * (atan(v13 / b) + b / (v13 + a))
+    return v22 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, theta, b, E_star, dgamma):
-    return normal._force(a, theta, b, E_star) - pull(a, E_star, dgamma)
+    v7 = tan(theta)
+    v13 = a * a
+    if a < b:
+        v35 = 4.0 * E_star * v7 / (3.0 * b) * (a * v13)
+    else:
+        v19 = sqrt((a - b) * (a + b))
+        v35 = E_star * v7 * (v13 * atan(v19 / b) + 4.0 * b * v13 / (3.0 * (v19 + a)) + b / 3.0 * v19)
+    return v35 - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, theta, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope(a, theta, b) if a < b else normal._slope_beyond(a, root, theta, b)
+    v10 = tan(theta)
+    if a < b:
+        return 2.0 * v10 / b * a
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    return v10 * (atan(v8 / b) + 2.0 * b / (v8 + a))
 
 
 def _branches(theta, b, E_star, dgamma, control):

@@ -2,29 +2,59 @@
 
 from __future__ import annotations
 
+from math import atan, atan2
 
-from ...._programs.bodies.normal import rounded_curved_punch as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.rounded_curved_punch import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, R1, R2, b, E_star, dgamma):
-    return normal._depth(a, R1, R2, b) - hess_retraction(a, E_star, dgamma)
+    if a < b:
+        v63 = a * a / R1
+    else:
+        v11 = a - b
+        v12 = v11 / b
+        if v12 < 0.42:
+            v58 = v12 * sqrt(v12) * ((((((0.0005288491342179178 * v12 + 0.038096760299703034) * v12 + 0.4065213849117787) * v12 + 1.438682033198726) * v12 + 1.9979042349620892) * v12 + 0.9428090415820634) / (((((0.006421883194715949 * v12 + 0.15001504718401248) * v12 + 0.9450913324352289) * v12 + 2.37401087025821) * v12 + 2.569097449054519) * v12 + 1.0))
+        else:
+            v18 = sqrt(v11 * (a + b)) / b
+            v58 = v18 - atan(v18)
+        v63 = a * (a / R1 + b / R2 * v58)
+    return v63 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R1, R2, b, E_star, dgamma):
-    return normal._force(a, R1, R2, b, E_star) - pull(a, E_star, dgamma)
+    v9 = 3.0 * R1
+    v12 = a * a
+    v13 = a * v12
+    if a < b:
+        v75 = 4.0 * E_star / v9 * v13
+    else:
+        v15 = a - b
+        v17 = v15 * (a + b)
+        v18 = sqrt(v17)
+        v23 = v15 / b
+        if v23 < 0.42:
+            v66 = v23 * sqrt(v23) * ((((((0.0005288491342179178 * v23 + 0.038096760299703034) * v23 + 0.4065213849117787) * v23 + 1.438682033198726) * v23 + 1.9979042349620892) * v23 + 0.9428090415820634) / (((((0.006421883194715949 * v23 + 0.15001504718401248) * v23 + 0.9450913324352289) * v23 + 2.37401087025821) * v23 + 2.569097449054519) * v23 + 1.0))
+        else:
+            v26 = v18 / b
+            v66 = v26 - atan(v26)
+        v75 = E_star * (4.0 * v13 / v9 + b / R2 * v12 * v66 + v17 * v18 / (3.0 * R2))
+    return v75 - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R1, R2, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope(a, R1) if a < b else normal._slope_beyond(a, root, R1, R2, b)
+    v13 = 2.0 * a / R1
+    if a < b:
+        return v13
+    v4 = a - b
+    v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (a + b))
+    return v13 + 2.0 * v9 / R2 - b / R2 * atan2(v9, b)
 
 
 def _branches(R1, R2, b, E_star, dgamma, control):

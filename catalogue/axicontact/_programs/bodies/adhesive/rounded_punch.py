@@ -2,29 +2,45 @@
 
 from __future__ import annotations
 
+from math import atan, atan2
 
-from ...._programs.bodies.normal import rounded_punch as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.rounded_punch import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, R, b, E_star, dgamma):
-    return normal._depth(a, R, b) - hess_retraction(a, E_star, dgamma)
+    v7 = a - b
+    v8 = v7 / b
+    if v8 < 0.42:
+        v54 = v8 * sqrt(v8) * ((((((0.0005288491342179178 * v8 + 0.038096760299703034) * v8 + 0.4065213849117787) * v8 + 1.438682033198726) * v8 + 1.9979042349620892) * v8 + 0.9428090415820634) / (((((0.006421883194715949 * v8 + 0.15001504718401248) * v8 + 0.9450913324352289) * v8 + 2.37401087025821) * v8 + 2.569097449054519) * v8 + 1.0))
+    else:
+        v14 = sqrt(v7 * (a + b)) / b
+        v54 = v14 - atan(v14)
+    return b / R * a * v54 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R, b, E_star, dgamma):
-    return normal._force(a, R, b, E_star) - pull(a, E_star, dgamma)
+    v5 = a - b
+    v7 = v5 * (a + b)
+    v8 = sqrt(v7)
+    v13 = v5 / b
+    if v13 < 0.42:
+        v56 = v13 * sqrt(v13) * ((((((0.0005288491342179178 * v13 + 0.038096760299703034) * v13 + 0.4065213849117787) * v13 + 1.438682033198726) * v13 + 1.9979042349620892) * v13 + 0.9428090415820634) / (((((0.006421883194715949 * v13 + 0.15001504718401248) * v13 + 0.9450913324352289) * v13 + 2.37401087025821) * v13 + 2.569097449054519) * v13 + 1.0))
+    else:
+        v16 = v8 / b
+        v56 = v16 - atan(v16)
+    return E_star / R * (b * (a * a) * v56 + v7 * v8 / 3.0) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope_beyond(a, root, R, b)
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    return 2.0 * v8 / R - b / R * atan2(v8, b)
 
 
 def _branches(R, b, E_star, dgamma, control):

@@ -2,29 +2,36 @@
 
 from __future__ import annotations
 
+from math import asinh
 
-from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import up_to
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.sphere import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, sqrt, MATH as np
 
 
 def _depth(a, R, E_star, dgamma):
-    return normal._depth(a, R) - hess_retraction(a, E_star, dgamma)
+    return a * (log1p(2.0 * a / (R - a)) / 2.0) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R, E_star, dgamma):
-    return normal._force(a, R, E_star) - pull(a, E_star, dgamma)
+    v9 = log1p(2.0 * a / (R - a)) / 2.0
+    v13 = a / R
+    if v9 < 1.0:
+        v19 = v9 * v9
+        v54 = v13 * (v13 * v13) * ((((((1.0716932453474512e-06 * v19 + 0.00019982814521087247) * v19 + 0.007076196047699156) * v19 + 0.08608622548411103) * v19 + 0.3073858328214721) * v19 + 0.3333333333333333) / (((((2.565078604208634e-08 * v19 + 2.0203143566039827e-05) * v19 + 0.001617010334189783) * v19 + 0.03639274880225476) * v19 + 0.32215749846441627) * v19 + 1.0))
+    else:
+        v54 = v9 - v13
+    return E_star * (a * a * v9 + R * R * v54) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(R - a, 0.0) * (R + a))
-    return normal._slope(a, root, R)
+    v2 = R - a
+    v7 = sqrt((v2 if v2 > 0.0 or v2 != v2 else 0.0) * (R + a))
+    return asinh(a / v7) + R * a / (v7 * v7)
 
 
 def _branches(R, E_star, dgamma, control):

@@ -2,30 +2,78 @@
 
 from __future__ import annotations
 
+from math import asinh, atan2, cos, exp, expm1, fsum, inf, sin, tanh
 
-from ...._programs.bodies.normal import sphere_tipped_cone as normal
-from ...._programs.bodies._runtime.functions import sine_root
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, up_to
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.sphere_tipped_cone import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
 
 
 def _depth(a, R, theta, E_star, dgamma):
-    return normal._depth(a, R, theta) - hess_retraction(a, E_star, dgamma)
+    v6 = R * sin(theta)
+    v11 = R - a
+    if a < v6:
+        v43 = a * (log1p(2.0 * a / v11) / 2.0)
+    else:
+        v8 = R * cos(theta)
+        v18 = v8 * v8 - v11 * (R + a) if v8 < v6 else (a - v6) * (a + v6)
+        v21 = sqrt(v18 if v18 > 0.0 or v18 != v18 else 0.0)
+        v24 = v6 * v6
+        v43 = a * (log1p((v24 / (v21 + a) + v24 / (v8 + R)) / (v21 + v8)) + v6 * atan2(v21, v6) / v8)
+    return v43 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R, theta, E_star, dgamma):
-    return normal._force(a, R, theta, E_star) - pull(a, E_star, dgamma)
+    v6 = R * sin(theta)
+    v8 = R * cos(theta)
+    v18 = v8 * v8 - (R - a) * (R + a) if v8 < v6 else (a - v6) * (a + v6)
+    v21 = sqrt(v18 if v18 > 0.0 or v18 != v18 else 0.0)
+    v22 = a if a < v6 or a != a else v6
+    v30 = asinh(v22 / (sqrt((R - v22) * (v22 + R)) if a < v6 else v8))
+    v35 = tanh(v30)
+    if v30 < 1.0:
+        v41 = v30 * v30
+        v76 = v35 * (v35 * v35) * ((((((1.0716932453474512e-06 * v41 + 0.00019982814521087247) * v41 + 0.007076196047699156) * v41 + 0.08608622548411103) * v41 + 0.3073858328214721) * v41 + 0.3333333333333333) / (((((2.565078604208634e-08 * v41 + 2.0203143566039827e-05) * v41 + 0.001617010334189783) * v41 + 0.03639274880225476) * v41 + 0.32215749846441627) * v41 + 1.0))
+    else:
+        v76 = v30 - v35
+    v80 = 2.0 * E_star
+    v84 = 1.0 - 2.0 * theta / 3.141592653589793
+    v86 = asinh(v21 / v6)
+    v90 = 0.0 - expm1(-2.0 * v86)
+    v93 = v90 if v90 > 0.0 else inf
+    v104 = v6 * v6
+    v109 = v6 * v6
+    v113 = v109 / (v8 + R)
+    v121 = v109 * R
+    v122 = v8 * v8
+    v131 = []
+    for node, weight in RULE_0(v86 / v84):
+        v94 = node * v86
+        v103 = v21 * (exp(-v94) * (0.0 - expm1(-2.0 * (v86 - v94))) / v93)
+        v107 = sqrt(v104 + v103 * v103)
+        v130 = (log1p((v109 / (v103 + v107) + v113) / (v103 + v8)) + v6 * atan2(v103, v6) / v8 + v121 / (v107 * v122 + R * v103 * v8)) * v103 * v107
+        v131.append(weight * v130)
+    v131 = fsum(v131) * v86
+    return E_star * (v22 * v22 * v30 + R * R * v76) + v80 * v131 - v80 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R, theta):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = sine_root(a, R, theta)
-    return normal._slope_at(a, root, R, theta)
+    v4 = R * sin(theta)
+    v11 = (R - a) * (R + a)
+    if a < v4:
+        v20 = sqrt(v11)
+        return asinh(a / v20) + R * a / (v20 * v20)
+    v6 = R * cos(theta)
+    v16 = v6 * v6 - v11 if v6 < v4 else (a - v4) * (a + v4)
+    v19 = sqrt(v16 if v16 > 0.0 or v16 != v16 else 0.0)
+    v30 = v4 * v4
+    return log1p((v30 / (v19 + a) + v30 / (v6 + R)) / (v19 + v6)) + v4 * atan2(v19, v4) / v6 + v30 * R / (a * (v6 * v6) + R * v19 * v6)
 
 
 def _branches(R, theta, E_star, dgamma, control):

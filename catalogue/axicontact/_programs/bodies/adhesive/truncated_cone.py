@@ -2,29 +2,31 @@
 
 from __future__ import annotations
 
+from math import atan, tan
 
-from ...._programs.bodies.normal import truncated_cone as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.truncated_cone import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, theta, b, E_star, dgamma):
-    return normal._depth(a, theta, b) - hess_retraction(a, E_star, dgamma)
+    return tan(theta) * a * atan(sqrt((a - b) * (a + b)) / b) - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, theta, b, E_star, dgamma):
-    return normal._force(a, theta, b, E_star) - pull(a, E_star, dgamma)
+    v8 = sqrt((a - b) * (a + b))
+    return E_star * tan(theta) * (a * a * atan(v8 / b) + b * v8) - 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, theta, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope_beyond(a, root, theta, b)
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    v11 = tan(theta)
+    return v11 * atan(v8 / b) + b * v11 / v8
 
 
 def _branches(theta, b, E_star, dgamma, control):

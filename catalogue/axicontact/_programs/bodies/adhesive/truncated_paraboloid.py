@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 
-from ...._programs.bodies.normal import truncated_paraboloid as normal
 from ...._programs.bodies._runtime.physics.adhesion import hess_retraction, least_steepness, pull
 from ...._programs.bodies._runtime.physics.branches import exponent_of
 from ...._programs.bodies._runtime.physics.stable import growth, stable_radius
 from ...._programs.bodies._runtime.physics.unknowns import beyond_edge, radius_itself
 from ...._runtime.physics.single import branches, lowest
 from ....adhesive.truncated_paraboloid import _samples
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, R, b, E_star, dgamma):
-    return normal._depth(a, R, b) - hess_retraction(a, E_star, dgamma)
+    return a * sqrt((a - b) * (a + b)) / R - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def _force(a, R, b, E_star, dgamma):
-    return normal._force(a, R, b, E_star) - pull(a, E_star, dgamma)
+    v10 = 2.0 * E_star
+    return v10 / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b)) - v10 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def _rate(a, R, b):
-    """Derivative g'(a) of the depth without adhesion."""
-    root = np.sqrt(np.maximum(a - b, 0.0) * (a + b))
-    return normal._slope_beyond(a, root, R, b)
+    v3 = a - b
+    v8 = sqrt((v3 if v3 > 0.0 or v3 != v3 else 0.0) * (a + b))
+    return 2.0 * v8 / R + b * b / (R * v8)
 
 
 def _branches(R, b, E_star, dgamma, control):

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.shapes.across import inverse_beyond
-from ...._runtime.plain import MATH as np
-
-
-def _slope(t, R1):
-    """Rate g'(t) of the indentation depth g(t)."""
-    return 2 * t / R1
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R1, R2, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * t / R1 + 2 * (R1 - R2) / (R1 * R2) * root + b ** 2 * (R1 - R2) / (R1 * R2 * root)
+    v8 = R1 - R2
+    v10 = R1 * R2
+    return 2.0 * t / R1 + 2.0 * v8 / v10 * root + b * b * v8 / (v10 * root)
 
 
 def _depth_beyond(a, root, R1, R2):
@@ -22,21 +18,23 @@ def _depth_beyond(a, root, R1, R2):
 
 
 def _depth(a, R1, R2, b):
-    tip = a ** 2 / R1
-    root = np.sqrt((a - b) * (a + b))
-    beyond = a * (a + (R1 - R2) / R2 * root) / R1
-    return tip if a < b else beyond
+    if a < b:
+        return a * a / R1
+    return a * (a + (R1 - R2) / R2 * sqrt((a - b) * (a + b))) / R1
 
 
 def _force_beyond(a, root, R1, R2, b, E_star):
-    return 2 * E_star / (3 * R1) * (2 * a ** 3 + (R1 - R2) / R2 * (2 * a ** 2 + b ** 2) * root)
+    v11 = a * a
+    return 2.0 * E_star / (3.0 * R1) * (2.0 * (a * v11) + (R1 - R2) / R2 * (2.0 * v11 + b * b) * root)
 
 
 def _force(a, R1, R2, b, E_star):
-    tip = 4 * E_star / (3 * R1) * a ** 3
-    root = np.sqrt((a - b) * (a + b))
-    beyond = 2 * E_star / (3 * R1) * (2 * a ** 3 + (R1 - R2) / R2 * (2 * a ** 2 + b ** 2) * root)
-    return tip if a < b else beyond
+    v8 = 3.0 * R1
+    v11 = a * a
+    v12 = a * v11
+    if a < b:
+        return 4.0 * E_star / v8 * v12
+    return 2.0 * E_star / v8 * (2.0 * v12 + (R1 - R2) / R2 * (2.0 * v11 + b * b) * sqrt((a - b) * (a + b)))
 
 
 def _radius_from_depth(d, R1, R2, b):

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
+from math import tan
 
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt
 
 
 def _depth(a, theta):
-    return np.pi * np.tan(theta) * a / 2
+    return 3.141592653589793 * tan(theta) * a / 2.0
 
 
 def _force(a, theta, E_star):
-    return np.pi * E_star * np.tan(theta) * a ** 2 / 2
+    return 3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0
 
 
 def _radius_from_depth(d, theta):
-    return 2 * d / (np.pi * np.tan(theta))
+    return 2.0 * d / (3.141592653589793 * tan(theta))
 
 
 def _radius_from_force(F, theta, E_star):
-    return np.sqrt(2 * F / (np.pi * E_star * np.tan(theta)))
+    return sqrt(2.0 * F / (3.141592653589793 * E_star * tan(theta)))
 
 
 def _force_from_depth(d, theta, E_star):
-    return 2 * E_star / (np.pi * np.tan(theta)) * d ** 2
+    return 2.0 * E_star / (3.141592653589793 * tan(theta)) * (d * d)

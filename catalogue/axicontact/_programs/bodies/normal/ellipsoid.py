@@ -2,37 +2,41 @@
 
 from __future__ import annotations
 
+from math import asinh, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.shapes.arcs import arc_strips
-from ...._programs.bodies._runtime.special import tanh_gap
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, MATH as np
 
 
 def _slope(t, root, h, b):
-    """Rate g'(t) of the indentation depth g(t)."""
-    angle = np.arcsinh(t / root)
-    return h / b * angle + h * t / root ** 2
+    return h / b * asinh(t / root) + h * t / (root * root)
 
 
 def _depth_at(a, root, h, b):
-    angle = np.arcsinh(a / root)
-    return h / b * a * angle
-
-
-def _depth(a, h, b):
-    angle = np.log1p(2 * a / (b - a)) / 2
-    return h / b * a * angle
+    return h / b * a * asinh(a / root)
 
 
 def _force_at(a, root, h, b, E_star):
-    angle = np.arcsinh(a / root)
-    return E_star * h * (b * tanh_gap(angle, np.tanh(angle)) + a ** 2 * angle / b)
+    v6 = asinh(a / root)
+    v8 = tanh(v6)
+    if v6 < 1.0:
+        v14 = v6 * v6
+        v49 = v8 * (v8 * v8) * ((((((1.0716932453474512e-06 * v14 + 0.00019982814521087247) * v14 + 0.007076196047699156) * v14 + 0.08608622548411103) * v14 + 0.3073858328214721) * v14 + 0.3333333333333333) / (((((2.565078604208634e-08 * v14 + 2.0203143566039827e-05) * v14 + 0.001617010334189783) * v14 + 0.03639274880225476) * v14 + 0.32215749846441627) * v14 + 1.0))
+    else:
+        v49 = v6 - v8
+    return E_star * h * (b * v49 + a * a * v6 / b)
 
 
 def _force(a, h, b, E_star):
-    angle = np.log1p(2 * a / (b - a)) / 2
-    return E_star * h * (a ** 2 * angle / b + b * tanh_gap(angle, a / b))
+    v9 = log1p(2.0 * a / (b - a)) / 2.0
+    v14 = a / b
+    if v9 < 1.0:
+        v20 = v9 * v9
+        v55 = v14 * (v14 * v14) * ((((((1.0716932453474512e-06 * v20 + 0.00019982814521087247) * v20 + 0.007076196047699156) * v20 + 0.08608622548411103) * v20 + 0.3073858328214721) * v20 + 0.3333333333333333) / (((((2.565078604208634e-08 * v20 + 2.0203143566039827e-05) * v20 + 0.001617010334189783) * v20 + 0.03639274880225476) * v20 + 0.32215749846441627) * v20 + 1.0))
+    else:
+        v55 = v9 - v14
+    return E_star * h * (a * a * v9 / b + b * v55)
 
 
 def _pressure(r, a, h, b, E_star):

@@ -6,4 +6,4 @@ from __future__ import annotations
 
 
 def _force(d, a, E_star):
-    return 2 * E_star * d * a
+    return 2.0 * E_star * d * a

@@ -2,26 +2,29 @@
 
 from __future__ import annotations
 
+from math import atan, atan2, tan
 
 from ...._programs.bodies._runtime.inverse import inverse
-from ...._programs.bodies._runtime.special import arctan_gap
 from ...._runtime.plain import MATH as np
 
 
 def _slope(t, theta, b):
-    """Rate g'(t) of the indentation depth g(t)."""
-    angle = np.arctan(t / b)
-    return np.tan(theta) * angle + b * np.tan(theta) * t / (t ** 2 + b ** 2)
+    v5 = tan(theta)
+    return v5 * atan(t / b) + b * v5 * t / (t * t + b * b)
 
 
 def _depth(a, theta, b):
-    angle = np.arctan(a / b)
-    return np.tan(theta) * a * angle
+    return tan(theta) * a * atan(a / b)
 
 
 def _force(a, theta, b, E_star):
-    angle = np.arctan2(a, b)
-    return E_star * np.tan(theta) * (a ** 2 * angle + b ** 2 * arctan_gap(a / b))
+    v11 = a / b
+    if v11 < 1.0:
+        v15 = v11 * v11
+        v58 = v11 * v15 * (((((((2.229767813968649e-06 * v15 + 0.0021043873129700233) * v15 + 0.04325113828415611) * v15 + 0.2725778671008127) * v15 + 0.7123414383945195) * v15 + 0.8116412201960678) * v15 + 0.3333333333333333) / ((((((0.002445452808893491 * v15 + 0.06453295925870227) * v15 + 0.5368820963772863) * v15 + 1.9680296155712274) * v15 + 3.5294070829658954) * v15 + 3.034923660588189) * v15 + 1.0))
+    else:
+        v58 = v11 - atan(v11)
+    return E_star * tan(theta) * (a * a * atan2(a, b) + b * b * v58)
 
 
 def _radius_from_depth(d, theta, b):

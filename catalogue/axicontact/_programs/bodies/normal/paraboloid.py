@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
+from math import cbrt
 
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt
 
 
 def _depth(a, R):
-    return a ** 2 / R
+    return a * a / R
 
 
 def _force(a, R, E_star):
-    return 4 * E_star / (3 * R) * a ** 3
+    return 4.0 * E_star / (3.0 * R) * (a * (a * a))
 
 
 def _radius_from_depth(d, R):
-    return np.sqrt(R * d)
+    return sqrt(R * d)
 
 
 def _radius_from_force(F, R, E_star):
-    return np.cbrt(3 * R / (4 * E_star) * F)
+    return cbrt(3.0 * R / (4.0 * E_star) * F)
 
 
 def _force_from_depth(d, R, E_star):
-    return 4 * E_star / 3 * d * np.sqrt(R * d)
+    return 4.0 * E_star / 3.0 * d * sqrt(R * d)

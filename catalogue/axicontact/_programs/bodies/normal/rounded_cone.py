@@ -2,46 +2,40 @@
 
 from __future__ import annotations
 
+from math import atan, tan
 
 from ...._programs.bodies._runtime.shapes.across import inverse_beyond
-from ...._runtime.plain import MATH as np
-
-
-def _slope(t, theta, b):
-    """Rate g'(t) of the indentation depth g(t)."""
-    return 2 * np.tan(theta) / b * t
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, theta, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan(root / b)
-    return np.tan(theta) * (angle + 2 * b / (root + t))
+    return tan(theta) * (atan(root / b) + 2.0 * b / (root + t))
 
 
 def _depth_beyond(a, root, theta, b):
-    angle = np.arctan(root / b)
-    return np.tan(theta) * a * (angle + b / (root + a))
+    return tan(theta) * a * (atan(root / b) + b / (root + a))
 
 
 def _depth(a, theta, b):
-    tip = np.tan(theta) / b * a ** 2
-    root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan(root / b)
-    beyond = np.tan(theta) * a * (angle + b / (root + a))
-    return tip if a < b else beyond
+    v3 = tan(theta)
+    if a < b:
+        return v3 / b * (a * a)
+    v11 = sqrt((a - b) * (a + b))
+    return v3 * a * (atan(v11 / b) + b / (v11 + a))
 
 
 def _force_beyond(a, root, theta, b, E_star):
-    angle = np.arctan(root / b)
-    return E_star * np.tan(theta) * (a ** 2 * angle + 4 * b * a ** 2 / (3 * (root + a)) + b / 3 * root)
+    v10 = a * a
+    return E_star * tan(theta) * (v10 * atan(root / b) + 4.0 * b * v10 / (3.0 * (root + a)) + b / 3.0 * root)
 
 
 def _force(a, theta, b, E_star):
-    tip = 4 * E_star * np.tan(theta) / (3 * b) * a ** 3
-    root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan(root / b)
-    beyond = E_star * np.tan(theta) * (a ** 2 * angle + 4 * b * a ** 2 / (3 * (root + a)) + b / 3 * root)
-    return tip if a < b else beyond
+    v6 = tan(theta)
+    v12 = a * a
+    if a < b:
+        return 4.0 * E_star * v6 / (3.0 * b) * (a * v12)
+    v18 = sqrt((a - b) * (a + b))
+    return E_star * v6 * (v12 * atan(v18 / b) + 4.0 * b * v12 / (3.0 * (v18 + a)) + b / 3.0 * v18)
 
 
 def _radius_from_depth(d, theta, b):

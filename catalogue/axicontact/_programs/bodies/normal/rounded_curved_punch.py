@@ -2,43 +2,66 @@
 
 from __future__ import annotations
 
+from math import atan, atan2
 
 from ...._programs.bodies._runtime.shapes.across import inverse_beyond
-from ...._programs.bodies._runtime.special import arctan_gap, root_gap
-from ...._runtime.plain import MATH as np
-
-
-def _slope(t, R1):
-    """Rate g'(t) of the indentation depth g(t)."""
-    return 2 * t / R1
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R1, R2, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan2(root, b)
-    return 2 * t / R1 + 2 * root / R2 - b / R2 * angle
+    return 2.0 * t / R1 + 2.0 * root / R2 - b / R2 * atan2(root, b)
 
 
 def _depth_beyond(a, root, R1, R2, b):
-    return a * (a / R1 + b / R2 * arctan_gap(root / b))
+    v7 = root / b
+    if v7 < 1.0:
+        v11 = v7 * v7
+        v54 = v7 * v11 * (((((((2.229767813968649e-06 * v11 + 0.0021043873129700233) * v11 + 0.04325113828415611) * v11 + 0.2725778671008127) * v11 + 0.7123414383945195) * v11 + 0.8116412201960678) * v11 + 0.3333333333333333) / ((((((0.002445452808893491 * v11 + 0.06453295925870227) * v11 + 0.5368820963772863) * v11 + 1.9680296155712274) * v11 + 3.5294070829658954) * v11 + 3.034923660588189) * v11 + 1.0))
+    else:
+        v54 = v7 - atan(v7)
+    return a * (a / R1 + b / R2 * v54)
 
 
 def _depth(a, R1, R2, b):
-    tip = a ** 2 / R1
-    beyond = a * (a / R1 + b / R2 * root_gap(a, b))
-    return tip if a < b else beyond
+    if a < b:
+        return a * a / R1
+    v9 = a - b
+    v10 = v9 / b
+    if v10 < 0.42:
+        v56 = v10 * sqrt(v10) * ((((((0.0005288491342179178 * v10 + 0.038096760299703034) * v10 + 0.4065213849117787) * v10 + 1.438682033198726) * v10 + 1.9979042349620892) * v10 + 0.9428090415820634) / (((((0.006421883194715949 * v10 + 0.15001504718401248) * v10 + 0.9450913324352289) * v10 + 2.37401087025821) * v10 + 2.569097449054519) * v10 + 1.0))
+    else:
+        v16 = sqrt(v9 * (a + b)) / b
+        v56 = v16 - atan(v16)
+    return a * (a / R1 + b / R2 * v56)
 
 
 def _force_beyond(a, root, R1, R2, b, E_star):
-    return E_star * (4 * a ** 3 / (3 * R1) + root ** 3 / (3 * R2) + b / R2 * a ** 2 * arctan_gap(root / b))
+    v8 = a * a
+    v21 = root / b
+    if v21 < 1.0:
+        v25 = v21 * v21
+        v68 = v21 * v25 * (((((((2.229767813968649e-06 * v25 + 0.0021043873129700233) * v25 + 0.04325113828415611) * v25 + 0.2725778671008127) * v25 + 0.7123414383945195) * v25 + 0.8116412201960678) * v25 + 0.3333333333333333) / ((((((0.002445452808893491 * v25 + 0.06453295925870227) * v25 + 0.5368820963772863) * v25 + 1.9680296155712274) * v25 + 3.5294070829658954) * v25 + 3.034923660588189) * v25 + 1.0))
+    else:
+        v68 = v21 - atan(v21)
+    return E_star * (4.0 * (a * v8) / (3.0 * R1) + root * (root * root) / (3.0 * R2) + b / R2 * v8 * v68)
 
 
 def _force(a, R1, R2, b, E_star):
-    tip = 4 * E_star / (3 * R1) * a ** 3
-    root = np.sqrt((a - b) * (a + b))
-    plus = 4 * a ** 3 / (3 * R1) + b / R2 * a ** 2 * root_gap(a, b) + (a - b) * (a + b) * root / (3 * R2)
-    beyond = E_star * plus
-    return tip if a < b else beyond
+    v8 = 3.0 * R1
+    v11 = a * a
+    v12 = a * v11
+    if a < b:
+        return 4.0 * E_star / v8 * v12
+    v14 = a - b
+    v16 = v14 * (a + b)
+    v17 = sqrt(v16)
+    v22 = v14 / b
+    if v22 < 0.42:
+        v65 = v22 * sqrt(v22) * ((((((0.0005288491342179178 * v22 + 0.038096760299703034) * v22 + 0.4065213849117787) * v22 + 1.438682033198726) * v22 + 1.9979042349620892) * v22 + 0.9428090415820634) / (((((0.006421883194715949 * v22 + 0.15001504718401248) * v22 + 0.9450913324352289) * v22 + 2.37401087025821) * v22 + 2.569097449054519) * v22 + 1.0))
+    else:
+        v25 = v17 / b
+        v65 = v25 - atan(v25)
+    return E_star * (4.0 * v12 / v8 + b / R2 * v11 * v65 + v16 * v17 / (3.0 * R2))
 
 
 def _radius_from_depth(d, R1, R2, b):

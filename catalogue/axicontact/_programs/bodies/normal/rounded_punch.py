@@ -2,33 +2,47 @@
 
 from __future__ import annotations
 
+from math import atan, atan2
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._programs.bodies._runtime.special import arctan_gap, root_gap
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan2(root, b)
-    return 2 * root / R - b / R * angle
+    return 2.0 * root / R - b / R * atan2(root, b)
 
 
 def _depth_at(a, root, R, b):
-    return b / R * a * arctan_gap(root / b)
-
-
-def _depth(a, R, b):
-    return b / R * a * root_gap(a, b)
+    v6 = root / b
+    if v6 < 1.0:
+        v10 = v6 * v6
+        v53 = v6 * v10 * (((((((2.229767813968649e-06 * v10 + 0.0021043873129700233) * v10 + 0.04325113828415611) * v10 + 0.2725778671008127) * v10 + 0.7123414383945195) * v10 + 0.8116412201960678) * v10 + 0.3333333333333333) / ((((((0.002445452808893491 * v10 + 0.06453295925870227) * v10 + 0.5368820963772863) * v10 + 1.9680296155712274) * v10 + 3.5294070829658954) * v10 + 3.034923660588189) * v10 + 1.0))
+    else:
+        v53 = v6 - atan(v6)
+    return b / R * a * v53
 
 
 def _force_at(a, root, R, b, E_star):
-    return E_star / R * (root ** 3 / 3 + b * a ** 2 * arctan_gap(root / b))
+    v13 = root / b
+    if v13 < 1.0:
+        v17 = v13 * v13
+        v60 = v13 * v17 * (((((((2.229767813968649e-06 * v17 + 0.0021043873129700233) * v17 + 0.04325113828415611) * v17 + 0.2725778671008127) * v17 + 0.7123414383945195) * v17 + 0.8116412201960678) * v17 + 0.3333333333333333) / ((((((0.002445452808893491 * v17 + 0.06453295925870227) * v17 + 0.5368820963772863) * v17 + 1.9680296155712274) * v17 + 3.5294070829658954) * v17 + 3.034923660588189) * v17 + 1.0))
+    else:
+        v60 = v13 - atan(v13)
+    return E_star / R * (root * (root * root) / 3.0 + b * (a * a) * v60)
 
 
 def _force(a, R, b, E_star):
-    root = np.sqrt((a - b) * (a + b))
-    return E_star / R * (b * a ** 2 * root_gap(a, b) + (a - b) * (a + b) * root / 3)
+    v4 = a - b
+    v6 = v4 * (a + b)
+    v7 = sqrt(v6)
+    v12 = v4 / b
+    if v12 < 0.42:
+        v55 = v12 * sqrt(v12) * ((((((0.0005288491342179178 * v12 + 0.038096760299703034) * v12 + 0.4065213849117787) * v12 + 1.438682033198726) * v12 + 1.9979042349620892) * v12 + 0.9428090415820634) / (((((0.006421883194715949 * v12 + 0.15001504718401248) * v12 + 0.9450913324352289) * v12 + 2.37401087025821) * v12 + 2.569097449054519) * v12 + 1.0))
+    else:
+        v15 = v7 / b
+        v55 = v15 - atan(v15)
+    return E_star / R * (b * (a * a) * v55 + v6 * v7 / 3.0)
 
 
 def _contact_from_depth(d, R, b):

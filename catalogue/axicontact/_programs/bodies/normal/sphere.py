@@ -2,37 +2,41 @@
 
 from __future__ import annotations
 
+from math import asinh, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.shapes.arcs import arc_strips
-from ...._programs.bodies._runtime.special import tanh_gap
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, MATH as np
 
 
 def _slope(t, root, R):
-    """Rate g'(t) of the indentation depth g(t)."""
-    angle = np.arcsinh(t / root)
-    return angle + R * t / root ** 2
+    return asinh(t / root) + R * t / (root * root)
 
 
 def _depth_at(a, root):
-    angle = np.arcsinh(a / root)
-    return a * angle
-
-
-def _depth(a, R):
-    angle = np.log1p(2 * a / (R - a)) / 2
-    return a * angle
+    return a * asinh(a / root)
 
 
 def _force_at(a, root, R, E_star):
-    angle = np.arcsinh(a / root)
-    return E_star * (a ** 2 * angle + R ** 2 * tanh_gap(angle, np.tanh(angle)))
+    v5 = asinh(a / root)
+    v10 = tanh(v5)
+    if v5 < 1.0:
+        v16 = v5 * v5
+        v51 = v10 * (v10 * v10) * ((((((1.0716932453474512e-06 * v16 + 0.00019982814521087247) * v16 + 0.007076196047699156) * v16 + 0.08608622548411103) * v16 + 0.3073858328214721) * v16 + 0.3333333333333333) / (((((2.565078604208634e-08 * v16 + 2.0203143566039827e-05) * v16 + 0.001617010334189783) * v16 + 0.03639274880225476) * v16 + 0.32215749846441627) * v16 + 1.0))
+    else:
+        v51 = v5 - v10
+    return E_star * (a * a * v5 + R * R * v51)
 
 
 def _force(a, R, E_star):
-    angle = np.log1p(2 * a / (R - a)) / 2
-    return E_star * (a ** 2 * angle + R ** 2 * tanh_gap(angle, a / R))
+    v8 = log1p(2.0 * a / (R - a)) / 2.0
+    v12 = a / R
+    if v8 < 1.0:
+        v18 = v8 * v8
+        v53 = v12 * (v12 * v12) * ((((((1.0716932453474512e-06 * v18 + 0.00019982814521087247) * v18 + 0.007076196047699156) * v18 + 0.08608622548411103) * v18 + 0.3073858328214721) * v18 + 0.3333333333333333) / (((((2.565078604208634e-08 * v18 + 2.0203143566039827e-05) * v18 + 0.001617010334189783) * v18 + 0.03639274880225476) * v18 + 0.32215749846441627) * v18 + 1.0))
+    else:
+        v53 = v8 - v12
+    return E_star * (a * a * v8 + R * R * v53)
 
 
 def _pressure(r, a, R, E_star):

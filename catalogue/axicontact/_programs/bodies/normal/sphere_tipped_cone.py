@@ -2,63 +2,107 @@
 
 from __future__ import annotations
 
+from math import asinh, atan2, cos, exp, expm1, fsum, inf, sin, tanh
 
-from ...._programs.bodies._runtime.functions import sine_root
-from ...._programs.bodies._runtime.rules import force_integral_beyond
 from ...._programs.bodies._runtime.shapes.across import inverse_across
-from ...._programs.bodies._runtime.special import tanh_gap
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
-
-def _slope(t, root, R):
-    """Rate g'(t) of the indentation depth g(t)."""
-    angle = np.arcsinh(t / root)
-    return angle + R * t / root ** 2
-
-
-def _slope_beyond(t, root, R, theta):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    b = R * np.sin(theta)
-    root_Rb = R * np.cos(theta)
-    angle = np.arctan2(root, b)
-    logarithm = np.log1p((b ** 2 / (root + t) + b ** 2 / (root_Rb + R)) / (root + root_Rb))
-    return logarithm + b * angle / root_Rb + b ** 2 * R / (t * root_Rb ** 2 + R * root * root_Rb)
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
 
 
 def _depth_at(a, root, R, theta):
-    b = R * np.sin(theta)
-    root_Rb = R * np.cos(theta)
-    angle = np.arctan2(root, b)
-    logarithm = np.log1p((b ** 2 / (root + a) + b ** 2 / (root_Rb + R)) / (root + root_Rb))
-    beyond = a * (logarithm + b * angle / root_Rb)
-    angle = np.log1p(2 * a / (R - a)) / 2
-    tip = a * angle
-    return tip if a < b else beyond
+    v5 = R * sin(theta)
+    if a < v5:
+        return a * (log1p(2.0 * a / (R - a)) / 2.0)
+    v7 = R * cos(theta)
+    v10 = v5 * v5
+    return a * (log1p((v10 / (root + a) + v10 / (v7 + R)) / (root + v7)) + v5 * atan2(root, v5) / v7)
 
 
 def _depth(a, R, theta):
-    return _depth_at(a, sine_root(a, R, theta), R, theta)
+    v4 = R * sin(theta)
+    v9 = R - a
+    if a < v4:
+        return a * (log1p(2.0 * a / v9) / 2.0)
+    v6 = R * cos(theta)
+    v16 = v6 * v6 - v9 * (R + a) if v6 < v4 else (a - v4) * (a + v4)
+    v19 = sqrt(v16 if v16 > 0.0 or v16 != v16 else 0.0)
+    v22 = v4 * v4
+    return a * (log1p((v22 / (v19 + a) + v22 / (v6 + R)) / (v19 + v6)) + v4 * atan2(v19, v4) / v6)
 
 
 def _force_at(a, reach, R, theta, E_star):
-    b = R * np.sin(theta)
-    inner = np.minimum(a, b)
-    root = np.sqrt((R - inner) * (inner + R)) if a < b else R * np.cos(theta)
-    angle = np.arcsinh(inner / root)
-    tip = E_star * (inner ** 2 * angle + R ** 2 * tanh_gap(angle, np.tanh(angle)))
-    beyond = 2 * E_star * force_integral_beyond(_slope_beyond, (R, theta), reach, b, width=1.0 - 2.0 * theta / np.pi)
-    return tip + beyond
+    v6 = R * sin(theta)
+    v7 = a if a < v6 or a != a else v6
+    v14 = R * cos(theta)
+    v17 = asinh(v7 / (sqrt((R - v7) * (v7 + R)) if a < v6 else v14))
+    v22 = tanh(v17)
+    if v17 < 1.0:
+        v28 = v17 * v17
+        v63 = v22 * (v22 * v22) * ((((((1.0716932453474512e-06 * v28 + 0.00019982814521087247) * v28 + 0.007076196047699156) * v28 + 0.08608622548411103) * v28 + 0.3073858328214721) * v28 + 0.3333333333333333) / (((((2.565078604208634e-08 * v28 + 2.0203143566039827e-05) * v28 + 0.001617010334189783) * v28 + 0.03639274880225476) * v28 + 0.32215749846441627) * v28 + 1.0))
+    else:
+        v63 = v17 - v22
+    v71 = 1.0 - 2.0 * theta / 3.141592653589793
+    v73 = asinh(reach / v6)
+    v78 = 0.0 - expm1(-2.0 * v73)
+    v81 = v78 if v78 > 0.0 else inf
+    v92 = v6 * v6
+    v97 = v6 * v6
+    v101 = v97 / (v14 + R)
+    v109 = v97 * R
+    v110 = v14 * v14
+    v119 = []
+    for node, weight in RULE_0(v73 / v71):
+        v82 = node * v73
+        v91 = reach * (exp(-v82) * (0.0 - expm1(-2.0 * (v73 - v82))) / v81)
+        v95 = sqrt(v92 + v91 * v91)
+        v118 = (log1p((v97 / (v91 + v95) + v101) / (v91 + v14)) + v6 * atan2(v91, v6) / v14 + v109 / (v95 * v110 + R * v91 * v14)) * v91 * v95
+        v119.append(weight * v118)
+    v119 = fsum(v119) * v73
+    return E_star * (v7 * v7 * v17 + R * R * v63) + 2.0 * E_star * v119
 
 
 def _force(a, R, theta, E_star):
-    return _force_at(a, sine_root(a, R, theta), R, theta, E_star)
+    v5 = R * sin(theta)
+    v7 = R * cos(theta)
+    v17 = v7 * v7 - (R - a) * (R + a) if v7 < v5 else (a - v5) * (a + v5)
+    v20 = sqrt(v17 if v17 > 0.0 or v17 != v17 else 0.0)
+    v21 = a if a < v5 or a != a else v5
+    v29 = asinh(v21 / (sqrt((R - v21) * (v21 + R)) if a < v5 else v7))
+    v34 = tanh(v29)
+    if v29 < 1.0:
+        v40 = v29 * v29
+        v75 = v34 * (v34 * v34) * ((((((1.0716932453474512e-06 * v40 + 0.00019982814521087247) * v40 + 0.007076196047699156) * v40 + 0.08608622548411103) * v40 + 0.3073858328214721) * v40 + 0.3333333333333333) / (((((2.565078604208634e-08 * v40 + 2.0203143566039827e-05) * v40 + 0.001617010334189783) * v40 + 0.03639274880225476) * v40 + 0.32215749846441627) * v40 + 1.0))
+    else:
+        v75 = v29 - v34
+    v83 = 1.0 - 2.0 * theta / 3.141592653589793
+    v85 = asinh(v20 / v5)
+    v89 = 0.0 - expm1(-2.0 * v85)
+    v92 = v89 if v89 > 0.0 else inf
+    v103 = v5 * v5
+    v108 = v5 * v5
+    v112 = v108 / (v7 + R)
+    v120 = v108 * R
+    v121 = v7 * v7
+    v130 = []
+    for node, weight in RULE_0(v85 / v83):
+        v93 = node * v85
+        v102 = v20 * (exp(-v93) * (0.0 - expm1(-2.0 * (v85 - v93))) / v92)
+        v106 = sqrt(v103 + v102 * v102)
+        v129 = (log1p((v108 / (v102 + v106) + v112) / (v102 + v7)) + v5 * atan2(v102, v5) / v7 + v120 / (v106 * v121 + R * v102 * v7)) * v102 * v106
+        v130.append(weight * v129)
+    v130 = fsum(v130) * v85
+    return E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
 
 
 def _slope_at(a, root, R, theta):
-    """Rate g'(a) of the indentation depth on both sides of the break."""
-    b = R * np.sin(theta)
-    root_tip = np.sqrt((R - a) * (R + a))
-    return _slope(a, root_tip, R) if a < b else _slope_beyond(a, root, R, theta)
+    v5 = R * sin(theta)
+    if a < v5:
+        v9 = sqrt((R - a) * (R + a))
+        return asinh(a / v9) + R * a / (v9 * v9)
+    v19 = R * cos(theta)
+    v21 = v5 * v5
+    return log1p((v21 / (root + a) + v21 / (v19 + R)) / (root + v19)) + v5 * atan2(root, v5) / v19 + v21 * R / (a * (v19 * v19) + R * root * v19)
 
 
 def _radius_from_depth(d, R, theta):

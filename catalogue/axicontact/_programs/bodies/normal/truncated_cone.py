@@ -2,35 +2,28 @@
 
 from __future__ import annotations
 
+from math import atan, tan
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, theta, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    angle = np.arctan(root / b)
-    return np.tan(theta) * angle + b * np.tan(theta) / root
+    v6 = tan(theta)
+    return v6 * atan(root / b) + b * v6 / root
 
 
 def _depth_at(a, root, theta, b):
-    angle = np.arctan(root / b)
-    return np.tan(theta) * a * angle
-
-
-def _depth(a, theta, b):
-    root = np.sqrt((a - b) * (a + b))
-    return _depth_at(a, root, theta, b)
+    return tan(theta) * a * atan(root / b)
 
 
 def _force_at(a, root, theta, b, E_star):
-    angle = np.arctan(root / b)
-    return E_star * np.tan(theta) * (a ** 2 * angle + b * root)
+    return E_star * tan(theta) * (a * a * atan(root / b) + b * root)
 
 
 def _force(a, theta, b, E_star):
-    root = np.sqrt((a - b) * (a + b))
-    return _force_at(a, root, theta, b, E_star)
+    v7 = sqrt((a - b) * (a + b))
+    return E_star * tan(theta) * (a * a * atan(v7 / b) + b * v7)
 
 
 def _contact_from_depth(d, theta, b):

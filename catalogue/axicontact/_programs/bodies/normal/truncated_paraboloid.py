@@ -4,30 +4,23 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R, b):
-    """Rate g'(t) of the indentation depth g(t) for t > b."""
-    return 2 * root / R + b ** 2 / (R * root)
+    return 2.0 * root / R + b * b / (R * root)
 
 
 def _depth_at(a, root, R):
     return a * root / R
 
 
-def _depth(a, R, b):
-    root = np.sqrt((a - b) * (a + b))
-    return _depth_at(a, root, R)
-
-
 def _force_at(a, root, R, b, E_star):
-    return 2 * E_star / (3 * R) * (2 * a ** 2 + b ** 2) * root
+    return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * root
 
 
 def _force(a, R, b, E_star):
-    root = np.sqrt((a - b) * (a + b))
-    return _force_at(a, root, R, b, E_star)
+    return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b))
 
 
 def _contact_from_force(F, R, b, E_star):

@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
+from math import asinh, atan, exp, expm1, fsum, inf
 
 from ...._programs.bodies._runtime.inverse import inverse
-from ...._programs.bodies._runtime.physics.plane import load_beyond
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
 
 
 def _growth_beyond(t, root, R, b):
-    """Growth P'(t)/E_star of the line load for t > b."""
-    angle = np.arctan(root / b)
-    return t * angle / R
+    return t * atan(root / b) / R
 
 
 def _load_at(root, R, b, E_star):
-    """Line load at a = sqrt(b**2 + root**2)."""
-    return E_star * load_beyond(_growth_beyond, (R, b), root, b)
+    v5 = asinh(root / b)
+    v11 = 0.0 - expm1(-2.0 * v5)
+    v14 = v11 if v11 > 0.0 else inf
+    v16 = v5 if v5 < 42.0 or v5 != v5 else 42.0
+    v27 = b * b
+    v36 = []
+    for node, weight in RULE_0(v16 / 1.0):
+        v17 = node * v16
+        v26 = root * (exp(-v17) * (0.0 - expm1(-2.0 * (v5 - v17))) / v14)
+        v35 = sqrt(v27 + v26 * v26) * atan(v26 / b) / R * v26
+        v36.append(weight * v35)
+    v36 = fsum(v36) * v16
+    return E_star * v36
 
 
 def _half_width_from_load(P, R, b, E_star):

@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
+from math import atan, tan
 
 from ...._programs.bodies._runtime.inverse import inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _growth(t, theta, b):
-    """Growth P'(t)/E_star of the line load."""
-    return np.pi * np.tan(theta) / (2 * b) * t
+    return 3.141592653589793 * tan(theta) / (2.0 * b) * t
 
 
 def _growth_beyond(t, root, theta, b):
-    """Growth P'(t)/E_star of the line load for t > b."""
-    angle = np.arctan(b / root)
-    return np.tan(theta) / b * t * angle
+    return tan(theta) / b * t * atan(b / root)
 
 
 def _load(a, theta, b, E_star):
-    below = np.pi * E_star * np.tan(theta) / (4 * b) * a ** 2
-    root = np.sqrt((a - b) * (a + b))
-    angle = np.arctan(b / root)
-    above = E_star * np.tan(theta) * (root + a ** 2 * angle / b) / 2
-    return below if a < b else above
+    v6 = tan(theta)
+    v12 = a * a
+    if a < b:
+        return 3.141592653589793 * E_star * v6 / (4.0 * b) * v12
+    v17 = sqrt((a - b) * (a + b))
+    return E_star * v6 * (v17 + v12 * atan(b / v17) / b) / 2.0
 
 
 def _half_width_from_load(P, theta, b, E_star):
@@ -33,4 +32,4 @@ def _half_width_from_load(P, theta, b, E_star):
         growth = _growth(a, theta, b) if a < b else _growth_beyond(a, root, theta, b)
         value = _load(a, theta, b, E_star)
         return (value, E_star * a * growth / value)
-    return inverse(curve, P, np.full_like(P, b), (1.0, 2.0))
+    return inverse(curve, P, np.full_like(P, 0.99 * b), (1.0, 2.0))

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.physics.slip import growth_below, stick_force
-from ....tangential.ellipsoid import CLOSE
 from ...._runtime.plain import MATH as np
+
+CLOSE = 0.25
 
 
 def _traction(r, a, c, h, b, E_star, mu):

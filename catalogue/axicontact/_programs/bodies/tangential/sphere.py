@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.physics.slip import growth_below, stick_force
-from ....tangential.sphere import CLOSE
 from ...._runtime.plain import MATH as np
+
+CLOSE = 0.25
 
 
 def _traction(r, a, c, R, E_star, mu):

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from ...._programs.bodies.normal import wavy_paraboloid as normal
 from ...._programs.bodies._runtime.physics.slip import growth_waves, stick_force
-from ....tangential.wavy_paraboloid import CLOSE
 from ...._runtime.plain import MATH as np
+
+CLOSE = 0.25
 
 
 def _tangential_force(a, c, R, h, wavelength, E_star, mu):

@@ -139,11 +139,11 @@ def growth(xp, t, theta, b):
 
 def half_width_from_load(xp, P, theta, b, E_star):
 
-    def f0(v1):
-        v2 = load(xp, v1, theta, b, E_star)
-        v4 = v1 < b
-        v7 = xp.where(v4, 2.0 * b, v1)
-        v12 = growth_beyond(xp, v7, xp.sqrt((v7 - b) * (v7 + b)), theta, b)
-        v15 = E_star * v1 * xp.where(v4, growth(xp, xp.where(v4, v1, 0.5 * b), theta, b), v12) / v2
-        return (v2, v15)
-    return newton(xp, f0, P, b, xp.inf, 1.0, 2.0)
+    def f1(v2):
+        v3 = load(xp, v2, theta, b, E_star)
+        v5 = v2 < b
+        v8 = xp.where(v5, 2.0 * b, v2)
+        v13 = growth_beyond(xp, v8, xp.sqrt((v8 - b) * (v8 + b)), theta, b)
+        v16 = E_star * v2 * xp.where(v5, growth(xp, xp.where(v5, v2, 0.5 * b), theta, b), v13) / v3
+        return (v3, v16)
+    return newton(xp, f1, P, 0.99 * b, xp.inf, 1.0, 2.0)

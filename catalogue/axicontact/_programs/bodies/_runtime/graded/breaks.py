@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from math import expm1, pow
 
 from ....._programs.bodies._runtime.graded.growth import sphere_depth, sphere_force, sphere_rate
-from ....._programs.bodies._runtime.graded.rules import either, raised, sine_integral, sine_over
+from ....._programs.bodies._runtime.graded.rules import raised, sine_integral, sine_over
 from ....._programs.bodies._runtime.integrals import difference_root
+from ....._programs.bodies._runtime.interface import either
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import integral_in_strip
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import log, log1p, MATH as np
 
 
 def flank_depth(a, root, b, k):
@@ -27,19 +29,22 @@ def flank_force(a, root, b, k):
 
 
 def rim_depth(a, root, b, k):
-    """g(a) of the rim f' = r for r > b."""
-    sine = root / a
-    return a * a * raised(sine, k) / (1.0 + k) + 0.0 * b
+    v4 = root / a
+    return a * a * (v4 * pow(v4, k) if v4 > 0.0 else 0.0) / (1.0 + k) + 0.0 * b
 
 
 def rim_rate(t, root, b, k):
-    sine = root / t
-    return 0.0 if t < b else t * ((1.0 - k) / (1.0 + k) * raised(sine, k) + sine ** (k - 1.0))
+    if t < b:
+        return 0.0
+    v4 = root / t
+    return t * ((1.0 - k) / (1.0 + k) * (v4 * pow(v4, k) if v4 > 0.0 else 0.0) + pow(v4, k - 1.0))
 
 
 def rim_force(a, root, b, k):
-    sine = root / np.maximum(a, b)
-    return a * a * raised(a, k) * raised(sine, k) * (3.0 + k - (1.0 + k) * sine ** 2) / ((1.0 + k) * (3.0 + k)) + 0.0 * b
+    v5 = root / (a if a > b or a != a else b)
+    v19 = 3.0 + k
+    v21 = 1.0 + k
+    return a * a * (a * pow(a, k) if a > 0.0 else 0.0) * (v5 * pow(v5, k) if v5 > 0.0 else 0.0) * (v19 - v21 * (v5 * v5)) / (v21 * v19) + 0.0 * b
 
 
 def rounding_depth(a, root, b, k):
@@ -87,17 +92,19 @@ def rounded_force(a, root, b, k):
 
 
 def _tip(a, root, b, k):
-    """Integral of cos(y) sin(y)**k from arccos(b/a) to pi/2."""
-    log = np.log(root / a) if root < 0.5 * a else 0.5 * np.log1p(-(np.minimum(b, a) / a) ** 2)
-    return -np.expm1((1.0 + k) * log) / (1.0 + k)
+    if root < 0.5 * a:
+        v16 = log(root / a)
+    else:
+        v10 = (b if b < a or b != b else a) / a
+        v16 = 0.5 * log1p(-(v10 * v10))
+    v18 = 1.0 + k
+    return -expm1(v18 * v16) / v18
 
 
 def past_tip(x, R, b, end):
-    """x - b for the b = sqrt(R**2 - end**2) at which a spherical tip ends.
-
-    A steep flank multiplies the rounding of b, of which the distance from R is free.
-    """
-    return x - R + end * (end / (R + b)) if end < b else x - b
+    if end < b:
+        return x - R + end * (end / (R + b))
+    return x - b
 
 
 def tipped_depth(a, root, R, b, end, k):

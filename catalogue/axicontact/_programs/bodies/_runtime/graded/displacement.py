@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+from math import pow, sin
 
 from ....._programs.bodies._runtime.graded.breaks import past_tip
 from ....._programs.bodies._runtime.graded.rules import raised, sine_over
 from ....._programs.bodies._runtime.integrals import difference_root, of_displacement
-from ....._runtime.graded.displacement import EDGE, NODES, SHARE, SPLIT, STEEP, _Break, _Gap, _SMOOTHING, partial, power_excess
+from ....._runtime.graded.displacement import _Break, _Gap, partial
+from ....._runtime.graded.growth import power_excess
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import at_many_radii, integral, integral_by_panels, integral_in_strip
 from ....._runtime.plain import MATH as np
 
+EDGE = ((3.0, 32,), (11.0, 64,),)
+NODES = 64
+SHARE = 0.125
+SPLIT = 0.5235987755982988
+STEEP = 16.0
+_SMOOTHING = 8
+
 
 def punch_scale(k):
-    """2/pi cos(pi k/2), without loss near k = -1 and 1."""
-    return 2.0 / np.pi * np.sin(np.pi / 2.0 * (1.0 - np.abs(k)))
+    return 0.6366197723675814 * sin(1.5707963267948966 * (1.0 - abs(k)))
 
 
 @at_many_radii(of_displacement, SHARE)
@@ -105,8 +113,8 @@ def over_angle(shape, a, q, stop, k):
 
 
 def kernel(sine, cosine, ratio, k):
-    """q**(1 - k) z**k dz/(q**2 + z**2) over dy, for z = a sin(y) and ratio = a/q."""
-    return ratio * ratio ** k * (sine ** k * cosine) / (1.0 + (ratio * sine) ** 2)
+    v9 = ratio * sine
+    return ratio * pow(ratio, k) * (pow(sine, k) * cosine) / (1.0 + v9 * v9)
 
 
 def over_cap(shape, q, root, b, k, end=np.inf):

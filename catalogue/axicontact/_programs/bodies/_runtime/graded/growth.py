@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from math import inf, sinh
 
 from ....._programs.bodies._runtime.graded.rules import nodes_for, raised, sine_mean, sine_over, sinh_over
-from ....._runtime.graded.growth import _LONGEST, power_factor
+from ....._runtime.graded.growth import power_factor
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import integral_in_strip
 from ....._runtime.plain import MATH as np
 
+_LONGEST = 8.0
+
 
 def axis_power(n, k):
-    """n + k - 1, with which a pressure of f = r**n begins; the two first whose sum is exact, where it may cancel."""
-    return k - 1.0 + n if n < 0.5 else n - 1.0 + k
+    if n < 0.5:
+        return k - 1.0 + n
+    return n - 1.0 + k
 
 
 def power_depth(a, n, k):
@@ -70,13 +74,15 @@ def sphere_force(a, root, k):
 
 
 def _steepness(a, root, v, k):
-    """v root/a, from the v at whose end the integral is largest for k > 0: a unit of v is 16 of its sinh at a = R."""
-    return v / np.sinh(v) if k > 0.0 else root / a * v
+    if k > 0.0:
+        return v / sinh(v)
+    return root / a * v
 
 
 def _last(k):
-    """Depth over radius where the sphere is vertical."""
-    return 1.0 / k if k > 0.0 else np.inf
+    if k > 0.0:
+        return 1.0 / k
+    return inf
 
 
 def hyperboloid_depth(a, b, k):

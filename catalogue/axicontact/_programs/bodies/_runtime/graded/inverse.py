@@ -7,8 +7,16 @@ from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, power_of, radius_itself, root_of, up_to
 from ....._programs.bodies._runtime.shapes.across import inverse_across
-from ....._runtime.graded.inverse import CLOSE, LOST, NEAREST, ROUNDING, SHORT, SLACK, STEEPEST, _at_break
+from ....._runtime.graded.inverse import _at_break
 from ....._runtime.plain import MATH as np
+
+CLOSE = 0.0001
+LOST = 16.0
+NEAREST = 1e-12
+ROUNDING = 1.1102230246251565e-16
+SHORT = (1.7763568394002505e-15, 2.9103830456733704e-11, 9.5367431640625e-07, 0.0009765625, 0.03125,)
+SLACK = 1e-06
+STEEPEST = 100000000.0
 
 
 def radius_to(load, rate, value, start, needs):

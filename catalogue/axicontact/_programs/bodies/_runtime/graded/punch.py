@@ -2,34 +2,39 @@
 
 from __future__ import annotations
 
+from math import inf, pow
 
-from ....._programs.bodies._runtime.graded.rules import raised
-from ....._programs.bodies._runtime.integrals import difference_root
-from ....._runtime.graded.punch import STATIONARY
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import sqrt, MATH as np
+
+STATIONARY = {'force': (3.0, 1.0,), 'depth': (1.0, -1.0,)}
 
 
 def punch_stiffness(a, H, k):
-    """dF/dd of a contact of radius a."""
-    return 2.0 * H / (1.0 + k) * raised(a, k)
+    return 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
 
 
 def punch_force(d, a, H, k):
-    """Force at a depth, none at the radii zero and infinity."""
-    stiffness = punch_stiffness(a, H, k)
-    return stiffness * d if (stiffness > 0.0) & (stiffness < np.inf) else 0.0
+    v14 = 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
+    if v14 > 0.0 and v14 < inf:
+        return v14 * d
+    return 0.0
 
 
 def punch_depth(F, a, H, k):
-    """Depth under a force, none at the radii zero and infinity."""
-    stiffness = punch_stiffness(a, H, k)
-    return F / stiffness if (stiffness > 0.0) & (stiffness < np.inf) else 0.0
+    v14 = 2.0 * H / (1.0 + k) * (a * pow(a, k) if a > 0.0 else 0.0)
+    if v14 > 0.0 and v14 < inf:
+        return F / v14
+    return 0.0
 
 
 def punch_pressure(r, a, H, k):
-    """Pressure per depth: infinite at the edge, zero outside."""
-    root = difference_root(a, r)
-    return H / np.pi * root ** k / root if r < a else 0.0 if r > a else np.inf
+    if r < a:
+        v4 = a - r
+        v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (a + r))
+        return H / 3.141592653589793 * pow(v9, k) / v9
+    if r > a:
+        return 0.0
+    return inf
 
 
 def punch_displacement(r, a, k):
@@ -39,8 +44,9 @@ def punch_displacement(r, a, k):
 
 
 def graded_retraction(a, H, k, dgamma):
-    """sqrt(2 pi dgamma a**(1 - k)/H)."""
-    return np.sqrt(2.0 * np.pi * dgamma / H) * np.sqrt(a) * np.sqrt(a ** (-k)) if a > 0.0 else 0.0
+    if a > 0.0:
+        return sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k))
+    return 0.0
 
 
 def stationary(control, k):
@@ -55,9 +61,16 @@ def least_steepness(control, H, k, dgamma):
 
 
 def tension(r, a, H, k, dgamma):
-    """Pressure of the retracted punch."""
-    moved = graded_retraction(a, H, k, dgamma)
-    return moved * punch_pressure(r, a, H, k) if moved > 0.0 else 0.0
+    v17 = sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if a > 0.0 else 0.0
+    if v17 > 0.0:
+        if r < a:
+            v19 = a - r
+            v23 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (a + r))
+            v33 = H / 3.141592653589793 * pow(v23, k) / v23
+        else:
+            v33 = 0.0 if r > a else inf
+        return v17 * v33
+    return 0.0
 
 
 def unloading_radius(rate, p, H, k, dgamma, control):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from math import pow, sin, sinh
 
-from ....._runtime.graded.rules import NODES, STRIPS
+from ....._runtime.graded.rules import STRIPS
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import MATH as np
+
+NODES = 64
 
 
 def nodes_for(length):
@@ -14,16 +17,10 @@ def nodes_for(length):
     return next((2 * count for reached, count in STRIPS[:2] if longest <= reached), NODES)
 
 
-def either(condition, x, y):
-    """x() where the condition holds and y() elsewhere; what is chosen nowhere is not asked for."""
-    if np.all(condition):
-        return x()
-    return (x() if condition else y()) if np.any(condition) else y()
-
-
 def raised(x, k):
-    """x**(1 + k), with no rounding of the exponent."""
-    return x * x ** k if x > 0.0 else 0.0
+    if x > 0.0:
+        return x * pow(x, k)
+    return 0.0
 
 
 def sine_integral(angle, k):
@@ -37,10 +34,14 @@ def sine_mean(angle, k):
 
 
 def sine_over(y):
-    """sin(y)/y."""
-    return np.sin(y) / (y if y > 0.0 else 1.0) if y > 0.0 else 1.0
+    v2 = y > 0.0
+    if v2:
+        return sin(y) / (y if v2 else 1.0)
+    return 1.0
 
 
 def sinh_over(v):
-    """sinh(v)/v."""
-    return np.sinh(v) / (v if v > 0.0 else 1.0) if v > 0.0 else 1.0
+    v2 = v > 0.0
+    if v2:
+        return sinh(v) / (v if v2 else 1.0)
+    return 1.0

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.growth import power_depth, power_force
-from ....._programs.bodies._runtime.graded.rules import either, raised
+from ....._programs.bodies._runtime.graded.rules import raised
 from ....._programs.bodies._runtime.integrals import difference_root
+from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.physics.slip import gained_share
-from ....._runtime.graded.slip import CLOSE, DECAY, NODES, PANEL, power_factor
+from ....._runtime.graded.growth import power_factor
 from ....._runtime.plain import integral_by_panels, integral_in_strip
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import log1p, MATH as np
+
+CLOSE = 0.25
+DECAY = 42.0
+NODES = 64
+PANEL = 9.0
 
 
 def power_gain(quantity, r, c, a, n, k):
@@ -68,8 +74,9 @@ def _weight(quantity, t, y, k):
 
 
 def _span(c, a, distance):
-    """Logarithm of the growth of sqrt(t**2 - m**2), which is `distance` at t = c."""
-    return 0.5 * np.log1p((a - c) / distance * ((a + c) / distance)) if a > c else 0.0
+    if a > c:
+        return 0.5 * log1p((a - c) / distance * ((a + c) / distance))
+    return 0.0
 
 
 def _grown(quantity, rate, r, c, a, b, k, close):

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from ....._programs.bodies._runtime.graded.rules import raised
 from ....._runtime.graded.single import far_out, over_quarter
-from ....._runtime.graded.waves import FAR, _steepest_waves
+from ....._runtime.graded.waves import _steepest_waves
 from ....._runtime.plain import MATH as np
+
+FAR = 16.0
 
 
 def waves_depth(a, q, k):
@@ -19,7 +21,6 @@ def waves_rate(t, q, k):
 
 
 def _tilted(x, tangent):
-    """sin(x) + x cos(x), of half of x: arrays of sines and cosines take four times as long."""
     return (2.0 * tangent + x * ((1.0 - tangent) * (1.0 + tangent))) / (1.0 + tangent * tangent)
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from math import atan2
 
-from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
-from ....._runtime.physics.adhesion import ROUNDING, XI
 from ....._runtime.plain import integral
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import sqrt, MATH as np
+
+ROUNDING = 1e-15
+XI = {'force': 3.0, 'depth': 1.0}
 
 
 def least_steepness(control, E_star, dgamma):
@@ -16,26 +18,30 @@ def least_steepness(control, E_star, dgamma):
 
 
 def hess_retraction(a, E_star, dgamma):
-    """sqrt(2 pi a dgamma/E_star); a root per factor, since the product may underflow."""
-    return np.sqrt(a) * np.sqrt(2.0 * np.pi * dgamma / E_star)
+    return sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
 
 
 def pull(a, E_star, dgamma):
-    """Force of the flat punch moved by the retraction."""
-    return 2.0 * E_star * a * hess_retraction(a, E_star, dgamma)
+    return 2.0 * E_star * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
 
 
 def tension(r, a, E_star, dgamma):
-    """Its pressure: infinite at the edge, zero outside."""
-    moved = hess_retraction(a, E_star, dgamma)
-    inside = E_star * moved / (np.pi * difference_root(a, r)) if moved > 0.0 else 0.0
-    return inside if r <= a else 0.0
+    if r <= a:
+        v9 = sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star)
+        if v9 > 0.0:
+            v13 = a - r
+            return E_star * v9 / (3.141592653589793 * sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + r)))
+        return 0.0
+    return 0.0
 
 
 def lift(r, a, E_star, dgamma):
-    """Its surface displacement."""
-    share = 2.0 / np.pi * np.arctan2(a, difference_root(r, a)) if r > a else 1.0
-    return hess_retraction(a, E_star, dgamma) * share
+    if r > a:
+        v5 = r - a
+        v15 = 0.6366197723675814 * atan2(a, sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (r + a)))
+    else:
+        v15 = 1.0
+    return sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * v15
 
 
 def power_law_radius(value, a_c, least, p, q, plain):

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 
+from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.special import gamma_ratio
-from ....._runtime.physics.circle import LAST, SHORTEST, STEP
 from ....._runtime.plain import integral_in_strip
 from ....._runtime.plain import MATH as np
+
+LAST = 44.0
+SHORTEST = 1e-09
+STEP = 0.23
 
 
 def _far(r, a):
@@ -21,10 +25,8 @@ def power(r, a, s):
     r, a, s = (np.asarray(r), np.asarray(a), np.asarray(s))
     _, kc = _far(r, a)
     strength = 1.0 / gamma_ratio(s + 1.0)
-    within = r < a
-    inside = _inside(r / a if within else 0.0, kc if within else 1.0, s + 0.5)
-    outside = _outside(kc if r > a else 1.0, s + 1.0)
-    sides = inside if within else outside if r > a else np.sqrt(np.pi) / 2.0 * strength
+    within, beyond = (r < a, r > a)
+    sides = either(within, lambda: _inside(r / a if within else 0.5, kc if within else 1.0, s + 0.5), lambda: _outside(kc if beyond else 1.0, s + 1.0) if beyond else np.sqrt(np.pi) / 2.0 * strength)
     return fallen * (2.0 / np.sqrt(np.pi) * strength * sides)
 
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from math import exp, expm1, inf, pow, sin
 
 from ....._programs.bodies._runtime.functions import gamma, gamma_quotient
-from ....._runtime.physics.relaxation import ROUNDING, SWITCH, TERMS
 from ....._runtime.plain import integral
 from ....._runtime.plain import MATH as np
+
+ROUNDING = 5.551115123125783e-17
+SWITCH = 40.0
+TERMS = 170
 
 
 def fading(x, m):
@@ -39,20 +43,22 @@ def ramp_power_creep(t, m, E, alpha, t_0):
 
 
 def relaxation_maxwell(t, E, tau):
-    return E * np.exp(-t / tau)
+    return E * exp(-t / tau)
 
 
 def relaxation_standard_solid(t, E_inf, E_1, tau):
-    return E_inf + E_1 * np.exp(-t / tau)
+    return E_inf + E_1 * exp(-t / tau)
 
 
 def relaxation_kelvin_voigt(t, E, eta):
-    """For t > 0; a step of the depth needs an infinite force at t = 0."""
-    return E if t > 0.0 else np.inf
+    if t > 0.0:
+        return E
+    return inf
 
 
 def relaxation_power_creep(t, E, alpha, t_0):
-    return E * (t_0 / t) ** alpha * np.sin(np.pi * alpha) / (np.pi * alpha)
+    v8 = 3.141592653589793 * alpha
+    return E * pow(t_0 / t, alpha) * sin(v8) / v8
 
 
 def creep_maxwell(t, E, tau):
@@ -60,14 +66,13 @@ def creep_maxwell(t, E, tau):
 
 
 def creep_standard_solid(t, E_inf, E_1, tau):
-    glassy = E_inf + E_1
-    x = t / tau * (E_inf / glassy)
-    return 1.0 / glassy - E_1 / glassy * np.expm1(-x) / E_inf
+    v4 = E_inf + E_1
+    return 1.0 / v4 - E_1 / v4 * expm1(-(t / tau * (E_inf / v4))) / E_inf
 
 
 def creep_kelvin_voigt(t, E, eta):
-    return -np.expm1(-E * t / eta) / E
+    return -expm1(-E * t / eta) / E
 
 
 def creep_power_creep(t, E, alpha, t_0):
-    return (t / t_0) ** alpha / E
+    return pow(t / t_0, alpha) / E

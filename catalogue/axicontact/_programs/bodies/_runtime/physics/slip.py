@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
+from math import expm1, nan
 
 from ....._programs.bodies._runtime.integrals import difference_root
-from ....._runtime.physics.slip import DECAY, LONGEST, NODES, WAVES
 from ....._runtime.plain import in_groups, integral, integral_in_strip
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import log1p, sqrt, MATH as np
+
+DECAY = 42.0
+LONGEST = 256.0
+NODES = 64
+WAVES = ((0.25, 8,), (1.97, 16,), (4.7, 24,), (7.96, 32,), (23.3, 64,),)
 
 
 def log_ratio(a, c):
-    """ln(a/c) for c <= a."""
-    return np.log1p((a - c) / c) if a > c else 0.0
+    if a > c:
+        return log1p((a - c) / c)
+    return 0.0
 
 
 def gained_share(c, a, n):
-    """1 - (c/a)**n."""
-    return -np.expm1(-n * log_ratio(a, c))
-
-
-def root_gain(r, c, a):
-    """sqrt(a**2 - r**2) - sqrt(c**2 - r**2) for r <= c <= a."""
-    return (a - c) * (a + c) / (difference_root(a, r) + difference_root(c, r)) if a > c else 0.0
+    return -expm1(-n * (log1p((a - c) / c) if a > c else 0.0))
 
 
 def arc_gain(r, c, a):
-    """Integral of 1/sqrt(t**2 - r**2) from c to a."""
-    return np.log1p((a - c + root_gain(r, c, a)) / (c + difference_root(c, r)))
+    v3 = a - c
+    v13 = c - r
+    v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (c + r))
+    if a > c:
+        v7 = a - r
+        v20 = v3 * (a + c) / (sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (a + r)) + v17)
+    else:
+        v20 = 0.0
+    return log1p((v3 + v20) / (c + v17))
 
 
 def power_gain(r, c, a, n):
@@ -53,15 +60,17 @@ def power_gain(r, c, a, n):
 
 
 def _weight(s):
-    """2 s/sqrt(1 - exp(-2 s**2)), sqrt(2) at s = 0."""
-    return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s)) if s > 0.0 else np.sqrt(2.0)
+    if s > 0.0:
+        return 2.0 * s / sqrt(-expm1(-2.0 * s * s))
+    return 1.4142135623730951
 
 
 def stick_force(F, F_x, mu):
-    """The normal force of the stick zone, F - F_x/mu; NaN beyond full slip."""
-    rest = F - F_x / mu
-    rest = 0.0 if np.abs(rest) <= 2e-16 * F else rest
-    return rest if rest >= 0.0 else np.nan
+    v4 = F - F_x / mu
+    v10 = 0.0 if abs(v4) <= 2e-16 * F else v4
+    if v10 >= 0.0:
+        return v10
+    return nan
 
 
 @in_groups
@@ -94,5 +103,6 @@ def growth_waves(slope, parameters, order, r, c, a, wavelength, close):
 
 
 def _gap(a, c, outer, inner):
-    """outer - inner, their squares being a**2 and c**2 less the same number."""
-    return (a - c) * (a + c) / (outer + inner) if a > c else 0.0
+    if a > c:
+        return (a - c) * (a + c) / (outer + inner)
+    return 0.0

@@ -6,8 +6,13 @@ from __future__ import annotations
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._programs.bodies._runtime.physics.adhesion import hess_retraction
 from ....._runtime.physics.single import at_the_end
-from ....._runtime.physics.stable import EPS, LOST, NOISE, SLACK, XI
 from ....._runtime.plain import MATH as np
+
+EPS = 2.220446049250313e-16
+LOST = 0.3
+NOISE = 4.440892098500626e-16
+SLACK = 1e-06
+XI = {'force': 3.0, 'depth': 1.0}
 
 
 def stable_radius(value, found, load, slope_of, pulled, inner, outer=None, corner=None):

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from math import pow
 
 from ....._programs.bodies._runtime.integrals import difference_root
-from ....._runtime.physics.unknowns import CLOSEST, SETTLED, SHARP, STEPS, Unknown
+from ....._runtime.physics.unknowns import Unknown
 from ....._runtime.plain import MATH as np
+
+CLOSEST = 18.3
+SETTLED = 1e-09
+SHARP = 0.3
+STEPS = 12
 
 
 def radius_itself():
@@ -76,7 +82,7 @@ def power_of(t, first, last):
 
 
 def _product(t, first, last):
-    return t ** first * (1.0 + t * t) ** ((last - first) / 2.0)
+    return pow(t, first) * pow(1.0 + t * t, (last - first) / 2.0)
 
 
 def _root_of_product(x, first, last):

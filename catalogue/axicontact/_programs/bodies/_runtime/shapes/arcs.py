@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from math import asinh
 
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.rules import pressure_integral_tanh
-from ....._runtime.shapes.arcs import END, LEGENDRE_CHI
+from ....._runtime.shapes.arcs import LEGENDRE_CHI
 from ....._runtime.plain import MATH as np
+
+END = 0.7
 
 
 def arc_strips(r, a, R):
@@ -31,4 +34,4 @@ def arc_strips(r, a, R):
 
 
 def _arc_rate(t, root):
-    return np.arcsinh(t / root)
+    return asinh(t / root)

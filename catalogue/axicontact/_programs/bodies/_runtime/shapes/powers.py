@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from math import exp, expm1, fsum, inf, isfinite
 
 from ....._programs.bodies._runtime.integrals import of_displacement
-from ....._runtime.plain import at_many_radii, integral, integral_by_length
-from ....._runtime.shapes.powers import Course, LENGTHS, NODES, STEEP, _DECAY
-from ....._runtime.plain import MATH as np
+from ....._runtime.integrals import Course
+from ....._runtime.plain import at_many_radii, integral
+from ....._runtime.plain import log, log1p, sqrt, rule, MATH as np
+
+NODES = 64
+STEEP = 6.0
+_DECAY = 42.0
+RULE_0 = rule(((16.0, 64), (inf, 128)))
 
 
 def of_pressure(a, n):
@@ -23,16 +29,28 @@ def power_pressure(r, a, n):
 
 
 def _fallen_pressure(depth, n):
-    """The same over the larger end of t**(n - 1), for r = a exp(-depth)."""
-    steep, rate = (n > 1.0, np.abs(n - 1.0))
-    cut = np.maximum(depth - _DECAY / np.maximum(rate, 0.001), 0.0)
-    stop = np.sqrt(depth)
-
-    def integrand(step):
-        fall = step * (2.0 * stop - step) if steep else step * step
-        return np.exp(-rate * fall) * _weight(np.maximum(stop - step, 0.0) if steep else step)
-    reach = stop - np.sqrt(cut) if steep else np.sqrt(depth - cut)
-    return integral_by_length(integrand, reach, lengths=LENGTHS) if depth > 0.0 else 0.0
+    if depth > 0.0:
+        v3 = n > 1.0
+        v5 = abs(n - 1.0)
+        v10 = depth - 42.0 / (v5 if v5 > 0.001 or v5 != v5 else 0.001)
+        v12 = v10 if v10 > 0.0 or v10 != v10 else 0.0
+        v13 = sqrt(depth)
+        v18 = v13 - sqrt(v12) if v3 else sqrt(depth - v12)
+        v22 = 2.0 * v13
+        v27 = -v5
+        v42 = []
+        for node, weight in RULE_0(v18 / 1.0):
+            v20 = node * v18
+            if v3:
+                v30 = v13 - v20
+                v32 = v30 if v30 > 0.0 or v30 != v30 else 0.0
+            else:
+                v32 = v20
+            v41 = exp(v27 * (v20 * (v22 - v20) if v3 else v20 * v20)) * (2.0 * v32 / sqrt(-expm1(-2.0 * v32 * v32)))
+            v42.append(weight * v41)
+        v42 = fsum(v42) * v18
+        return v42
+    return 0.0
 
 
 @at_many_radii(of_displacement)
@@ -48,15 +66,11 @@ def power_displacement(r, a, n):
     return n * integral(integrand, reach, NODES) if a > 0.0 else 0.0
 
 
-def _weight(s):
-    """2 s/sqrt(1 - exp(-2 s**2)), for s > 0."""
-    return 2.0 * s / np.sqrt(-np.expm1(-2.0 * s * s))
-
-
 def _log_ratio(x, y):
-    """ln(x/y) for x >= y; the quotient overflows where y is subnormal."""
-    excess = (x - y) / y
-    return np.log1p(excess) if np.isfinite(excess) else np.log(x) - np.log(y)
+    v3 = (x - y) / y
+    if isfinite(v3):
+        return log1p(v3)
+    return log(x) - log(y)
 
 
 def _span(r, a, n):

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.special import struve_h0, struve_h1
-from ....._runtime.shapes.waves import FAR, LOOKS, ROUNDING, TERMS, TURNS
 from ....._runtime.plain import MATH as np
+
+FAR = 0.015625
+LOOKS = 12
+ROUNDING = 1.1102230246251565e-16
+TERMS = 15
+TURNS = 60
 
 
 def inverse_over_waves(value, waves, power):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import graded_retraction, punch_stiffness
-from .....graded.adhesive.concave_paraboloid import power_factor
+from ....._runtime.graded.growth import power_factor
 
 
 def _pull_off_depth(a, h, H, k, dgamma):

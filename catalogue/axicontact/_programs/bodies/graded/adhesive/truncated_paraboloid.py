@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
+from math import nan, pow
 
 from ....._programs.bodies.graded.normal import truncated_paraboloid as normal
-from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, punch_stiffness, tension
+from ....._programs.bodies._runtime.graded.punch import graded_retraction, growth_of, least_steepness, pull_of, punch_displacement, tension
 from ....._programs.bodies._runtime.physics.branches import exponent_of, stress_at
 from ....._runtime.physics.single import branches, lowest
 from .....graded.adhesive.truncated_paraboloid import _samples
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import sqrt, MATH as np
 
 
 def _depth(a, R, b, H, k, dgamma):
-    return normal._depth(a, R, b, k) - graded_retraction(a, H, k, dgamma)
+    if a >= b:
+        v7 = a - b
+        v13 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (a + b)) / a
+        v27 = (a * a * (v13 * pow(v13, k) if v13 > 0.0 else 0.0) / (1.0 + k) + 0.0 * b) / R
+    else:
+        v27 = nan
+    return v27 - (sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if a > 0.0 else 0.0)
 
 
 def _force(a, R, b, H, k, dgamma):
-    return normal._force(a, R, b, H, k) - punch_stiffness(a, H, k) * graded_retraction(a, H, k, dgamma)
+    v16 = a > 0.0
+    v19 = a * pow(a, k) if v16 else 0.0
+    v29 = 1.0 + k
+    v41 = 2.0 * H / v29
+    if a >= b:
+        v7 = a - b
+        v14 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (a + b)) / (a if a > b or a != a else b)
+        v27 = 3.0 + k
+        v44 = v41 * ((a * a * v19 * (v14 * pow(v14, k) if v14 > 0.0 else 0.0) * (v27 - v29 * (v14 * v14)) / (v29 * v27) + 0.0 * b) / R)
+    else:
+        v44 = nan
+    return v44 - v41 * v19 * (sqrt(6.283185307179586 * dgamma / H) * sqrt(a) * sqrt(pow(a, -k)) if v16 else 0.0)
 
 
 def _pressure(r, a, R, b, H, k, dgamma):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import punch_stiffness
-from ....._programs.bodies._runtime.graded.rules import either
-from .....graded.normal.concave_paraboloid import power_factor
+from ....._programs.bodies._runtime.interface import either
+from ....._runtime.graded.growth import power_factor
 from ....._runtime.plain import MATH as np
 
 
@@ -29,7 +29,8 @@ def _depth_from_force(F, a, h, H, k):
 
 
 def _minimum_depth(a, h, k):
-    return -2 * h * (k - 1) / (k + 1) ** 2 + 0.0 * a
+    v8 = k + 1.0
+    return -2.0 * h * (k - 1.0) / (v8 * v8) + 0.0 * a
 
 
 def _minimum_force(a, h, H, k):

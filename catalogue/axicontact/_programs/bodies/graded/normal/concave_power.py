@@ -4,9 +4,9 @@ from __future__ import annotations
 
 
 from ....._programs.bodies._runtime.graded.punch import punch_pressure, punch_stiffness
-from ....._programs.bodies._runtime.graded.rules import either
+from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.shapes.ring import lifted_at_zero_pressure
-from .....graded.normal.concave_power import power_factor
+from ....._runtime.graded.growth import power_factor
 from ....._runtime.plain import MATH as np
 
 

@@ -2,42 +2,63 @@
 
 from __future__ import annotations
 
+from math import nan, pow
 
-from ....._programs.bodies._runtime.graded.breaks import rim_depth, rim_force, rim_rate
-from ....._programs.bodies._runtime.graded.punch import punch_depth, punch_force, punch_stiffness
-from ....._programs.bodies._runtime.integrals import difference_root
-from ....._runtime.plain import MATH as np
+from ....._programs.bodies._runtime.graded.punch import punch_depth, punch_force
+from ....._runtime.plain import sqrt, MATH as np
 
 
 def _depth_at(a, root, R, b, k):
-    return rim_depth(a, root, b, k) / R
+    v5 = root / a
+    return (a * a * (v5 * pow(v5, k) if v5 > 0.0 else 0.0) / (1.0 + k) + 0.0 * b) / R
 
 
 def _rate_at(a, root, R, b, k):
-    """Rate g'(a) of the depth."""
-    return rim_rate(a, root, b, k) / R
+    if a < b:
+        v21 = 0.0
+    else:
+        v5 = root / a
+        v21 = a * ((1.0 - k) / (1.0 + k) * (v5 * pow(v5, k) if v5 > 0.0 else 0.0) + pow(v5, k - 1.0))
+    return v21 / R
 
 
 def _force_at(a, root, R, b, H, k):
-    growth = rim_force(a, root, b, k) / R
-    return 2.0 * H / (1.0 + k) * growth
-
-
-def _depth(a, R, b, k):
-    return _depth_at(a, difference_root(a, b), R, b, k) if a >= b else np.nan
+    v7 = root / (a if a > b or a != a else b)
+    v21 = 3.0 + k
+    v23 = 1.0 + k
+    return 2.0 * H / v23 * ((a * a * (a * pow(a, k) if a > 0.0 else 0.0) * (v7 * pow(v7, k) if v7 > 0.0 else 0.0) * (v21 - v23 * (v7 * v7)) / (v23 * v21) + 0.0 * b) / R)
 
 
 def _rate(a, R, b, k):
-    return _rate_at(a, difference_root(a, b), R, b, k) if a >= b else np.nan
+    if a >= b:
+        if a < b:
+            v26 = 0.0
+        else:
+            v5 = a - b
+            v11 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (a + b)) / a
+            v26 = a * ((1.0 - k) / (1.0 + k) * (v11 * pow(v11, k) if v11 > 0.0 else 0.0) + pow(v11, k - 1.0))
+        return v26 / R
+    return nan
 
 
 def _force(a, R, b, H, k):
-    return _force_at(a, difference_root(a, b), R, b, H, k) if a >= b else np.nan
+    if a >= b:
+        v6 = a - b
+        v13 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (a + b)) / (a if a > b or a != a else b)
+        v26 = 3.0 + k
+        v28 = 1.0 + k
+        return 2.0 * H / v28 * ((a * a * (a * pow(a, k) if a > 0.0 else 0.0) * (v13 * pow(v13, k) if v13 > 0.0 else 0.0) * (v26 - v28 * (v13 * v13)) / (v28 * v26) + 0.0 * b) / R)
+    return nan
 
 
 def _force_rate_at(a, root, R, b, H, k):
-    """Derivative of the force."""
-    return punch_stiffness(a, H, k) * _rate_at(a, root, R, b, k)
+    v9 = 1.0 + k
+    if a < b:
+        v30 = 0.0
+    else:
+        v17 = root / a
+        v30 = a * ((1.0 - k) / v9 * (v17 * pow(v17, k) if v17 > 0.0 else 0.0) + pow(v17, k - 1.0))
+    return 2.0 * H / v9 * (a * pow(a, k) if a > 0.0 else 0.0) * (v30 / R)
 
 
 def _pressure(r, a, R, b, H, k):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 from ....._programs.bodies.graded.normal import power_law as normal
-from ....._programs.bodies._runtime.graded.rules import either
+from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.physics.slip import stick_force
 from ....._runtime.plain import MATH as np
 
