@@ -175,7 +175,7 @@ class _Normal:
             ((n,), gain) = power.texts, f"stiffness = punch_stiffness({radius}, H, k)"
             stiffness = f"stiffness * ({n} / ({n} + (1.0 + k)))"
             value = f"d * ({stiffness})" if outer == "force" else f"F / ({stiffness})"
-            return [gain, f"return np.where(({field} > 0.0) & ({field} < np.inf), {value}, {field})"]
+            return [gain, f"return np.where(({field} > 0.0) & np.isfinite({field}), {value}, {field})"]
         if self.end:
             names, at, found = ["a", "root"], "_at", radius.replace("_radius", "_contact", 1)
         else:

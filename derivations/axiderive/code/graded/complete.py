@@ -131,7 +131,10 @@ class _Complete:
         self.concave_pressure(order, complete)
         self.rule(
             "_displacement", ["r", "d"], self.geometry, complete,
-            f"outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
+            "",
+            "def outside() -> Array:",
+            f"    return d * punch_share(r, a, k) + h * power_sag(r, a, {order}, k) / a**{order}",
+            "",
             f"value = either(r > a, outside, lambda: d - {self.shape()})",
             "return np.where(complete, value, np.nan)",
         )  # fmt: skip

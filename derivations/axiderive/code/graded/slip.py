@@ -21,16 +21,16 @@ def gains(writer: Writer) -> tuple[list[str], list[str], list[str]]:
         return f"return np.where({limit}, {value}, np.nan)" if limit else f"return {value}"
 
     traction = f"mu * either(r < c, lambda: H / np.pi * gain(), lambda: {writer.call('_pressure', 'r', 'a')})"
-    inside = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside"), "return gain"]
+    inside = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside", "return")]
     return (
         [*_gains(own, "force"), limited("mu * (2.0 * H / (1.0 + k)) * gain")],
-        ["def gain() -> Array:", *(f"    {line}" for line in inside), limited(traction)],
+        ["def gain() -> Array:", *(f"    {line}" for line in inside), "", limited(traction)],
         [*_gains(own, "depth"), limited("mu * (H / H_x) * gain")],
     )
 
 
-def _gains(own: Family, quantity: str, r: str = "0.0") -> list[str]:
-    """The lines of `gain`: the sum of what the terms of a profile gain from c to a."""
+def _gains(own: Family, quantity: str, r: str = "0.0", result: str = "gain =") -> list[str]:
+    """The lines of `gain`, or that return it: the sum of what the terms of a profile gain from c to a."""
     parts = {}
     for term in own.terms:
         if term.shape == "power":
@@ -42,9 +42,9 @@ def _gains(own: Family, quantity: str, r: str = "0.0") -> list[str]:
             call = f'{RULES[term.shape]}_gain("{quantity}", {shape}, {r}, c, a, k)'
         parts[term.shape] = term.times(call)
     if len(parts) > 1:
-        return [*(f"{shape} = {part}" for shape, part in parts.items()), f"gain = {' + '.join(parts)}"]
+        return [*(f"{shape} = {part}" for shape, part in parts.items()), f"{result} {' + '.join(parts)}"]
     (text,) = parts.values()
-    return [f"gain = sum({text} for j, A_j in enumerate(A, 1))" if own.summed else f"gain = {text}"]
+    return [f"{result} sum({text} for j, A_j in enumerate(A, 1))" if own.summed else f"{result} {text}"]
 
 
 def _domain(writer: Writer, own: Family) -> str:
