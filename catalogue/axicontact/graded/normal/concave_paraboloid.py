@@ -479,7 +479,10 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, k: Array) -> Array:
     from ...normal import concave_paraboloid as normal
 
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
-    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a**2.0
+
+    def outside() -> Array:
+        return d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a**2.0
+
     value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h))
     return np.where(complete, value, np.nan)
 

@@ -568,7 +568,10 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array, k: Array) ->
     from ...normal import concave_power as normal
 
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
-    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
+
+    def outside() -> Array:
+        return d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a**n
+
     value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h, n=n))
     return np.where(complete, value, np.nan)
 

@@ -600,9 +600,9 @@ def _radius_from_force(F: Array, theta: Array, H: Array, k: Array) -> Array:
 
 def _force_from_depth(d: Array, theta: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_depth(d, theta, k), H, k)
-    return np.where((d > 0.0) & (d < np.inf), d * (stiffness * (1.0 / (1.0 + (1.0 + k)))), d)
+    return np.where((d > 0.0) & np.isfinite(d), d * (stiffness * (1.0 / (1.0 + (1.0 + k)))), d)
 
 
 def _depth_from_force(F: Array, theta: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_force(F, theta, H, k), H, k)
-    return np.where((F > 0.0) & (F < np.inf), F / (stiffness * (1.0 / (1.0 + (1.0 + k)))), F)
+    return np.where((F > 0.0) & np.isfinite(F), F / (stiffness * (1.0 / (1.0 + (1.0 + k)))), F)

@@ -624,9 +624,9 @@ def _radius_from_force(F: Array, A: Array, n: Array, H: Array, k: Array) -> Arra
 
 def _force_from_depth(d: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_depth(d, A, n, k), H, k)
-    return np.where((d > 0.0) & (d < np.inf), d * (stiffness * (n / (n + (1.0 + k)))), d)
+    return np.where((d > 0.0) & np.isfinite(d), d * (stiffness * (n / (n + (1.0 + k)))), d)
 
 
 def _depth_from_force(F: Array, A: Array, n: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_force(F, A, n, H, k), H, k)
-    return np.where((F > 0.0) & (F < np.inf), F / (stiffness * (n / (n + (1.0 + k)))), F)
+    return np.where((F > 0.0) & np.isfinite(F), F / (stiffness * (n / (n + (1.0 + k)))), F)

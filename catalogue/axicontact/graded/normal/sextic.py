@@ -590,9 +590,9 @@ def _radius_from_force(F: Array, A: Array, H: Array, k: Array) -> Array:
 
 def _force_from_depth(d: Array, A: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_depth(d, A, k), H, k)
-    return np.where((d > 0.0) & (d < np.inf), d * (stiffness * (6.0 / (6.0 + (1.0 + k)))), d)
+    return np.where((d > 0.0) & np.isfinite(d), d * (stiffness * (6.0 / (6.0 + (1.0 + k)))), d)
 
 
 def _depth_from_force(F: Array, A: Array, H: Array, k: Array) -> Array:
     stiffness = punch_stiffness(_radius_from_force(F, A, H, k), H, k)
-    return np.where((F > 0.0) & (F < np.inf), F / (stiffness * (6.0 / (6.0 + (1.0 + k)))), F)
+    return np.where((F > 0.0) & np.isfinite(F), F / (stiffness * (6.0 / (6.0 + (1.0 + k)))), F)

@@ -403,8 +403,8 @@ def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: A
         inside = np.minimum(r, c)
         power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
         rim = beyond_gain("pressure", rim_pressure, rim_rate, (b,), inside, c, a, k) * (R1 - R2) / (R1 * R2)
-        gain = power + rim
-        return gain
+        return power + rim
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R1, R2, b, H, k))
 
 

@@ -334,8 +334,8 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, H: Array, k: Array, mu
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = power_gain("pressure", inside, c, a, 1.0, k) * np.tan(theta)
-        return gain
+        return power_gain("pressure", inside, c, a, 1.0, k) * np.tan(theta)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, H, k))
 
 

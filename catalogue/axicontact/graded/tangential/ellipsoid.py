@@ -344,8 +344,8 @@ def _traction(r: Array, a: Array, c: Array, h: Array, b: Array, H: Array, k: Arr
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
-        return gain
+        return h * below_gain("pressure", sphere_pressure, sphere_rate, (b,), inside, c, a, k) / b
+
     return np.where(
         a <= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, h, b, H, k)), np.nan
     )

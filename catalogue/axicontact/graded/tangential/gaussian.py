@@ -344,8 +344,8 @@ def _traction(r: Array, a: Array, c: Array, h: Array, s: Array, H: Array, k: Arr
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
-        return gain
+        return h * smooth_gain("pressure", gaussian_pressure, gaussian_rate, (s,), inside, c, a, k)
+
     return np.where(
         normal._rate(a, h, s, k) >= 0.0,
         mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, h, s, H, k)),

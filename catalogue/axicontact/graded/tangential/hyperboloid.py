@@ -360,8 +360,8 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
-        return gain
+        return smooth_gain("pressure", hyperboloid_pressure, hyperboloid_rate, (b,), inside, c, a, k) * np.tan(theta)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, b, H, k))
 
 

@@ -323,8 +323,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Ar
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
-        return gain
+        return power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, H, k))
 
 

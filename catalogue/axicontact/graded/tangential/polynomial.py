@@ -348,8 +348,8 @@ def _traction(r: Array, a: Array, c: Array, A: tuple[float, ...], H: Array, k: A
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
-        return gain
+        return sum(A_j * power_gain("pressure", inside, c, a, j, k) for j, A_j in enumerate(A, 1))
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, H, k))
 
 

@@ -345,8 +345,8 @@ def _traction(r: Array, a: Array, c: Array, A: Array, n: Array, H: Array, k: Arr
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = A * power_gain("pressure", inside, c, a, n, k)
-        return gain
+        return A * power_gain("pressure", inside, c, a, n, k)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, n, H, k))
 
 

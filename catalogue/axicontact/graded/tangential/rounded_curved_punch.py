@@ -400,8 +400,8 @@ def _traction(r: Array, a: Array, c: Array, R1: Array, R2: Array, b: Array, H: A
         inside = np.minimum(r, c)
         power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R1)
         rounding = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R2
-        gain = power + rounding
-        return gain
+        return power + rounding
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R1, R2, b, H, k))
 
 

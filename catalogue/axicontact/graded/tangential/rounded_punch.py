@@ -364,8 +364,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, b: Array, H: Array, k: Arr
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R
-        return gain
+        return beyond_gain("pressure", rounding_pressure, rounding_rate, (b,), inside, c, a, k) / R
+
     return np.where(
         c >= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, b, H, k)), np.nan
     )

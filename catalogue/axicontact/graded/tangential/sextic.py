@@ -326,8 +326,8 @@ def _traction(r: Array, a: Array, c: Array, A: Array, H: Array, k: Array, mu: Ar
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = A * power_gain("pressure", inside, c, a, 6.0, k)
-        return gain
+        return A * power_gain("pressure", inside, c, a, 6.0, k)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, H, k))
 
 

@@ -330,8 +330,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, H: Array, k: Array, mu: Ar
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
-        return gain
+        return below_gain("pressure", sphere_pressure, sphere_rate, (R,), inside, c, a, k)
+
     return np.where(
         a <= R, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, H, k)), np.nan
     )

@@ -378,8 +378,8 @@ def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k:
     b = R * np.sin(theta)
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
-        return gain
+        return tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, theta, H, k))
 
 

@@ -371,8 +371,8 @@ def _traction(r: Array, a: Array, c: Array, theta: Array, b: Array, H: Array, k:
 
     def gain() -> Array:
         inside = np.minimum(r, c)
-        gain = beyond_gain("pressure", flank_pressure, flank_rate, (b,), inside, c, a, k) * np.tan(theta)
-        return gain
+        return beyond_gain("pressure", flank_pressure, flank_rate, (b,), inside, c, a, k) * np.tan(theta)
+
     return np.where(
         c >= b, mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, b, H, k)), np.nan
     )

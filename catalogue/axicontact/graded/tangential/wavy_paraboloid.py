@@ -406,8 +406,8 @@ def _traction(
         inside = np.minimum(r, c)
         power = power_gain("pressure", inside, c, a, 2.0, k) / (2 * R)
         waves = h * waves_gain("pressure", waves_pressure, waves_rate, (2 * np.pi / wavelength,), inside, c, a, k)
-        gain = power + waves
-        return gain
+        return power + waves
+
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, h, wavelength, H, k))
 
 

@@ -18,7 +18,9 @@ def _displacement(r, d, a, h, k):
     from ....._programs.bodies._runtime.graded.displacement import power_sag, punch_share
     from .....normal import concave_paraboloid as normal
     complete = _minimum_depth(a, h, k) * (1.0 - 1e-15) <= d
-    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a ** 2.0
+
+    def outside():
+        return d * punch_share(r, a, k) + h * power_sag(r, a, 2.0, k) / a ** 2.0
     value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h))
     return value if complete else np.nan
 

@@ -27,7 +27,9 @@ def _displacement(r, d, a, h, n, k):
     from ....._programs.bodies._runtime.graded.displacement import power_sag, punch_share
     from .....normal import concave_power as normal
     complete = _minimum_depth(a, h, n, k) * (1.0 - 1e-15) <= d
-    outside = lambda: d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a ** n
+
+    def outside():
+        return d * punch_share(r, a, k) + h * power_sag(r, a, n, k) / a ** n
     value = either(r > a, outside, lambda: d - normal._profile(r, a=a, h=h, n=n))
     return value if complete else np.nan
 

@@ -49,9 +49,9 @@ def _radius_from_force(F, theta, H, k):
 
 def _force_from_depth(d, theta, H, k):
     stiffness = punch_stiffness(_radius_from_depth(d, theta, k), H, k)
-    return d * (stiffness * (1.0 / (1.0 + (1.0 + k)))) if (d > 0.0) & (d < np.inf) else d
+    return d * (stiffness * (1.0 / (1.0 + (1.0 + k)))) if (d > 0.0) & np.isfinite(d) else d
 
 
 def _depth_from_force(F, theta, H, k):
     stiffness = punch_stiffness(_radius_from_force(F, theta, H, k), H, k)
-    return F / (stiffness * (1.0 / (1.0 + (1.0 + k)))) if (F > 0.0) & (F < np.inf) else F
+    return F / (stiffness * (1.0 / (1.0 + (1.0 + k)))) if (F > 0.0) & np.isfinite(F) else F

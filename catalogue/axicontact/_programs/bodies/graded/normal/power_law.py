@@ -49,9 +49,9 @@ def _radius_from_force(F, A, n, H, k):
 
 def _force_from_depth(d, A, n, H, k):
     stiffness = punch_stiffness(_radius_from_depth(d, A, n, k), H, k)
-    return d * (stiffness * (n / (n + (1.0 + k)))) if (d > 0.0) & (d < np.inf) else d
+    return d * (stiffness * (n / (n + (1.0 + k)))) if (d > 0.0) & np.isfinite(d) else d
 
 
 def _depth_from_force(F, A, n, H, k):
     stiffness = punch_stiffness(_radius_from_force(F, A, n, H, k), H, k)
-    return F / (stiffness * (n / (n + (1.0 + k)))) if (F > 0.0) & (F < np.inf) else F
+    return F / (stiffness * (n / (n + (1.0 + k)))) if (F > 0.0) & np.isfinite(F) else F

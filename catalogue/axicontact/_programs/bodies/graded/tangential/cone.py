@@ -20,8 +20,7 @@ def _traction(r, a, c, theta, H, k, mu):
 
     def gain():
         inside = np.minimum(r, c)
-        gain = power_gain('pressure', inside, c, a, 1.0, k) * np.tan(theta)
-        return gain
+        return power_gain('pressure', inside, c, a, 1.0, k) * np.tan(theta)
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, theta, H, k))
 
 

@@ -20,8 +20,7 @@ def _traction(r, a, c, R, H, k, mu):
 
     def gain():
         inside = np.minimum(r, c)
-        gain = power_gain('pressure', inside, c, a, 2.0, k) / (2 * R)
-        return gain
+        return power_gain('pressure', inside, c, a, 2.0, k) / (2 * R)
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, R, H, k))
 
 

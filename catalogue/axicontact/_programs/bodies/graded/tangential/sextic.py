@@ -20,8 +20,7 @@ def _traction(r, a, c, A, H, k, mu):
 
     def gain():
         inside = np.minimum(r, c)
-        gain = A * power_gain('pressure', inside, c, a, 6.0, k)
-        return gain
+        return A * power_gain('pressure', inside, c, a, 6.0, k)
     return mu * either(r < c, lambda: H / np.pi * gain(), lambda: normal._pressure(r, a, A, H, k))
 
 

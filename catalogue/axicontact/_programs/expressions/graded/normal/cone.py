@@ -47,9 +47,9 @@ def radius_from_depth(xp, d, theta, k):
 
 def force_from_depth(xp, d, theta, H, k):
     v11 = d * (punch_stiffness(xp, d / depth(xp, 1.0, theta, k), H, k) * (1.0 / (1.0 + (1.0 + k))))
-    return xp.where((d > 0.0) & (d < xp.inf), v11, d)
+    return xp.where((d > 0.0) & xp.isfinite(d), v11, d)
 
 
 def depth_from_force(xp, F, theta, H, k):
     v9 = punch_stiffness(xp, radius_from_force(xp, F, theta, H, k), H, k) * (1.0 / (1.0 + (1.0 + k)))
-    return xp.where((F > 0.0) & (F < xp.inf), F / v9, F)
+    return xp.where((F > 0.0) & xp.isfinite(F), F / v9, F)

@@ -46,9 +46,9 @@ def mean_pressure(xp, a, A, n, H, k):
 
 def force_from_depth(xp, d, A, n, H, k):
     v10 = d * (punch_stiffness(xp, radius_from_depth(xp, d, A, n, k), H, k) * (n / (n + (1.0 + k))))
-    return xp.where((d > 0.0) & (d < xp.inf), v10, d)
+    return xp.where((d > 0.0) & xp.isfinite(d), v10, d)
 
 
 def depth_from_force(xp, F, A, n, H, k):
     v10 = F / (punch_stiffness(xp, radius_from_force(xp, F, A, n, H, k), H, k) * (n / (n + (1.0 + k))))
-    return xp.where((F > 0.0) & (F < xp.inf), v10, F)
+    return xp.where((F > 0.0) & xp.isfinite(F), v10, F)

@@ -46,9 +46,9 @@ def radius_from_depth(xp, d, A, k):
 
 def force_from_depth(xp, d, A, H, k):
     v11 = punch_stiffness(xp, (d / depth(xp, 1.0, A, k)) ** 0.25, H, k) * (4.0 / (4.0 + (1.0 + k)))
-    return xp.where((d > 0.0) & (d < xp.inf), d * v11, d)
+    return xp.where((d > 0.0) & xp.isfinite(d), d * v11, d)
 
 
 def depth_from_force(xp, F, A, H, k):
     v10 = F / (punch_stiffness(xp, radius_from_force(xp, F, A, H, k), H, k) * (4.0 / (4.0 + (1.0 + k))))
-    return xp.where((F > 0.0) & (F < xp.inf), v10, F)
+    return xp.where((F > 0.0) & xp.isfinite(F), v10, F)
