@@ -21,10 +21,11 @@ def gains(writer: Writer) -> tuple[list[str], list[str], list[str]]:
         return f"return np.where({limit}, {value}, np.nan)" if limit else f"return {value}"
 
     traction = f"mu * either(r < c, lambda: H / np.pi * gain(), lambda: {writer.call('_pressure', 'r', 'a')})"
-    inside = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside", "return")]
+    lines = ["inside = np.minimum(r, c)", *_gains(own, "pressure", "inside", "return")]
+    inside = ["def gain() -> Array:", *(f"    {line}" for line in lines)]
     return (
         [*_gains(own, "force"), limited("mu * (2.0 * H / (1.0 + k)) * gain")],
-        ["def gain() -> Array:", *(f"    {line}" for line in inside), "", limited(traction)],
+        [*([""] if writer.profile.abbreviations else []), *inside, "", limited(traction)],
         [*_gains(own, "depth"), limited("mu * (H / H_x) * gain")],
     )
 
