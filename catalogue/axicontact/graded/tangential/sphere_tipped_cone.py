@@ -376,6 +376,7 @@ def _traction(r: Array, a: Array, c: Array, R: Array, theta: Array, H: Array, k:
     from ..._runtime.graded.slip import tipped_gain
 
     b = R * np.sin(theta)
+
     def gain() -> Array:
         inside = np.minimum(r, c)
         return tipped_gain("pressure", tipped_pressure, tipped_rate, (R, b, R * np.cos(theta)), inside, c, a, k)
