@@ -84,7 +84,9 @@ class Definition(Homogeneous):
             ):
 
                 def over(x: Number, start: Number = start) -> Number:
-                    return piece.bend(start + x) * kernel(start + x, r, a)
+                    s = start + x
+                    # rounding reaches the ends themselves, which weigh nothing
+                    return piece.bend(s) * kernel(s, r, a) if r != s < a else mp.mpf(0)
 
                 power = _flattening(over) if piece.singular and start == low else 1
                 total += _over(over, stop - start, power, [0, 0.5, 1])

@@ -105,7 +105,7 @@ class OwnProfile:
     """Whether the parameters have dimensions that make f a length."""
 
 
-def own_profile(text: str, *, name: str = NAME, title: str = TITLE) -> OwnProfile:
+def own_profile(text: str) -> OwnProfile:
     """The profile an expression stands for.
 
     Raises
@@ -120,8 +120,8 @@ def own_profile(text: str, *, name: str = NAME, title: str = TITLE) -> OwnProfil
     _require_apex(expression, pieces[0].expr)
     own, homogeneous = records(expression.tree, expression.parameters)
     profile = Profile(
-        name=name,
-        title=title,
+        name=NAME,
+        title=TITLE,
         subtitle=f"f(r) = {expression.text}",
         contact="compact",
         parameters=expression.parameters,

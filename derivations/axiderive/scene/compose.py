@@ -100,9 +100,10 @@ class _Composition:
             known = evidence.stored(request, self.profile, self.answer)
             page = page_sources(request, self.profile, self.entries, known)
             typeset(page)
-        text, stem = self._module(), request.module.removesuffix(".py")
+        (text, wanted), stem = self._module(), request.module.removesuffix(".py")
         free = {name: self.contact.all[name] for name in request.free}
-        run = measured(text, check_values(self.contact, free), free, self.contact)
+        values = check_values(self.contact, {one.name: one.keywords for one in wanted})
+        run = measured(text, values, free, self.contact)
         files: dict[str, bytes] = {}
         if "python" in request.formats:
             files[request.module] = text.encode()
@@ -124,7 +125,8 @@ class _Composition:
             meaning = document.meaning(self.profile, record.symbol)
         return f"{meaning} [{record.unit}]"
 
-    def _module(self) -> str:
+    def _module(self) -> tuple[str, list[Wanted]]:
+        """The text of the module, and what it has for others."""
         request, kind = self.request, self.request.kind
         modules: dict[str, Module] = sources.Library(self.entries, self.answer.module if self.answer else "")
         texts = [module.order(self.profile, interface.between(self.profile, kind), kind, request.values)]
@@ -135,7 +137,7 @@ class _Composition:
         fields = {name for one in wanted for name in one.fields}
         units = {name: interface.record(name, self.profile).unit for name in {*fields, *request.free}}
         title = module.head(request, self.profile, self.answer, self.contact)
-        return module.module_text(title, modules, wanted, constants, domains, units)
+        return module.module_text(title, modules, wanted, constants, domains, units), wanted
 
     def _wanted(self, modules: Mapping[str, Module], quantity: str, texts: list[str]) -> Wanted:
         """One function of the interface; what is written for it is added to `texts`."""

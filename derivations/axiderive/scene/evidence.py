@@ -5,9 +5,8 @@ The evidence of a scene: certificates, comparisons with the definition, what the
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -37,8 +36,7 @@ class RuleError(CommandError, ArithmeticError):
 class Run:
     """What running a module says."""
 
-    values: list[Value]
-    """With the keywords each function really has."""
+    values: Sequence[Value]
     errors: dict[str, float]
     """The worst relative deviation of every function."""
     detached: dict[str, State]
@@ -58,16 +56,10 @@ def measured(text: str, values: Sequence[Value], free: Mapping[str, float], cont
     exec(compile(text, request.module, "exec"), space)  # text of our own making
     errors: dict[str, float] = {}
     states = _states(space, contact, free, errors) if interface.PULL_OFF in request.quantities else {}
-    called = []
     for value in values:
-        function = space[value.function]
-        code = inspect.unwrap(function).__code__
-        names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-        own = replace(value, keywords=tuple((k, v) for k, v in value.keywords if k in names))
-        got = function(*own.fields, **dict(own.keywords))
-        _compare(errors, own.function, f"{own.function}{own.fields}", got, own.wanted)
-        called.append(own)
-    return Run(called, errors, states)
+        got = space[value.function](*value.fields, **dict(value.keywords))
+        _compare(errors, value.function, f"{value.function}{value.fields}", got, value.wanted)
+    return Run(values, errors, states)
 
 
 def _compare(errors: dict[str, float], name: str, call: str, got: float, wanted: float) -> None:

@@ -218,21 +218,16 @@ PHASES = tuple(0.5 * i for i in range(4, 16))
 
 def between(profile: Profile, kind: Kind) -> list[Rule]:
     """The rules of the profile on its medium."""
-    return [_graded(profile, rule) if kind.graded else rule for rule in profile.rules]
-
-
-def _graded(profile: Profile, rule: Rule) -> Rule:
-    if profile.complete and rule.right == nt.n:
-        return replace(rule, left=1 - nt.k, reason=rule.reason.replace("n > 1", "n > 1 - k"))
-    return rule
+    if not (kind.graded and profile.complete):
+        return [*profile.rules]
+    known = {rule: rule.reason.replace("n > 1", "n > 1 - k") for rule in profile.rules if rule.right == nt.n}
+    return [replace(rule, left=1 - nt.k, reason=known[rule]) if rule in known else rule for rule in profile.rules]
 
 
 def of_pull_off(profile: Profile, kind: Kind) -> list[Rule]:
     """What the exponent of a power law must be for a contact that is stable under tension."""
-    if not kind.physics.tension or not profile.compact:
-        return []
-    rule = pull_off_rule(profile, kind.system.medium)
-    return [rule] if rule else []
+    found = pull_off_rule(profile, kind.system.medium) if kind.physics.tension and profile.compact else None
+    return [found] if found else []
 
 
 def depend_on_waves(profile: Profile, kind: Kind) -> bool:

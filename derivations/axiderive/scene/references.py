@@ -6,7 +6,7 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
+from ..checks.viscoelastic import Material, material
 from ..code import example
 from ..entry import COMPACT
 from ..letters import name_of
@@ -75,15 +76,16 @@ class Value:
         }
 
 
-def check_values(contact: Contact, free: Mapping[str, float]) -> list[Value]:
-    """A few values of every function that is wanted, `pull_off` left out; `free` are passed by keyword."""
+def check_values(contact: Contact, keywords: Mapping[str, Sequence[str]]) -> list[Value]:
+    """A few values of every function that is wanted, `pull_off` left out, with the keywords of each."""
     profile, kind = contact.profile, contact.request.kind
     rows, found = _rules(contact), []
     with mp.workdps(DIGITS + (STRIPS if kind.system.pool.strip else GUARD)):
         for name in contact.request.quantities:
             if name != interface.PULL_OFF:
                 calls = rows(interface.function(kind, profile, name))
-                found += [Value(name, fields, tuple(free.items()), float(wanted)) for fields, wanted in calls]
+                passed = tuple((keyword, contact.all[keyword]) for keyword in keywords[name])
+                found += [Value(name, fields, passed, float(wanted)) for fields, wanted in calls]
     return found
 
 
@@ -354,13 +356,10 @@ def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
     """A contact that grows, or one whose edge is fixed: there the force of a flat face is as the depth."""
     law, values = contact.request.kind.law, contact.all
     assert law is not None
-    known = {symbol: sp.Float(values[name_of(symbol)], 40) for symbol in law.parameters}
-    modulus = sp.lambdify(nt.time, law.relaxation.xreplace(known), "mpmath")
-    creep = sp.lambdify(nt.time, law.creep.xreplace(known), "mpmath")
-    own = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
-    impulse, rows = mp.mpf(str(law.impulse.xreplace(known))), Rows()
+    own, rows = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters}), Rows()
+    scale = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
     for size, later in zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False):
-        t = float(f"{later * own:.4g}")
+        t = float(f"{later * scale:.4g}")
         at = mp.mpf(t)
         if contact.compact:
             force, depth = contact.load("F", size), contact.load("d", size)
@@ -368,19 +367,19 @@ def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
             force, depth = edged.at("F", size), mp.mpf(size)
         match function.name:
             case "step_load_radius":
-                rows.append(((t, float(force / creep(at))), mp.mpf(size)))
+                rows.append(((t, float(force / own.creep(at, DIGITS))), mp.mpf(size)))
             case "step_force":
-                rows.append(((t, float(depth)), modulus(at) * force))
+                rows.append(((t, float(depth)), own.relaxation(at) * force))
             case _:
-                rows.append(((t, float(depth / at)), _ramp(contact, size, force, at, modulus, impulse)))
+                rows.append(((t, float(depth / at)), _ramp(contact, size, force, at, own)))
     return rows
 
 
-def _ramp(contact: Contact, size: float, force: Any, t: Any, modulus: Any, impulse: Any) -> Any:
+def _ramp(contact: Contact, size: float, force: Any, t: Any, own: Material) -> Any:
     """int E(t - s) dF_el/ds ds with F_el ~ s**m; the exponent is that between this radius and half of it."""
     m = mp.mpf(1)
     if contact.compact:
         half = size / 2
         m = mp.log(force / contact.load("F", half)) / mp.log(contact.load("d", size) / contact.load("d", half))
-    whole = mp.quad(lambda y: m * (1 - y) ** (m - 1) * modulus(t * y), [0, mp.mpf(1) / 2, 1])
-    return force * (whole + impulse * m / t)
+    whole = mp.quad(lambda y: m * (1 - y) ** (m - 1) * own.relaxation(t * y), [0, mp.mpf(1) / 2, 1])
+    return force * (whole + own.impulse * m / t)
