@@ -123,6 +123,7 @@ def front_readings() -> list[Line]:
     return [
         *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
         *front.functions(),
+        *front.stresses(),
         *front.rules(stored),
         *front.laws_of_materials(),
         *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),

@@ -145,6 +145,7 @@ def model(
             (references.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
         ],
+        "stresses": front.stress_rows(),
         "tones": [f"${level:g}$" for level in SHADES],
         "symbol_index": symbol_index(pages),
         "word_index": word_index(pages, contents, WITHIN),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from ..abel import masters
 from ..entry import COMPACT, COMPLETE, FOUR, Entry
-from ..physics import complete, normal
+from ..physics import complete, normal, subsurface
 from ..physics.medium import GRADED, HOMOGENEOUS
 from ..physics.systems import SYSTEMS
 from ..print.box import width
@@ -123,3 +123,27 @@ def definition_rows() -> list[tuple[str, str, str]]:
                     )
                 )
     return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
+
+
+def stress_rows() -> list[tuple[str, str, list[tuple[str, str]]]]:
+    """Title, note and rows of what the numbers below the surface say, each row with the component and its formula."""
+    printer = Printer(names={subsurface.ANGLE: r"\varphi"})
+    tables = (
+        ("Normal load", "tension positive", _component, subsurface.STRESS),
+        ("Displacement under the normal load", "", lambda axis: f"u_{{{axis}}}", subsurface.DISPLACEMENT),
+        ("What friction adds", r"traction $\mu p$ in the direction $\varphi=0$", _component, subsurface.FRICTION),
+    )
+    return [
+        (title, note, [(left, f"{_left(left, named)}={printer(right)}") for left, right in table.items()])
+        for title, note, named, table in tables
+    ]
+
+
+def _left(components: str, named: Callable[[str], str]) -> str:
+    """rr + tt as a sum of stresses."""
+    return "".join(named(part) if part.isalpha() else part for part in components.split())
+
+
+def _component(axes: str) -> str:
+    letter = r"\sigma" if axes[0] == axes[1] else r"\tau"
+    return f"{letter}_{{{axes}}}"

@@ -18,6 +18,7 @@ from ..abel.reduce import parse
 from ..entry import Entry
 from ..letters import name_of
 from ..notation import C, a, coefficients, t
+from ..physics import subsurface as below
 from ..physics.complete import fixed_face
 from ..physics.medium import HOMOGENEOUS
 from ..physics.subsurface import PHYSICS
@@ -61,18 +62,13 @@ RETURNS = {
     "Result": "Displacement away from the axis [m].",
 }
 NUMBERS = "S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t."
-STRESS = (
-    "zz = -E_star*(S_0 + D_0)/pi", "rz = -E_star*D_1/pi",
-    "rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi", "rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi",
-)  # fmt: skip
-OUTWARD = "r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))"
-FRICTION = (
-    "rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi",
-    "rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi",
-    "zz = -mu*E_star*D_1*cos(phi)/pi",
-    "rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)",
-    "rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi", "tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi",
-)  # fmt: skip
+
+
+def _said(table: Mapping[str, sp.Expr]) -> tuple[str, ...]:
+    return tuple(f"{left} = {sp.sstr(right)}" for left, right in table.items())
+
+
+STRESS, (SUNK, OUTWARD), FRICTION = map(_said, (below.STRESS, below.DISPLACEMENT, below.FRICTION))
 INFINITE = "At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite."
 SEARCHED = "Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the contact radius."
 SLIDES = "The traction mu p does not change the pressure. The whole stress is the `add` of this and of `stress`."
@@ -99,7 +95,7 @@ ASKED = (
     Asked("stress", ("r", "z"), STATIC, "Stress", "Stress below the contact.", STRESS,
           "stress_below({0}, E_star, nu, {1})", INFINITE),
     Asked("displacement", ("r", "z"), (nt.nu,), "Displacement", "Displacement below the contact.",
-          ("z = (2*W + z*S_0/(1 - nu))/pi", OUTWARD), "displacement_below({0}, nu, {1})", ""),
+          (SUNK, OUTWARD), "displacement_below({0}, nu, {1})", ""),
     Asked("surface_stress", ("r",), STATIC, "SurfaceStress", "Stress of the surface.", STRESS[2:],
           "SurfaceStress(*stress_below({0}, E_star, nu, {1})[:2])", INFINITE),
     Asked("surface_displacement", ("r",), (nt.nu,), "Result", "Displacement of the surface away from the axis.",

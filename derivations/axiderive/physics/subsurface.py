@@ -192,6 +192,33 @@ def _entry(
     )
 
 
+_scale, _turned = nt.E_star / sp.pi, nt.mu * nt.E_star / sp.pi
+ANGLE = sp.Symbol("phi", real=True)
+"""From the direction of the traction on the half-space."""
+_along = _turned * sp.cos(ANGLE)
+_across = _turned * sp.sin(ANGLE)
+_mixed = (nt.nu - 2) * nt.S_1 + nt.D_1 / 2
+STRESS = {
+    "zz": -_scale * (nt.S_0 + nt.D_0),
+    "rz": -_scale * nt.D_1,
+    "rr + tt": _scale * (nt.D_0 - (1 + 2 * nt.nu) * nt.S_0),
+    "rr - tt": _scale * (nt.S_2 - 2 * nt.nu * nt.S_2 - nt.D_2),
+}
+"""Of the normal load, tension positive; rr is away from the axis, tt around it, zz into the half-space."""
+DISPLACEMENT = {
+    "z": (2 * nt.W + z * nt.S_0 / (1 - nt.nu)) / sp.pi,
+    "r": -r * (nt.S_0 + nt.S_2 - 2 * nt.nu * (nt.S_0 + nt.S_2) - nt.D_0 - nt.D_2) / (2 * sp.pi * (1 - nt.nu)),
+}
+FRICTION = {
+    "rr + tt": _along * (nt.D_1 - 2 * (1 + nt.nu) * nt.S_1),
+    "rr - tt": _along * (_mixed - nt.nu * nt.S_3 - nt.D_3 / 2),
+    "zz": -_along * nt.D_1,
+    "rt": -_across * (_mixed + nt.nu * nt.S_3 + nt.D_3 / 2) / 2,
+    "rz": -_along * (nt.S_0 - nt.D_0 / 2 + nt.D_2 / 2),
+    "tz": _across * (nt.S_0 - nt.D_0 / 2 - nt.D_2 / 2),
+}
+"""What a traction mu p in one direction adds, which does not change the pressure."""
+
 TITLE = "Stresses and displacements below a rigid indenter on an elastic half-space, under normal load and friction"
 PHYSICS = Physics(
     "subsurface",

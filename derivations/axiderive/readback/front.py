@@ -7,9 +7,12 @@ one.
 
 from __future__ import annotations
 
+import math
+import random
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from importlib import import_module
 from types import MappingProxyType
 from typing import Any
 
@@ -340,6 +343,30 @@ def _of_both_bodies(wrong: Callable[[str], bool]) -> Callable[[str], bool]:
 
 ROUNDED = mp.mpf("0.002")
 """A number of three digits."""
+
+
+def stresses() -> list[Line]:
+    """What the numbers below the surface say, by the functions of the package at numbers drawn once."""
+    fields = import_module("axicontact._runtime.subsurface.stresses")
+    draw = random.Random(37)
+    s, d = [[draw.uniform(0.2, 2.0) for _ in range(4)] for _ in range(2)]
+    known = {name: draw.uniform(0.2, 2.0) for name in ("r", "z", "W", "varphi")} | {"nu": 0.29, "E*": 1.7, "mu": 0.31}
+    eleven = [*s, *d, s[0] + d[0], s[0] - d[0] / 2, known["W"]]
+    scale, nu = known["E*"] / math.pi, known["nu"]
+    pressed = fields.Stress(*fields.normal_stress(eleven, nu, scale))
+    sliding = fields.SlidingStress(*fields.frictional_stress(eleven, known["varphi"], nu, known["mu"] * scale))
+    moved = fields.Displacement(*fields.normal_displacement(eleven, known["r"], known["z"], nu))
+    names = {f"{letter}_{i}": value for letter, row in (("S", s), ("D", d)) for i, value in enumerate(row)}
+    found = []
+    for (title, _, rows), own in zip(front.stress_rows(), (pressed, moved, sliding), strict=True):
+        parts = {f"{x}_{name}": value for name, value in own._asdict().items() for x in ("u", "sigma", "tau")}
+        env = {name: mp.mpf(float(value)) for name, value in (known | names | parts).items()}
+        found += [Claim(env, close=FLOATS).line(f"{title}: {left}", tex) for left, tex in rows]
+    return found
+
+
+FLOATS = mp.mpf(10) ** -12
+"""What is compared with functions in double precision agrees to twelve digits or it does not agree."""
 
 
 def in_guide(bodies: Entries, plain: Entries, adhesive: Entries) -> Iterator[Line]:
