@@ -12,12 +12,14 @@ from axiderive.abel.masters import (
     ArctanIntegral,
     CapMoment,
     Dawson,
+    Eta,
     Hypergeometric,
     IncompleteBeta,
     Kummer,
     LegendreChi2,
     StruveH,
     StruveL,
+    Xi,
     gamma_normalised,
 )
 
@@ -74,6 +76,10 @@ def cap_moment(k, b, R, a):
     return mp.quad(lambda s: s / mp.sqrt(R**2 - s**2) * (a**2 - s**2) ** ((k - 1) / 2), mp.linspace(0, b, 7))
 
 
+def oblate(r, z, t):
+    return mp.sqrt(r * r + (z + 1j * t) ** 2)
+
+
 # master, definition, points
 TABLE = [
     (C0, c0, [("0.83", "0.61", "1.37"), ("0.83", "1.04", "1.37"), ("0.83", "0.8300001", "1.37"), ("0.01", "0.9", "1")]),
@@ -85,6 +91,8 @@ TABLE = [
     (Dawson, dawson, [("0.4",), ("1.5",), ("6",)]),
     (Hypergeometric, hypergeometric, [("0.5", "1", "1.685", "0.64"), ("0.5", "2", "2.7", "-9")]),
     (Kummer, kummer, [("1", "1.685", "-1.3"), ("2", "2.685", "-30")]),
+    (Xi, lambda r, z, t: oblate(r, z, t).real, [("0.7", "0.4", "1.3"), ("2.1", "1e-9", "1.3"), ("0.01", "0.2", "3")]),
+    (Eta, lambda r, z, t: oblate(r, z, t).imag, [("0.7", "0.4", "1.3"), ("2.1", "1e-9", "1.3"), ("0.01", "0.2", "3")]),
     (CapMoment, cap_moment, [("0.37", "0.6", "1.7", "1.1"), ("-0.6", "0.6", "0.9", "1.4")]),
 ]
 CASES = [pytest.param(*row[:2], point, id=f"{row[0].__name__}-{'-'.join(point)}") for row in TABLE for point in row[2]]

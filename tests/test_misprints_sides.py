@@ -10,7 +10,7 @@ from misprints import left_misprints, range_misprints
 from stored_book import KEYS, changed, differs, range_faults, ranged, rows
 from test_misprints import NOT_A_NUMBER, READ_BACK
 
-from axiderive.physics.systems import SYSTEMS, problem
+from axiderive.physics.systems import PRINTED, problem
 
 QUICK = (
     "cone", "rounded_cone", "capped_cylinder", "concave_power", "sphere.adh", "paraboloid.tan", "cone.vis",
@@ -107,7 +107,7 @@ def test_a_misprint_of_a_side_does_not_survive(key: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [system.name for system in SYSTEMS])
+@pytest.mark.parametrize("name", [system.name for system in PRINTED])
 def test_no_misprint_of_a_side_survives_in_any_physics(name: str) -> None:
     """Every printed range of the book holds where it should; of its misprints, and of those of left sides, none."""
     keys = [key for key in KEYS if problem(key).system.name == name]

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
+from importlib import import_module
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 import pytest
 import sympy as sp
 from false_entries import with_formula
 from selected import few
+from test_interface import PARAMETERS
 from test_mutations import differs, flipped_sign, wrong_exponent, wrong_factor
 
 from axiderive import notation as nt
 from axiderive.abel.field_moments import Moments, kernel
-from axiderive.oracle.evaluate import evaluated
+from axiderive.oracle.evaluate import case_at, evaluated
 from axiderive.physics import systems
 from axiderive.profiles.pools import ROUND
 from axiderive.proof.certificate import certify, certify_profile
@@ -90,3 +93,49 @@ def test_moments_are_integrals_of_the_field_of_a_punch(j: int, m: int) -> None:
         assert abs(evaluated(moment.real.expr(), values) - wanted.real) < 1e-35
         assert abs(evaluated(moment.imaginary.expr(), values) - wanted.imag) < 1e-35
         assert abs(evaluated(kernel(m, nt.a).imaginary.expr(), values) - field(a).imag) < 1e-35
+
+
+REGIONS = {
+    "around": (lambda dice: (dice.uniform(0, 2.5), dice.uniform(0.01, 2.5)), 1e-14),
+    "edge": (lambda dice: _beside(dice, 10 ** dice.uniform(-9, -2)), 6e-14),
+    "near the surface": (lambda dice: (dice.uniform(0.05, 0.9), 10 ** dice.uniform(-9, -2)), 2e-14),
+    "far": (lambda dice: (10 ** dice.uniform(1, 5), 10 ** dice.uniform(1, 5)), 2e-14),
+}
+"""Points in radii of the contact by region, and the greatest error over the largest component of the stress."""
+
+
+def _beside(dice: random.Random, distance: float) -> tuple[float, float]:
+    angle = dice.uniform(0.01, np.pi - 0.01)
+    return 1 + distance * np.cos(angle), distance * np.sin(angle)
+
+
+def stress_of(found: dict[str, Any], nu: Any) -> list[Any]:
+    """rr, tt, zz and rz over E_star/pi."""
+    mean = (found["D0"] - (1 + 2 * nu) * found["S0"]) / 2
+    half = ((1 - 2 * nu) * found["S2"] - found["D2"]) / 2
+    return [mean + half, mean - half, -found["S0"] - found["D0"], -found["D1"]]
+
+
+@pytest.mark.parametrize("region", REGIONS)
+@pytest.mark.parametrize("name", few(ELEMENTARY[:6], ["cone", "quartic", "flat_punch"], pytest.mark.slow))
+def test_emitted_stresses_have_the_digits_of_the_formulas(name: str, region: str) -> None:
+    draw, bound = REGIONS[region]
+    dice, module, geometry = (
+        random.Random(f"{name} {region}"),
+        import_module(f"axicontact.subsurface.{name}"),
+        PARAMETERS[name],
+    )
+    true, given, radius = entries(name), 0.9, geometry.get("a", 0.9)
+    symbols = {str(symbol): symbol for symbol in (*ROUND.load(name).parameters, nt.r, nt.z, nt.a, nt.d)}
+    for _ in range(6):
+        r, z = (radius * x for x in draw(dice))
+        values = {symbols[n]: sp.Rational(x) for n, x in {**geometry, "r": r, "z": z}.items()}
+        values |= {nt.a: sp.Rational(radius), nt.d: sp.Rational(given)}
+        with mp.workdps(120):
+            exact = {s: evaluated(case_at(entry, values).expr, values) for s, entry in true.items()}
+            wanted = [mp.mpf(1.3) / mp.pi * x for x in stress_of(exact, mp.mpf(0.3))]
+            found = module.stress(r, z, given, E_star=1.3, nu=0.3, **geometry)
+            error = max(abs(mp.mpf(x) - own) for x, own in zip(found, wanted, strict=True)) / max(map(abs, wanted))
+            assert error < bound, (r, z, mp.nstr(error, 3))
+            sunk = 2 * exact["W"] / mp.pi + values[nt.z] * exact["S0"] / (mp.mpf("0.7") * mp.pi)
+            assert abs(module.displacement(r, z, given, nu=0.3, **geometry).z / sunk - 1) < 2e-14
