@@ -188,21 +188,23 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
             lowest = variable.place(piece.low + 0j, b).real
             bottom = _away(piece, piece.low, w, star).real
         alpha, beta, top = star.real, np.abs(top.imag), top.real
+        highest = variable.place(piece.high + 0j, b).real
+        # not as the difference of both distances, which far away have lost its digits
+        whole = top - bottom if variable is EXP else highest - lowest
         mirror = np.full(r.shape, 4.0) if variable is EXP else 2.0 * alpha
-        count = np.maximum(1.0, np.ceil((top - bottom) / piece.longest)).astype(int)
+        count = np.maximum(1.0, np.ceil(whole / piece.longest)).astype(int)
         point, share, share_1 = _split(count)
-        low, high, width = bottom[point], top[point], (top - bottom)[point]
+        low, high, width = bottom[point], top[point], whole[point]
         # from the nearer end, whose distance is known to its last digits
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
         total = _tail(r, z, piece) if variable is EXP else np.zeros((NUMBERS, r.size))
         begin = (alpha + bottom if variable is EXP else lowest)[point] + width * share
         # a high power takes its digits from the end at which it is large
-        highest = variable.place(piece.high + 0j, b).real[point]
-        begin = np.where((variable is EXP) & (share >= 0.5), highest - width * (1.0 - share), begin)
+        begin = np.where((variable is EXP) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
         # eight nodes are enough for the kernel, and for a slope that is a power
         power = (variable is EXP) | np.isinf(piece.longest)[point]
-        for panels in _panels(point, power, begin, left, right, alpha, beta, mirror):
+        for panels in _panels(point, power, begin, (whole / count)[point], left, right, alpha, beta, mirror):
             _add(total, r, z, piece, alpha + 1j * beta, panels)
     return total
 
@@ -237,10 +239,17 @@ def _split(count: Array) -> tuple[Array, Array, Array]:
 
 
 def _panels(
-    point: Array, power: Array, first: Array, left: Array, right: Array, alpha: Array, beta: Array, mirror: Array
+    point: Array,
+    power: Array,
+    first: Array,
+    width: Array,
+    left: Array,
+    right: Array,
+    alpha: Array,
+    beta: Array,
+    mirror: Array,
 ) -> list[Panels]:
-    """Panels from `left` to `right` of v - alpha, and from `first` of v, by how close the singular point is."""
-    width = right - left
+    """Panels from `left` to `right` of v - alpha, from `first` of v on, by how close the singular point is."""
     distance = np.hypot(np.maximum(np.maximum(left, -right), 0.0), beta[point])
     # at the inner end of a piece, on the surface, the kernel only makes up for the slope
     clear = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point]
