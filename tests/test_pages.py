@@ -17,7 +17,7 @@ from axiderive import notation as nt
 from axiderive.book import evidence
 from axiderive.book.handbook import templates
 from axiderive.book.page import panel as panel_of
-from axiderive.book.study import error, figures, maps, spread, tables
+from axiderive.book.study import error, figures, maps, tables
 from axiderive.build.pdf import problems
 from axiderive.physics.systems import pool_of
 from axiderive.print.words import domain, prose
@@ -51,10 +51,10 @@ def test_the_error_panels_show_every_method_where_the_record_has_it(records: dic
 
 def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, Any]) -> None:
     """The names of the vertical axes take room in the first column alone, and all three have 166 mm."""
-    found = spread.spread(figures(records, frozenset()), records)
+    found = tables.spread(figures(records, frozenset()), records)
     text = templates().get_template("study.tex.j2").render(spread=found, ratios=[])
     lines = text.partition("Where a printed")[0].split(r"\hbox to\textwidth{")[1:]
-    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels) == len(spread.PANELS)
+    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels) == len(tables.PANELS)
     for line in lines:
         panels = line.count(r"\begin{tikzpicture}")
         assert line.count("run time over that of the function") == panels
@@ -69,14 +69,14 @@ def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, A
 
 
 def test_the_digits_that_a_printed_formula_keeps_are_those_of_the_record(records: dict[str, Any]) -> None:
-    found = spread.spread(figures(records, frozenset({"cone.p"})), records)
-    assert [one.key for one in found["maps"].square] == list(spread.MAPS)
+    found = tables.spread(figures(records, frozenset({"cone.p"})), records)
+    assert [one.key for one in found["maps"].square] == list(tables.MAPS)
     rows = {row["key"]: row for row in found["digits"]}
     assert rows["cone.p"]["known"]
     assert not rows["cone.w"]["known"]
     assert not any(key.startswith("power_law") for key in rows)  # over an exponent, not a ratio
     for one in records["maps"]["maps"]:
-        for (cell, _), digits in zip(spread.CELLS, rows.get(one["key"], {"digits": ()})["digits"], strict=False):
+        for (cell, _), digits in zip(tables.CELLS, rows.get(one["key"], {"digits": ()})["digits"], strict=False):
             ulps = one["naive"]["worst"][0][cell]
             assert 10.0 ** -(int(digits) + 1) < max(ulps, 1.0) * 2.0**-53 or int(digits) == 0
             assert max(ulps, 1.0) * 2.0**-53 <= 10.0 ** -int(digits) or int(digits) == 0

@@ -17,7 +17,7 @@ from ..store.cache import digest
 from . import front, front_rules, guide, notation_table, references, study
 from .evidence import NONE, power_of_ten
 from .notation_table import symbol_index
-from .study.spread import CELLS, spread
+from .study.tables import CELLS, spread
 from .word_index import word_index
 
 ENTRIES = {

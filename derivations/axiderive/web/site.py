@@ -15,14 +15,15 @@ from markupsafe import Markup, escape
 
 from ..book import book
 from ..book.evidence import LEFT_OUT, LEGEND
+from ..book.guide import TITLE, cited
 from ..book.handbook import Model, page_models
 from ..book.study import error, maps
+from ..book.word_index import WORDS
 from ..code.python import package_sources
 from ..figures.svg import Picture, svg
-from ..physics.systems import PRINTED, pool_of
+from ..physics.systems import PRINTED, SYSTEMS, pool_of
 from ..print.words import escaped, prose
 from ..profiles.pools import ROUND
-from .home import home
 from .page import Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
 from .words import formula, plain, slug, words
@@ -86,6 +87,54 @@ def html_sources(
         files["chapter11.html"] = site.render("chapter11", {"chapter11": _with_errata(front["chapter11"])})
     files["assets/keys.js"] = search_index(models, derived, front, bool(studies))
     return files | assets()
+
+
+KINDS = {
+    "Pointed": "pointed", "Round": "round", "Flatter than round": "round", "Flat": "flat",
+    "Edge of contact fixed": "flat", "Long": "long", "Pressure known": "load",
+}  # fmt: skip
+"""Kind of the bodies that answer a question of the chart."""
+FILTERS = {
+    "pointed": "pointed", "round": "round", "flat": "flat", "worn": "worn or blunt", "long": "long: plane contact",
+    "load": "pressure known",
+}  # fmt: skip
+"""What the buttons say."""
+SMALL = 20.0
+"""SVG units to one unit of the outline that the front of the book draws."""
+NONE = "–"
+"""Status of a physics that has no meaning for a profile."""
+_WORN = re.compile(r"worn|blunt")
+
+
+def home(front: Mapping[str, Any], models: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """Groups of pictures, the filters that leave some of them, and the tips that are known by a name."""
+    groups = [
+        {**group, "cards": [_card(one, KINDS[group["question"]], models) for line in group["lines"] for one in line]}
+        for group in front["chart"]
+    ]
+    shown = {kind for group in groups for card in group["cards"] for kind in card["kinds"]}
+    filters = {kind: words for kind, words in FILTERS.items() if kind in shown}
+    return {"groups": groups, "filters": filters, "presets": _presets(front["tips"][0], models)} | {
+        "citation": (TITLE, cited(front["version"], front["edition"]))
+    }
+
+
+def _card(one: Mapping[str, Any], kind: str, models: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    status = models[one["name"]]["status"]
+    kinds = [kind, "worn"] if _WORN.search(one["words"]) else [kind]
+    others = sorted((s for s in SYSTEMS if s.said.button), key=lambda s: s.medium.graded)
+    physics = [(s.name, s.said.button) for s in others if status.get(s.name, LEFT_OUT) not in (LEFT_OUT, NONE)]
+    return {**one, "picture": svg(one["shape"], SMALL), "kinds": kinds, "physics": physics}
+
+
+def _presets(tip: tuple[str, str, str, str], models: Mapping[str, Mapping[str, Any]]) -> list[tuple[str, str]]:
+    """Name of a tip, and the entries for it."""
+    name, half, inclination, _ = tip
+    blunted = [i for i in WORDS["Berkovich indenter, blunted"].split() if i in models]
+    return [
+        (name, rf"the \hyperref[sec:cone]{{cone}} of the same area, half-angle {half}°, $\theta={inclination}$°"),
+        ("Berkovich, blunted", ", ".join(rf"\hyperref[sec:{i}]{{{models[i]['title']}}}" for i in blunted)),
+    ]
 
 
 UNIT = 8.0
