@@ -27,9 +27,7 @@ class _SingleScale:
         """None: no closed form is known."""
         return None
 
-    def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        """None: no closed form is known."""
-        return None
+    displacement = within = pressure
 
 
 @dataclass(frozen=True)
