@@ -14,10 +14,9 @@ C1 = np.array(16.0)
 C2 = np.array(3.0)
 C3 = np.array(0.999999999999999)
 C4 = np.array(2.0)
-C5 = np.array(4.0)
-C6 = np.array(5.0)
-C7 = np.array(0.0)
-C8 = np.array(3.141592653589793)
+C5 = np.array(0.0)
+C6 = np.array(4.0)
+C7 = np.array(3.141592653589793)
 RULE_0 = rule(((inf, 64),))
 
 
@@ -122,79 +121,6 @@ def displacement(r, d, a, h):
     return None
 
 
-def energy(d, a, h, E_star):
-    if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
-        try:
-            if 2.0 * h * 0.999999999999999 <= d:
-                return E_star * (d * d * a + 4.0 * h / 3.0 * d * a + 4.0 * (h * h) / 5.0 * a)
-            return nan
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_energy_d(a, h, E_star):
-    v5 = (2.0) * h
-    v7 = v5 * (0.999999999999999)
-    v12 = (4.0) * h
-    v14 = v12 / (3.0)
-    v18 = np.square(h)
-    v19 = (4.0) * v18
-    v21 = v19 / (5.0)
-    v22 = v21 * a
-    return (a, E_star, v7, v14, v22)
-
-
-def block_energy_d(out, d, a, E_star, v7, v14, v22, t0, m0):
-    size = out.size
-    np.less_equal(v7, d, m0)
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    some26 = np.count_nonzero(m0)
-    if some26:
-        np.square(d, out)
-        np.multiply(out, a, out)
-        np.multiply(v14, d, t0)
-        np.multiply(t0, a, t0)
-        np.add(out, t0, t0)
-        np.add(t0, v22, t0)
-        np.multiply(E_star, t0, out)
-    if some26 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def prepare_energy_all():
-    return ()
-
-
-def block_energy_all(out, d, a, h, E_star, t0, m0):
-    size = out.size
-    np.multiply(C4, h, t0)
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    np.multiply(t0, C3, t0)
-    np.less_equal(t0, d, m0)
-    some26 = np.count_nonzero(m0)
-    if some26:
-        np.square(d, out)
-        np.multiply(out, a, out)
-        np.multiply(C5, h, t0)
-        np.divide(t0, C2, t0)
-        np.multiply(t0, d, t0)
-        np.multiply(t0, a, t0)
-        np.add(out, t0, t0)
-        np.square(h, out)
-        np.multiply(C5, out, out)
-        np.divide(out, C6, out)
-        np.multiply(out, a, out)
-        np.add(t0, out, out)
-        np.multiply(E_star, out, out)
-    if some26 != size:
-        np.copyto(out, C0, where=~m0)
-
-
 def force(d, a, h, E_star):
     if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -250,189 +176,6 @@ def block_force_all(out, d, a, h, E_star, t0, t1, m0):
         np.add(d, t1, t1)
         np.multiply(out, t1, out)
     if some16 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def load_within(r, d, a, h, E_star):
-    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
-        try:
-            v16 = 2.0 * h
-            v32 = v16 * 0.999999999999999 <= d
-            if v32:
-                v26 = 2.0 * E_star
-                if r < a:
-                    v8 = sqrt((a - r) * (a + r))
-                    v12 = r * r
-                    v14 = v8 + a
-                    return v26 / 3.0 * (3.0 * d * v12 / v14 + v16 * v12 / v14 - 4.0 * h * v12 * v8 / (a * a))
-                if v32:
-                    return v26 * a * (d + v16 / 3.0)
-                return nan
-            return nan
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_load_within_r(d, a, h, E_star):
-    v10 = (3.0) * d
-    v16 = (2.0) * h
-    v21 = (4.0) * h
-    v24 = np.square(a)
-    v26 = (2.0) * E_star
-    v27 = v26 / (3.0)
-    v31 = v16 * (0.999999999999999)
-    v32 = np.less_equal(v31, d)
-    v34 = v26 * a
-    v35 = v16 / (3.0)
-    v36 = d + v35
-    v37 = v34 * v36
-    v39 = v37 if v32 else (np.nan)
-    return (a, v10, v16, v21, v24, v27, v32, v39)
-
-
-def block_load_within_r(out, r, a, v10, v16, v21, v24, v27, v32, v39, t0, t1, t2, t3, m0):
-    size = out.size
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    if v32:
-        np.less(r, a, m0)
-        some40 = np.count_nonzero(m0)
-        if some40:
-            np.subtract(a, r, out)
-            np.add(a, r, t0)
-            np.multiply(out, t0, t0)
-            np.sqrt(t0, t0)
-            np.square(r, out)
-            np.multiply(v10, out, t1)
-            np.add(t0, a, t2)
-            np.divide(t1, t2, t1)
-            np.multiply(v16, out, t3)
-            np.divide(t3, t2, t2)
-            np.add(t1, t2, t2)
-            np.multiply(v21, out, out)
-            np.multiply(out, t0, t0)
-            np.divide(t0, v24, t0)
-            np.subtract(t2, t0, t0)
-            np.multiply(v27, t0, out)
-        if some40 != size:
-            np.copyto(out, v39, where=~m0)
-    else:
-        np.copyto(out, C0)
-
-
-def prepare_load_within_r_d(a, h, E_star):
-    v16 = (2.0) * h
-    v21 = (4.0) * h
-    v24 = np.square(a)
-    v26 = (2.0) * E_star
-    v27 = v26 / (3.0)
-    v31 = v16 * (0.999999999999999)
-    v34 = v26 * a
-    v35 = v16 / (3.0)
-    return (a, v16, v21, v24, v27, v31, v34, v35)
-
-
-def block_load_within_r_d(out, r, d, a, v16, v21, v24, v27, v31, v34, v35, t0, t1, t2, t3, m0, m1):
-    size = out.size
-    np.less_equal(v31, d, m0)
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    some41 = np.count_nonzero(m0)
-    if some41:
-        np.less(r, a, m1)
-        some40 = np.count_nonzero(m1)
-        if some40:
-            np.subtract(a, r, out)
-            np.add(a, r, t0)
-            np.multiply(out, t0, t0)
-            np.sqrt(t0, t0)
-            np.multiply(C2, d, out)
-            np.square(r, t1)
-            np.multiply(out, t1, out)
-            np.add(t0, a, t2)
-            np.divide(out, t2, out)
-            np.multiply(v16, t1, t3)
-            np.divide(t3, t2, t2)
-            np.add(out, t2, t2)
-            np.multiply(v21, t1, t1)
-            np.multiply(t1, t0, t0)
-            np.divide(t0, v24, t0)
-            np.subtract(t2, t0, t0)
-            np.multiply(v27, t0, out)
-        if some40 != size:
-            other40 = t0 if some40 else out
-            some39 = np.count_nonzero(m0)
-            if some39:
-                np.add(d, v35, other40)
-                np.multiply(v34, other40, other40)
-            if some39 != size:
-                np.copyto(other40, C0, where=~m0)
-            if some40:
-                np.copyto(out, other40, where=~m1)
-    if some41 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def prepare_load_within_all():
-    return ()
-
-
-def block_load_within_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, t5, m0, m1):
-    size = out.size
-    np.multiply(C4, h, t0)
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    np.multiply(t0, C3, t1)
-    np.less_equal(t1, d, m0)
-    some41 = np.count_nonzero(m0)
-    if some41:
-        np.multiply(C4, E_star, t1)
-        np.less(r, a, m1)
-        some40 = np.count_nonzero(m1)
-        if some40:
-            np.subtract(a, r, out)
-            np.add(a, r, t2)
-            np.multiply(out, t2, t2)
-            np.sqrt(t2, t2)
-            np.multiply(C2, d, out)
-            np.square(r, t3)
-            np.multiply(out, t3, out)
-            np.add(t2, a, t4)
-            np.divide(out, t4, out)
-            np.multiply(t0, t3, t5)
-            np.divide(t5, t4, t4)
-            np.add(out, t4, t4)
-            np.multiply(C5, h, out)
-            np.multiply(out, t3, t3)
-            np.multiply(t3, t2, t2)
-            np.square(a, t3)
-            np.divide(t2, t3, t3)
-            np.divide(t1, C2, t2)
-            np.subtract(t4, t3, t3)
-            np.multiply(t2, t3, out)
-        if some40 != size:
-            other40 = t3 if some40 else out
-            some39 = np.count_nonzero(m0)
-            if some39:
-                np.multiply(t1, a, other40)
-                np.divide(t0, C2, t2)
-                np.add(d, t2, t2)
-                np.multiply(other40, t2, other40)
-            if some39 != size:
-                np.copyto(other40, C0, where=~m0)
-            if some40:
-                np.copyto(out, other40, where=~m1)
-    if some41 != size:
         np.copyto(out, C0, where=~m0)
 
 
@@ -520,7 +263,7 @@ def block_pressure_r(out, r, a, v10, v14, v19, v22, v25, v26, t0, m0):
             np.multiply(v25, out, out)
             np.divide(out, t0, out)
         if some30 != size:
-            np.copyto(out, C7, where=~m0)
+            np.copyto(out, C5, where=~m0)
     else:
         np.copyto(out, C0)
 
@@ -546,7 +289,7 @@ def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, t0, t1, m0, m1, m2
     some32 = np.count_nonzero(m0)
     if some32:
         np.less_equal(r, a, m1)
-        np.greater(d, C7, m2)
+        np.greater(d, C5, m2)
         np.bitwise_and(m1, m2, m2)
         some30 = np.count_nonzero(m2)
         if some30:
@@ -562,7 +305,7 @@ def block_pressure_r_d(out, r, d, a, v10, v14, v16, v18, v25, t0, t1, m0, m1, m2
             np.multiply(v25, out, out)
             np.divide(out, t0, out)
         if some30 != size:
-            np.copyto(out, C7, where=~m2)
+            np.copyto(out, C5, where=~m2)
     if some32 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -585,7 +328,7 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, m0, m1, m2):
     some32 = np.count_nonzero(m0)
     if some32:
         np.less_equal(r, a, m1)
-        np.greater(d, C7, m2)
+        np.greater(d, C5, m2)
         np.bitwise_and(m1, m2, m2)
         some30 = np.count_nonzero(m2)
         if some30:
@@ -593,18 +336,18 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, m0, m1, m2):
             np.add(a, r, t1)
             np.multiply(out, t1, t1)
             np.sqrt(t1, t1)
-            np.multiply(C5, h, out)
+            np.multiply(C6, h, out)
             np.square(r, t2)
             np.multiply(out, t2, t2)
             np.square(a, out)
             np.divide(t2, out, out)
-            np.divide(E_star, C8, t2)
+            np.divide(E_star, C7, t2)
             np.subtract(d, t0, t3)
             np.add(t3, out, out)
             np.multiply(t2, out, out)
             np.divide(out, t1, out)
         if some30 != size:
-            np.copyto(out, C7, where=~m2)
+            np.copyto(out, C5, where=~m2)
     if some32 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -694,18 +437,9 @@ BLOCKS = {
         ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 1, (), False),
         ('F', 'a', 'h', 'E_star'): (('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 1, (), False),
     },
-    ('_energy', 1, 'd', 'a', 'h', 'E_star'): {
-        ('d',): (('d',), prepare_energy_d, block_energy_d, 1, 1, (), False),
-        ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_energy_all, block_energy_all, 1, 1, (), False),
-    },
     ('_force', 1, 'd', 'a', 'h', 'E_star'): {
         ('d',): (('d',), prepare_force_d, block_force_d, 0, 1, (), False),
         ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, 2, 1, (), False),
-    },
-    ('_load_within', 2, 'r', 'd', 'a', 'h', 'E_star'): {
-        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 4, 1, (), False),
-        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 4, 2, (), False),
-        ('r', 'd', 'a', 'h', 'E_star'): (('r', 'd', 'a', 'h', 'E_star'), prepare_load_within_all, block_load_within_all, 6, 2, (), False),
     },
     ('_minimum_depth', 0, 'h'): {
         ('h',): (('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, 0, 0, (), False),

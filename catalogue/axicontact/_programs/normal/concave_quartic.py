@@ -17,16 +17,10 @@ C4 = np.array(2.0)
 C5 = np.array(8.0)
 C6 = np.array(4.0)
 C7 = np.array(3.0)
-C8 = np.array(16.0)
-C9 = np.array(64.0)
-C10 = np.array(81.0)
-C11 = np.array(45.0)
-C12 = np.array(24.0)
-C13 = np.array(32.0)
-C14 = np.array(0.0)
-C15 = np.array(9.0)
-C16 = np.array(3.141592653589793)
-C17 = np.array(0.5)
+C8 = np.array(0.0)
+C9 = np.array(9.0)
+C10 = np.array(3.141592653589793)
+C11 = np.array(0.5)
 RULE_0 = rule(((inf, 64),))
 
 
@@ -136,81 +130,6 @@ def displacement(r, d, a, h):
     return None
 
 
-def energy(d, a, h, E_star):
-    if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
-        try:
-            if 4.0 * h / 3.0 * 0.999999999999999 <= d:
-                return E_star * (d * d * a + 16.0 * h / 15.0 * d * a + 64.0 * (h * h) / 81.0 * a)
-            return nan
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_energy_d(a, h, E_star):
-    v5 = (4.0) * h
-    v7 = v5 / (3.0)
-    v9 = v7 * (0.999999999999999)
-    v15 = (16.0) * h
-    v17 = v15 / (15.0)
-    v21 = np.square(h)
-    v23 = (64.0) * v21
-    v25 = v23 / (81.0)
-    v26 = v25 * a
-    return (a, E_star, v9, v17, v26)
-
-
-def block_energy_d(out, d, a, E_star, v9, v17, v26, t0, m0):
-    size = out.size
-    np.less_equal(v9, d, m0)
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    some30 = np.count_nonzero(m0)
-    if some30:
-        np.square(d, out)
-        np.multiply(out, a, out)
-        np.multiply(v17, d, t0)
-        np.multiply(t0, a, t0)
-        np.add(out, t0, t0)
-        np.add(t0, v26, t0)
-        np.multiply(E_star, t0, out)
-    if some30 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def prepare_energy_all():
-    return ()
-
-
-def block_energy_all(out, d, a, h, E_star, t0, m0):
-    size = out.size
-    np.multiply(C6, h, t0)
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    np.divide(t0, C7, t0)
-    np.multiply(t0, C3, t0)
-    np.less_equal(t0, d, m0)
-    some30 = np.count_nonzero(m0)
-    if some30:
-        np.square(d, out)
-        np.multiply(out, a, out)
-        np.multiply(C8, h, t0)
-        np.divide(t0, C2, t0)
-        np.multiply(t0, d, t0)
-        np.multiply(t0, a, t0)
-        np.add(out, t0, t0)
-        np.square(h, out)
-        np.multiply(C9, out, out)
-        np.divide(out, C10, out)
-        np.multiply(out, a, out)
-        np.add(t0, out, out)
-        np.multiply(E_star, out, out)
-    if some30 != size:
-        np.copyto(out, C0, where=~m0)
-
-
 def force(d, a, h, E_star):
     if d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -269,222 +188,6 @@ def block_force_all(out, d, a, h, E_star, t0, m0):
         np.add(d, t0, t0)
         np.multiply(out, t0, out)
     if some21 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def load_within(r, d, a, h, E_star):
-    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
-        try:
-            v45 = 4.0 * h / 3.0 * 0.999999999999999 <= d
-            if v45:
-                v36 = 2.0 * E_star
-                if r < a:
-                    v8 = sqrt((a - r) * (a + r))
-                    v12 = r * r
-                    v14 = v8 + a
-                    v25 = a * a
-                    value = v36 / 45.0 * (45.0 * d * v12 / v14 + 24.0 * h * v12 / v14 - (32.0 * h * v12 * v8 / v25 + 64.0 * h * (v12 * v12) * v8 / (v25 * v25)))
-                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                        return value
-                    return None
-                if v45:
-                    return v36 * a * (d + 8.0 * h / 15.0)
-                return nan
-            return nan
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def prepare_load_within_r(d, a, h, E_star):
-    v10 = (45.0) * d
-    v17 = (24.0) * h
-    v22 = (32.0) * h
-    v25 = np.square(a)
-    v28 = (64.0) * h
-    v33 = np.square(v25)
-    v36 = (2.0) * E_star
-    v37 = v36 / (45.0)
-    v40 = (4.0) * h
-    v42 = v40 / (3.0)
-    v44 = v42 * (0.999999999999999)
-    v45 = np.less_equal(v44, d)
-    v47 = v36 * a
-    v49 = (8.0) * h
-    v51 = v49 / (15.0)
-    v52 = d + v51
-    v53 = v47 * v52
-    v55 = v53 if v45 else (np.nan)
-    return (a, v10, v17, v22, v25, v28, v33, v37, v45, v55)
-
-
-def block_load_within_r(out, r, a, v10, v17, v22, v25, v28, v33, v37, v45, v55, t0, t1, t2, t3, m0):
-    size = out.size
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    if v45:
-        np.less(r, a, m0)
-        some56 = np.count_nonzero(m0)
-        if some56:
-            np.subtract(a, r, out)
-            np.add(a, r, t0)
-            np.multiply(out, t0, t0)
-            np.sqrt(t0, t0)
-            np.square(r, out)
-            np.multiply(v10, out, t1)
-            np.add(t0, a, t2)
-            np.divide(t1, t2, t1)
-            np.multiply(v17, out, t3)
-            np.divide(t3, t2, t2)
-            np.add(t1, t2, t2)
-            np.multiply(v22, out, t1)
-            np.multiply(t1, t0, t1)
-            np.divide(t1, v25, t1)
-            np.square(out, out)
-            np.multiply(v28, out, out)
-            np.multiply(out, t0, t0)
-            np.divide(t0, v33, t0)
-            np.add(t1, t0, t0)
-            np.subtract(t2, t0, t0)
-            np.multiply(v37, t0, out)
-        if some56 != size:
-            np.copyto(out, v55, where=~m0)
-    else:
-        np.copyto(out, C0)
-
-
-def prepare_load_within_r_d(a, h, E_star):
-    v17 = (24.0) * h
-    v22 = (32.0) * h
-    v25 = np.square(a)
-    v28 = (64.0) * h
-    v33 = np.square(v25)
-    v36 = (2.0) * E_star
-    v37 = v36 / (45.0)
-    v40 = (4.0) * h
-    v42 = v40 / (3.0)
-    v44 = v42 * (0.999999999999999)
-    v47 = v36 * a
-    v49 = (8.0) * h
-    v51 = v49 / (15.0)
-    return (a, v17, v22, v25, v28, v33, v37, v44, v47, v51)
-
-
-def block_load_within_r_d(out, r, d, a, v17, v22, v25, v28, v33, v37, v44, v47, v51, t0, t1, t2, t3, m0, m1):
-    size = out.size
-    np.less_equal(v44, d, m0)
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    some57 = np.count_nonzero(m0)
-    if some57:
-        np.less(r, a, m1)
-        some56 = np.count_nonzero(m1)
-        if some56:
-            np.subtract(a, r, out)
-            np.add(a, r, t0)
-            np.multiply(out, t0, t0)
-            np.sqrt(t0, t0)
-            np.multiply(C11, d, out)
-            np.square(r, t1)
-            np.multiply(out, t1, out)
-            np.add(t0, a, t2)
-            np.divide(out, t2, out)
-            np.multiply(v17, t1, t3)
-            np.divide(t3, t2, t2)
-            np.add(out, t2, t2)
-            np.multiply(v22, t1, out)
-            np.multiply(out, t0, out)
-            np.divide(out, v25, out)
-            np.square(t1, t1)
-            np.multiply(v28, t1, t1)
-            np.multiply(t1, t0, t0)
-            np.divide(t0, v33, t0)
-            np.add(out, t0, t0)
-            np.subtract(t2, t0, t0)
-            np.multiply(v37, t0, out)
-        if some56 != size:
-            other56 = t0 if some56 else out
-            some55 = np.count_nonzero(m0)
-            if some55:
-                np.add(d, v51, other56)
-                np.multiply(v47, other56, other56)
-            if some55 != size:
-                np.copyto(other56, C0, where=~m0)
-            if some56:
-                np.copyto(out, other56, where=~m1)
-    if some57 != size:
-        np.copyto(out, C0, where=~m0)
-
-
-def prepare_load_within_all():
-    return ()
-
-
-def block_load_within_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, t5, m0, m1):
-    size = out.size
-    np.multiply(C6, h, t0)
-    largest_r = largest(r)
-    if largest_r == np.inf:
-        raise FloatingPointError
-    largest_d = largest(d)
-    if largest_d == np.inf:
-        raise FloatingPointError
-    np.divide(t0, C7, t0)
-    np.multiply(t0, C3, t0)
-    np.less_equal(t0, d, m0)
-    some57 = np.count_nonzero(m0)
-    if some57:
-        np.multiply(C4, E_star, t0)
-        np.less(r, a, m1)
-        some56 = np.count_nonzero(m1)
-        if some56:
-            np.subtract(a, r, out)
-            np.add(a, r, t1)
-            np.multiply(out, t1, t1)
-            np.sqrt(t1, t1)
-            np.multiply(C11, d, out)
-            np.square(r, t2)
-            np.multiply(out, t2, out)
-            np.add(t1, a, t3)
-            np.divide(out, t3, out)
-            np.multiply(C12, h, t4)
-            np.multiply(t4, t2, t4)
-            np.divide(t4, t3, t3)
-            np.add(out, t3, t3)
-            np.multiply(C13, h, out)
-            np.multiply(out, t2, out)
-            np.multiply(out, t1, out)
-            np.square(a, t4)
-            np.divide(out, t4, out)
-            np.multiply(C9, h, t5)
-            np.square(t2, t2)
-            np.multiply(t5, t2, t2)
-            np.multiply(t2, t1, t1)
-            np.square(t4, t4)
-            np.divide(t1, t4, t4)
-            np.add(out, t4, t4)
-            np.divide(t0, C11, out)
-            np.subtract(t3, t4, t4)
-            np.multiply(out, t4, out)
-        if some56 != size:
-            other56 = t4 if some56 else out
-            some55 = np.count_nonzero(m0)
-            if some55:
-                np.multiply(t0, a, other56)
-                np.multiply(C5, h, t3)
-                np.divide(t3, C2, t3)
-                np.add(d, t3, t3)
-                np.multiply(other56, t3, other56)
-            if some55 != size:
-                np.copyto(other56, C0, where=~m0)
-            if some56:
-                np.copyto(out, other56, where=~m1)
-    if some57 != size:
         np.copyto(out, C0, where=~m0)
 
 
@@ -588,7 +291,7 @@ def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, t0, t1, m0):
             np.multiply(v34, out, out)
             np.divide(out, t0, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m0)
+            np.copyto(out, C8, where=~m0)
     else:
         np.copyto(out, C0)
 
@@ -616,7 +319,7 @@ def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, t0, t1, m0, m1, m2
     some41 = np.count_nonzero(m0)
     if some41:
         np.less_equal(r, a, m1)
-        np.greater(d, C14, m2)
+        np.greater(d, C8, m2)
         np.bitwise_and(m1, m2, m2)
         some39 = np.count_nonzero(m2)
         if some39:
@@ -637,7 +340,7 @@ def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, t0, t1, m0, m1, m2
             np.multiply(v34, out, out)
             np.divide(out, t0, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m2)
+            np.copyto(out, C8, where=~m2)
     if some41 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -661,7 +364,7 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
     some41 = np.count_nonzero(m0)
     if some41:
         np.less_equal(r, a, m1)
-        np.greater(d, C14, m2)
+        np.greater(d, C8, m2)
         np.bitwise_and(m1, m2, m2)
         some39 = np.count_nonzero(m2)
         if some39:
@@ -678,15 +381,15 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
             np.multiply(t3, out, out)
             np.square(a, t3)
             np.square(t3, t3)
-            np.multiply(C15, t3, t3)
+            np.multiply(C9, t3, t3)
             np.divide(out, t3, t3)
-            np.divide(E_star, C16, out)
+            np.divide(E_star, C10, out)
             np.subtract(d, t1, t4)
             np.add(t4, t3, t3)
             np.multiply(out, t3, t3)
             np.divide(t3, t2, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m2)
+            np.copyto(out, C8, where=~m2)
     if some41 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -782,7 +485,7 @@ def prepare_zero_radius_all_signed():
 
 
 def block_zero_radius_all_signed(out, a):
-    np.multiply(a, C17, out)
+    np.multiply(a, C11, out)
 
 
 BLOCKS = {
@@ -790,18 +493,9 @@ BLOCKS = {
         ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 0, 1, (), False),
         ('F', 'a', 'h', 'E_star'): (('F', 'a', 'h', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 1, 1, (), False),
     },
-    ('_energy', 1, 'd', 'a', 'h', 'E_star'): {
-        ('d',): (('d',), prepare_energy_d, block_energy_d, 1, 1, (), False),
-        ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_energy_all, block_energy_all, 1, 1, (), False),
-    },
     ('_force', 1, 'd', 'a', 'h', 'E_star'): {
         ('d',): (('d',), prepare_force_d, block_force_d, 0, 1, (), False),
         ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, 1, 1, (), False),
-    },
-    ('_load_within', 2, 'r', 'd', 'a', 'h', 'E_star'): {
-        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 4, 1, (), False),
-        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 4, 2, (), False),
-        ('r', 'd', 'a', 'h', 'E_star'): (('r', 'd', 'a', 'h', 'E_star'), prepare_load_within_all, block_load_within_all, 6, 2, (), False),
     },
     ('_minimum_depth', 0, 'h'): {
         ('h',): (('h',), prepare_minimum_depth_all_signed, block_minimum_depth_all_signed, 0, 0, (), False),

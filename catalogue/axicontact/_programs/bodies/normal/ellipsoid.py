@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import asinh, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._programs.bodies._runtime.shapes.arcs import arc_strips
+from ...._runtime.plain import log1p, MATH as np
 
 
 def _slope(t, root, h, b):
@@ -25,6 +26,26 @@ def _force_at(a, root, h, b, E_star):
     else:
         v49 = v6 - v8
     return E_star * h * (b * v49 + a * a * v6 / b)
+
+
+def _force(a, h, b, E_star):
+    v9 = log1p(2.0 * a / (b - a)) / 2.0
+    v14 = a / b
+    if v9 < 1.0:
+        v20 = v9 * v9
+        v55 = v14 * (v14 * v14) * ((((((1.0716932453474512e-06 * v20 + 0.00019982814521087247) * v20 + 0.007076196047699156) * v20 + 0.08608622548411103) * v20 + 0.3073858328214721) * v20 + 0.3333333333333333) / (((((2.565078604208634e-08 * v20 + 2.0203143566039827e-05) * v20 + 0.001617010334189783) * v20 + 0.03639274880225476) * v20 + 0.32215749846441627) * v20 + 1.0))
+    else:
+        v55 = v9 - v14
+    return E_star * h * (a * a * v9 / b + b * v55)
+
+
+def _pressure(r, a, h, b, E_star):
+    root_br = np.sqrt((b - r) * (r + b))
+    root = np.sqrt((a - r) * (a + r))
+    root_ba = np.sqrt((b - a) * (a + b))
+    pressed = E_star * h / np.pi * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b)
+    inside = pressed if r < a else 0.0
+    return inside if a <= b else np.nan
 
 
 def _contact_from_depth(d, h, b):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import atan, atan2
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R, b):
@@ -30,6 +30,19 @@ def _force_at(a, root, R, b, E_star):
     else:
         v60 = v13 - atan(v13)
     return E_star / R * (root * (root * root) / 3.0 + b * (a * a) * v60)
+
+
+def _force(a, R, b, E_star):
+    v4 = a - b
+    v6 = v4 * (a + b)
+    v7 = sqrt(v6)
+    v12 = v4 / b
+    if v12 < 0.42:
+        v55 = v12 * sqrt(v12) * ((((((0.0005288491342179178 * v12 + 0.038096760299703034) * v12 + 0.4065213849117787) * v12 + 1.438682033198726) * v12 + 1.9979042349620892) * v12 + 0.9428090415820634) / (((((0.006421883194715949 * v12 + 0.15001504718401248) * v12 + 0.9450913324352289) * v12 + 2.37401087025821) * v12 + 2.569097449054519) * v12 + 1.0))
+    else:
+        v15 = v7 / b
+        v55 = v15 - atan(v15)
+    return E_star / R * (b * (a * a) * v55 + v6 * v7 / 3.0)
 
 
 def _contact_from_depth(d, R, b):

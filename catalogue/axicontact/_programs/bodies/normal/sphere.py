@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import asinh, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._programs.bodies._runtime.shapes.arcs import arc_strips
+from ...._runtime.plain import log1p, MATH as np
 
 
 def _slope(t, root, R):
@@ -25,6 +26,26 @@ def _force_at(a, root, R, E_star):
     else:
         v51 = v5 - v10
     return E_star * (a * a * v5 + R * R * v51)
+
+
+def _force(a, R, E_star):
+    v8 = log1p(2.0 * a / (R - a)) / 2.0
+    v12 = a / R
+    if v8 < 1.0:
+        v18 = v8 * v8
+        v53 = v12 * (v12 * v12) * ((((((1.0716932453474512e-06 * v18 + 0.00019982814521087247) * v18 + 0.007076196047699156) * v18 + 0.08608622548411103) * v18 + 0.3073858328214721) * v18 + 0.3333333333333333) / (((((2.565078604208634e-08 * v18 + 2.0203143566039827e-05) * v18 + 0.001617010334189783) * v18 + 0.03639274880225476) * v18 + 0.32215749846441627) * v18 + 1.0))
+    else:
+        v53 = v8 - v12
+    return E_star * (a * a * v8 + R * R * v53)
+
+
+def _pressure(r, a, R, E_star):
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root = np.sqrt((R - a) * (a + R))
+    root_ar = np.sqrt((a - r) * (a + r))
+    pressed = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R))
+    inside = pressed if r < a else 0.0
+    return inside if a <= R else np.nan
 
 
 def _contact_from_depth(d, R):

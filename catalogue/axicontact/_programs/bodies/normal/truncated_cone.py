@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import atan, tan
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, theta, b):
@@ -19,6 +19,11 @@ def _depth_at(a, root, theta, b):
 
 def _force_at(a, root, theta, b, E_star):
     return E_star * tan(theta) * (a * a * atan(root / b) + b * root)
+
+
+def _force(a, theta, b, E_star):
+    v7 = sqrt((a - b) * (a + b))
+    return E_star * tan(theta) * (a * a * atan(v7 / b) + b * v7)
 
 
 def _contact_from_depth(d, theta, b):

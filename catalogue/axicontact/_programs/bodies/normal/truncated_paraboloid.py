@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, MATH as np
 
 
 def _slope_beyond(t, root, R, b):
@@ -17,6 +17,10 @@ def _depth_at(a, root, R):
 
 def _force_at(a, root, R, b, E_star):
     return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * root
+
+
+def _force(a, R, b, E_star):
+    return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b))
 
 
 def _contact_from_force(F, R, b, E_star):

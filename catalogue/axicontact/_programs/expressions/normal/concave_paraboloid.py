@@ -64,29 +64,3 @@ def zero_radius(xp):
 
 def minimum_depth(xp, h):
     return 2.0 * h
-
-
-def energy(xp, d, a, h, E_star):
-    v2 = 2.0 * h * 0.999999999999999
-    v3 = v2 <= d
-    v4 = xp.where(v3, v2, 0.5 * d)
-    v18 = xp.where(v3, 2.0 * d, v2)
-    v17 = E_star * (d ** 2.0 * a + 4.0 * h / 3.0 * d * a + 4.0 * h ** 2.0 / 5.0 * a)
-    return xp.where(v3, v17, xp.nan)
-
-
-def load_within(xp, r, d, a, h, E_star):
-    v1 = 2.0 * h
-    v2 = v1 * 0.999999999999999
-    v3 = v2 <= d
-    v4 = xp.where(v3, v2, 0.5 * d)
-    v5 = r < a
-    v6 = xp.where(v5, r, 0.5 * a)
-    v10 = v6 ** 2.0
-    v15 = xp.sqrt((a - v6) * (a + v6))
-    v16 = v15 + a
-    v26 = 3.0 * d * v10 / v16 + v1 * v10 / v16 - 4.0 * h * v10 * v15 / a ** 2.0
-    v28 = xp.where(v5, 2.0 * a, r)
-    v31 = xp.where(v3, 2.0 * d, v2)
-    v32 = xp.where(v3, xp.where(v5, 2.0 * E_star / 3.0 * v26, force(xp, d, a, h, E_star)), xp.nan)
-    return v32

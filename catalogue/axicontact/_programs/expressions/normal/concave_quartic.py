@@ -66,29 +66,3 @@ def zero_radius(xp, a):
 
 def minimum_depth(xp, h):
     return 4.0 * h / 3.0
-
-
-def energy(xp, d, a, h, E_star):
-    v3 = 4.0 * h / 3.0 * 0.999999999999999
-    v4 = v3 <= d
-    v5 = xp.where(v4, v3, 0.5 * d)
-    v17 = d ** 2.0 * a + 16.0 * h / 15.0 * d * a + 64.0 * h ** 2.0 / 81.0 * a
-    v19 = xp.where(v4, 2.0 * d, v3)
-    return xp.where(v4, E_star * v17, xp.nan)
-
-
-def load_within(xp, r, d, a, h, E_star):
-    v3 = 4.0 * h / 3.0 * 0.999999999999999
-    v4 = v3 <= d
-    v5 = xp.where(v4, v3, 0.5 * d)
-    v6 = r < a
-    v7 = xp.where(v6, r, 0.5 * a)
-    v11 = v7 ** 2.0
-    v16 = xp.sqrt((a - v7) * (a + v7))
-    v17 = v16 + a
-    v26 = a ** 2.0
-    v34 = 32.0 * h * v11 * v16 / v26 + 64.0 * h * v11 ** 2.0 * v16 / v26 ** 2.0
-    v37 = xp.where(v6, 2.0 * a, r)
-    v36 = 2.0 * E_star / 45.0 * (45.0 * d * v11 / v17 + 24.0 * h * v11 / v17 - v34)
-    v40 = xp.where(v4, 2.0 * d, v3)
-    return xp.where(v4, xp.where(v6, v36, force(xp, d, a, h, E_star)), xp.nan)

@@ -6,10 +6,6 @@ from ...._programs.expressions._runtime.shapes.powers import power_pressure
 from ...._programs.expressions._runtime.special import gamma_ratio
 
 
-def profile(xp, r, A, n):
-    return A * r ** n
-
-
 def depth(xp, a, A, n):
     return 1.7724538509055159 * A * a ** n * gamma_ratio(xp, n / 2.0 + 0.5)
 
@@ -34,15 +30,6 @@ def displacement(xp, r, a, A, n):
     return xp.where(v1, v12, depth(xp, a, A, n) - A * xp.where(v1, 0.5 * a, r) ** n)
 
 
-def stiffness(xp, a, E_star):
-    return 2.0 * E_star * a
-
-
-def mean_pressure(xp, a, A, n, E_star):
-    v8 = 2.0 * E_star * n * A / (1.7724538509055159 * (n + 1.0)) * lower_power(xp, a, n)
-    return v8 * gamma_ratio(xp, n / 2.0 + 0.5)
-
-
 def radius_from_depth(xp, d, A, n):
     v6 = d / (1.7724538509055159 * A * gamma_ratio(xp, n / 2.0 + 0.5))
     v10 = n + 0.0
@@ -57,6 +44,19 @@ def radius_from_force(xp, F, A, n, E_star):
     v15 = v10 ** (1.0 / v1)
     v23 = v15 + v15 * ((v10 / (v15 ** n * v15 ** 1.0) - 1.0) / v1)
     return xp.where((v10 > 0.0) & (v10 < xp.inf), v23, v15)
+
+
+def profile(xp, r, A, n):
+    return A * r ** n
+
+
+def stiffness(xp, a, E_star):
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, A, n, E_star):
+    v8 = 2.0 * E_star * n * A / (1.7724538509055159 * (n + 1.0)) * lower_power(xp, a, n)
+    return v8 * gamma_ratio(xp, n / 2.0 + 0.5)
 
 
 def force_from_depth(xp, d, A, n, E_star):
@@ -79,19 +79,5 @@ def depth_from_force(xp, F, A, n, E_star):
     return 1.7724538509055159 * A * v4 * xp.where(v15, v27, v12)
 
 
-def energy(xp, a, A, n, E_star):
-    v6 = 2.0 * n
-    v11 = 6.283185307179586 * E_star * n ** 2.0 * A ** 2.0 / ((v6 + 1.0) * (n + 1.0)) * a
-    return v11 * a ** v6 * gamma_ratio(xp, n / 2.0 + 0.5) ** 2.0
-
-
-def load_within(xp, r, a, A, n, E_star):
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = v2 > 0.0
-    v4 = xp.where(v3, v2, 1.0)
-    v22 = 1.0 / (xp.sqrt((a - v4) * (a + v4)) + a) + power_pressure(xp, v4, a, n) / a
-    v23 = 3.5449077018110318 * E_star * n * A / (n + 1.0) * a ** n * v4 ** 2.0 * v22
-    v29 = xp.where(v1, 2.0 * a, r)
-    v28 = xp.where(v3, v23 * gamma_ratio(xp, n / 2.0 + 0.5), 0.0)
-    return xp.where(v1, v28, force(xp, a, A, n, E_star))
+def slope(xp, t, A, n):
+    return 1.7724538509055159 * n * A * gamma_ratio(xp, n / 2.0 + 0.5) * t ** n / t

@@ -3,10 +3,6 @@
 from ...._programs.expressions._runtime.functions import half_tangent
 
 
-def profile(xp, r, A):
-    return A * r ** 6.0
-
-
 def depth(xp, a, A):
     return 16.0 * A / 5.0 * a ** 6.0
 
@@ -41,14 +37,6 @@ def displacement(xp, r, a, A):
     return xp.where(v1, v46, depth(xp, a, A) - A * xp.where(v1, 0.5 * a, r) ** 6.0)
 
 
-def stiffness(xp, a, E_star):
-    return 2.0 * E_star * a
-
-
-def mean_pressure(xp, a, A, E_star):
-    return 192.0 * E_star * A / 109.95574287564276 * a ** 5.0
-
-
 def radius_from_depth(xp, d, A):
     v3 = 5.0 * d / (16.0 * A)
     v7 = v3 ** 0.16666666666666666
@@ -61,6 +49,18 @@ def radius_from_force(xp, F, A, E_star):
     v8 = v4 ** 0.14285714285714285
     v16 = v8 + v8 * ((v4 / (v8 ** 7.0 * v8 ** 0.0) - 1.0) / 7.0)
     return xp.where((v4 > 0.0) & (v4 < xp.inf), v16, v8)
+
+
+def profile(xp, r, A):
+    return A * r ** 6.0
+
+
+def stiffness(xp, a, E_star):
+    return 2.0 * E_star * a
+
+
+def mean_pressure(xp, a, A, E_star):
+    return 192.0 * E_star * A / 109.95574287564276 * a ** 5.0
 
 
 def force_from_depth(xp, d, A, E_star):
@@ -81,19 +81,5 @@ def depth_from_force(xp, F, A, E_star):
     return xp.where(v4, v15, v1) * xp.where((v18 > 0.0) & (v18 < xp.inf), v30, v22)
 
 
-def energy(xp, a, A, E_star):
-    return 18432.0 * E_star * A ** 2.0 / 2275.0 * a ** 13.0
-
-
-def load_within(xp, r, a, A, E_star):
-    v1 = r < a
-    v2 = xp.where(v1, r, 0.5 * a)
-    v3 = v2 > 0.0
-    v4 = xp.where(v3, v2, 1.0)
-    v8 = v4 ** 2.0
-    v15 = xp.sqrt((a - v4) * (a + v4))
-    v18 = a ** 2.0
-    v26 = 15.0 * a ** 6.0 / (v15 + a) + 3.0 * v18 ** 2.0 * v15 + 4.0 * v18 * v8 * v15
-    v33 = xp.where(v1, 2.0 * a, r)
-    v32 = xp.where(v3, 64.0 * E_star * A / 175.0 * v8 * (v26 + 8.0 * v8 ** 2.0 * v15), 0.0)
-    return xp.where(v1, v32, force(xp, a, A, E_star))
+def slope(xp, t, A):
+    return 96.0 * A / 5.0 * t ** 5.0
