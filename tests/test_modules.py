@@ -24,8 +24,6 @@ COMPACT_FUNCTIONS = {
     "displacement": ["r", "a"],
     "stiffness": ["a"],
     "mean_pressure": ["a"],
-    "load_within": ["r", "a"],
-    "energy": ["a"],
     "radius_from_depth": ["d"],
     "radius_from_force": ["F"],
     "force_from_depth": ["d"],
@@ -33,8 +31,6 @@ COMPACT_FUNCTIONS = {
 }
 COMPLETE_FUNCTIONS = {
     "profile": ["r"],
-    "load_within": ["r", "d"],
-    "energy": ["d"],
     "force": ["d"],
     "pressure": ["r", "d"],
     "displacement": ["r", "d"],

@@ -113,8 +113,6 @@ p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2
 r_zero = _define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
 r_peak = _define("r_peak", r"r_{\mathrm{max}}", LENGTH, "m", "", "radius of the ring of greatest pressure")
 p_peak = _define("p_peak", r"p_{\mathrm{max}}", STRESS, "Pa", "", "greatest pressure")
-F_r = _define("F_r", "F_r", FORCE, "N", "", "part of the normal force that is carried within the radius r")
-U = _define("U", "U", Dimension.of(1, 1), "J", "", "elastic energy, the work of pressing the indenter in")
 stiffness = _define(
     "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
 )

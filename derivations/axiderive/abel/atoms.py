@@ -6,7 +6,6 @@ With k the exponent of grading (k = 0: homogeneous half-space) an atom gives
     force         F^(a) = int_0^a t**k (g(a) - g(t)) dt                               (11.51), (11.20)
     pressure      P^(r) = int_r^a g'(t) (t^2 - r^2)**((k-1)/2) dt                     (11.53), (11.23)
     displacement  W^(r) = int_0^a t**k (g(a) - g(t)) (r^2 - t^2)**(-(1+k)/2) dt       (11.56)
-    within        L^(r) = int_0^a t g'(t) dt - int_r^a g'(t) sqrt(t^2 - r^2) dt       for k = 0, r < a
 
 without prefactors.  Exchanging the order of integration leaves one algebraic
 integral for each, so no iterated integral appears.
@@ -63,10 +62,6 @@ class Atom(Protocol):
         """W^(r) for r > a, or None where no closed form is known."""
         ...
 
-    def within(self, order: Order, k: sp.Expr) -> Form | None:
-        """L^(r) for r < a, or None where no closed form is known."""
-        ...
-
 
 def depth_kernel(slope: sp.Expr, k: sp.Expr) -> sp.Expr:
     """Integrand of (11.61) in x for the slope f'(x)."""
@@ -119,30 +114,17 @@ class PowerAtom:
             return pressure_moment(self.n - 1, k) * (growth * self.n)
         if k != 0 or not self.n.is_Integer:
             return None
-        return self._rate_moment(0, order.below(r, self.b))
-
-    def _rate_moment(self, more: int, inside: bool) -> Form:
-        """int_max(r, b)^a t**more g'(t)/sqrt(t^2 - r^2) dt; inside means r < b."""
         # g'(t) = c n [n A_{n-1}(t; b) + b**n / sqrt(t^2 - b^2)]
-        total = elliptic_moment(more, self.b, inside) * self.b**self.n
+        inside = order.below(r, self.b)
+        total = elliptic_moment(0, self.b, inside) * self.b**self.n
         for master, coefficient in depth_moment(self.n - 1, self.b).items():
             for (power,), factor in sp.Poly(sp.expand(coefficient * self.n), a).terms():
                 if isinstance(master, sp.acos):
-                    total = total + arccos_moment(power + more, self.b, inside) * factor
+                    total = total + arccos_moment(power, self.b, inside) * factor
                 else:  # sqrt(t^2 - b^2) t**power = t**power (t^2 - b^2)/sqrt(t^2 - b^2)
-                    total = total + elliptic_moment(power + more + 2, self.b, inside) * factor
-                    total = total + elliptic_moment(power + more, self.b, inside) * (-factor * self.b**2)
+                    total = total + elliptic_moment(power + 2, self.b, inside) * factor
+                    total = total + elliptic_moment(power, self.b, inside) * (-factor * self.b**2)
         return total * (self.c * self.n)
-
-    def within(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        """L^(r); with b = 0 it is [n g(a) (a - sqrt(a^2 - r^2)) + r^2 P^(r)]/(n + 1), as g' is a power of t."""
-        pressure = self.pressure(order, k)
-        if k != 0 or pressure is None or not order.below(self.b, a):
-            return None if k != 0 else pressure
-        if self.b != 0:
-            return self.force(order, k) + self._rate_moment(2, order.below(r, self.b)) * -1 + pressure * r**2
-        sunk = self.depth(order, k) * self.n
-        return (sunk * a + sunk.times(sp.sqrt(a**2 - r**2)) * -1 + pressure * r**2) * (1 / (self.n + 1))
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         """W^(r) for r > a; None with a break where k != 0 or n is no integer."""

@@ -100,18 +100,6 @@ class SphereAtom:
         form = form + Form.of(LegendreChi2((a - root_a) / (self.R + root_R)), -self.c)
         return form + Form.of(sp.atanh(root_a / root_R) / root_R, self.c * self.R)
 
-    def within(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        """F^ less int g'(t) u dt, u = sqrt(t^2 - r^2), by parts with 2 u = d(t u)/dt - r^2/u."""
-        pressure = self.pressure(order, k)
-        if pressure is None:
-            return None
-        root_a, root_R = sp.sqrt(a**2 - r**2), sp.sqrt(self.R**2 - r**2)
-        half = self.c / 2
-        angle = sp.atanh(root_a / root_R)
-        rest = Form.of(self._angle(order) * root_a, a * half) + Form.of(root_a, -self.R * half)
-        rest = rest + Form.of(root_R * angle, self.R * half) + Form.of(angle / root_R, r**2 * self.R * half)
-        return Form.total((self.force(order, k) or Form(), rest * -1, pressure * (r**2 / 2)))
-
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         """Lemma for W^ with f split as (R^2 - s^2)/sqrt(R^2 - s^2): two angles and one arc."""
         if k != 0:
@@ -176,18 +164,6 @@ class HyperboloidAtom:
         form = Form.of(ArctanIntegral((a + root_a) / (self.b + root_b)), self.c)
         form = form + Form.of(ArctanIntegral((a - root_a) / (self.b + root_b)), -self.c)
         return form + Form.of(sp.atan(root_a / root_b) / root_b, self.c * self.b)
-
-    def within(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
-        """As for the sphere, with i b for R."""
-        pressure = self.pressure(order, k)
-        if pressure is None:
-            return None
-        root_a, root_b = sp.sqrt(a**2 - r**2), sp.sqrt(self.b**2 + r**2)
-        half = self.c / 2
-        angle = sp.atan(root_a / root_b)
-        rest = Form.of(sp.atan(a / self.b) * root_a, a * half) + Form.of(root_a, self.b * half)
-        rest = rest + Form.of(root_b * angle, -self.b * half) + Form.of(angle / root_b, r**2 * self.b * half)
-        return Form.total((self.force(order, k) or Form(), rest * -1, pressure * (r**2 / 2)))
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
         """W^(r) for r > a and k = 0, by arcs; None for any other k."""

@@ -60,10 +60,6 @@ class Reduced:
         """W^(r) for r > a, or None if it is not known for one of the atoms."""
         return self._total("displacement", order)
 
-    def within(self, order: Order) -> Form | None:
-        """L^(r) for r < a, or None if it is not known for one of the atoms."""
-        return self._total("within", order)
-
     def primitives(self, order: Order) -> tuple[Primitive, ...]:
         """The antiderivatives of all atoms, one after the other."""
         return tuple(primitive for atom in self.atoms for primitive in atom.primitives(order, self.k))

@@ -27,7 +27,9 @@ class _SingleScale:
         """None: no closed form is known."""
         return None
 
-    displacement = within = pressure
+    def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:
+        """None: no closed form is known."""
+        return None
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,6 @@ import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.consequences import DEFINED
 from ..oracle.evaluate import case_at, evaluate, evaluate_case
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
@@ -26,8 +25,6 @@ from .comparison import LOST, Comparison, Evidence, Rows, formula_value, inverse
 NESTED = 46
 """Digits of a pressure on the graded half-space, which is an integral of integrals."""
 NESTED_LOST = 6
-TWICE, SPARE = 20, 12
-"""Digits of a consequence, which is an integral of integrals too, and those carried beyond them."""
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
 ILL = 60
@@ -45,16 +42,15 @@ def check(own: Comparison, suffix: str) -> Evidence:
     quantity, graded = own.entries[suffix].quantity, own.graded(suffix)
     if quantity.threshold or (quantity.member and not quantity.control):
         return rings.check(own, suffix)
-    nested, twice = graded and quantity.place == "inside" and not _sum_of_powers(own.profile), suffix in DEFINED
-    working = min(own.digits, NESTED if nested else TWICE if twice else own.digits)
-    drawn = own.drawn(suffix, 1 if nested or twice else own.points)
+    nested = graded and quantity.place == "inside" and not _sum_of_powers(own.profile)
+    working = min(own.digits, NESTED) if nested else own.digits
+    drawn = own.drawn(suffix, 1 if nested else own.points)
     rule, more = (_superposed, 20) if own.physics.definitions else (_adhesive if own.physics.tension else _pressed, 0)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
     ill = quantity.symbol == nt.c
-    more = ILL if ill else SPARE if twice else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
+    more = ILL if ill else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
     rows: Rows = []
-    guard = SPARE if twice else GUARD + (ILL if ill else 0)
-    with mp.workdps(working + guard):
+    with mp.workdps(working + GUARD + (ILL if ill else 0)):
         for point in drawn:
             here = HalfSpace(own.profile, point.values, working + more, graded)
             rows.append((point.values, rule(here, own, suffix, here.at(nt.a), working)))

@@ -27,7 +27,6 @@ from .. import notation as nt
 from ..physics import DEPTH, FORCE, PRESSURE
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
-from .consequences import DEFINED
 from .evaluate import evaluated
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
@@ -96,7 +95,7 @@ class HalfSpace:
         return mp.sqrt(2 * mp.pi * a * self.at(nt.dgamma) / (self.modulus * a**self.k))
 
     def normal(self, suffix: str, a: Number, free_depth: Number | None = None) -> Number:
-        """d, F, pm, p, w, k or a consequence; `free_depth` is that of a complete contact."""
+        """d, F, pm, p, w or k; `free_depth` is that of a complete contact."""
         match suffix:
             case "d":
                 return self.depth(a) if free_depth is None else free_depth
@@ -114,9 +113,7 @@ class HalfSpace:
             case "k" if free_depth is not None:  # the force is linear in the free depth
                 face = self.face(a)
                 return self.modulus * (face.force(a, free_depth + 1) - face.force(a, free_depth))
-        if suffix in DEFINED:
-            return DEFINED[suffix](self, a, free_depth)
-        message = f"no integral defines {suffix!r}; use d, F, pm, p, w, k or one of {', '.join(DEFINED)}"
+        message = f"no integral defines {suffix!r}; use d, F, pm, p, w or k"
         raise ValueError(message)
 
     def adhesive(self, suffix: str, a: Number) -> Number:

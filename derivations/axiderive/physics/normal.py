@@ -27,7 +27,6 @@ from ..entry import COMPACT, COMPLETE, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
 from . import Physics, Wording, complete, peak
-from .consequences import CONSEQUENCES
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
@@ -118,11 +117,6 @@ def _cubic(third: sp.Expr, first: sp.Expr, b: sp.Expr, value: sp.Symbol) -> sp.E
     return sp.sqrt(b**2 + S**2)
 
 
-QUANTITIES = {
-    "compact": COMPACT | {suffix: own.compact for suffix, own in CONSEQUENCES.items()},
-    "complete": COMPLETE | {suffix: own.complete for suffix, own in CONSEQUENCES.items()},
-}
-"""By the kind of contact."""
 REFERENCES = {
     "d": (("(11.29)",), ("(11.61)",)),
     "F": (("(11.20)",), ("(11.51)",)),
@@ -137,8 +131,6 @@ REFERENCES = {
     "rp": (("(11.23)",), ()),
     "pp": (("(11.23)",), ()),
 }
-NOWHERE: tuple[tuple[str, ...], ...] = ((), ())
-"""References of what chapter 11 does not state."""
 
 
 def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
@@ -165,7 +157,6 @@ def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
         "dF": g_(a),
         "rp": sp.Eq(sp.Derivative(p_(r), r), 0),
         "pp": p_(r_peak),
-        **{suffix: own.definition for suffix, own in CONSEQUENCES.items()},
     }
 
 
@@ -204,8 +195,7 @@ class _Compact:
         above = self.profile.breaks[0] if self.profile.truncated else None
         return tuple(insert(fixed, a, above=above))
 
-    def close(self, form: Form) -> sp.Expr:
-        """A reduced quantity as an expression, summed over the powers of a polynomial."""
+    def _close(self, form: Form) -> sp.Expr:
         expr = form.expr()
         if not self.summed:
             return expr
@@ -227,13 +217,10 @@ class _Compact:
             "k": self._entry("k", "closed", (Case((a,), self.medium.stiffness()),)),
             "pm": self._entry("pm", "closed", mean),
         }
-        if not self.medium.graded:
-            found = {suffix: own.derive(self, entries) for suffix, own in CONSEQUENCES.items()}
-            entries |= {suffix: self._entry(suffix, *stated) for suffix, stated in found.items()}
         return entries | self._greatest(depth, pressure) | self._inverses(depth, force)
 
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
-        return tuple(Case(c, self.close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
+        return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
 
     def _entry(
         self,
@@ -243,17 +230,16 @@ class _Compact:
         primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
         composed: tuple[str, str] | None = None,
     ) -> Entry:
-        quantity = QUANTITIES["compact"][suffix]
-        material = self.medium.moduli if quantity.elastic else self.medium.moduli[1:]
+        material = self.medium.moduli if COMPACT[suffix].elastic else self.medium.moduli[1:]
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
-            quantity=quantity,
+            quantity=COMPACT[suffix],
             status=status,
             cases=cases,
             definition=definitions(self.medium)[suffix],
             parameters=self.profile.parameters + material,
-            references=REFERENCES.get(suffix, NOWHERE)[self.medium.k != 0],
+            references=REFERENCES[suffix][self.medium.k != 0],
             primitives=primitives or {},
             composed=composed,
         )
@@ -262,7 +248,7 @@ class _Compact:
         cases, primitives = [], {}
         for chain in self.chains:
             form = self.reduced.depth(Order(chain))
-            cases.append(Case(chain, self.close(form)))
+            cases.append(Case(chain, self._close(form)))
             primitives[chain] = self.reduced.primitives(Order(chain))
         return tuple(cases), primitives
 
@@ -273,7 +259,7 @@ class _Compact:
             for chain in insert(regime.chain, r, below=a):
                 form = self.reduced.pressure(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self.close(form * self.medium.pressure_scale)))
+                    cases.append(Case(chain, self._close(form * self.medium.pressure_scale)))
                 else:
                     status = "integral"
                     cases.append(Case(chain, self._pressure_integral(chain, regime, cases)))
@@ -304,7 +290,7 @@ class _Compact:
             for chain in insert(regime.chain, r, above=a):
                 form = self.reduced.displacement(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self.close(form * self.medium.displacement_scale)))
+                    cases.append(Case(chain, self._close(form * self.medium.displacement_scale)))
                 else:
                     status = "integral"
                     cases.append(Case(chain, self._displacement_integral(chain, regime, cases)))
@@ -416,7 +402,7 @@ PHYSICS = Physics(
     derive,
     contact="without adhesion",
     runtime=("physics.unknowns",),
-    quantities=QUANTITIES,
+    quantities={"compact": COMPACT, "complete": COMPLETE},
     wanted=("depth", "force", "pressure", "displacement"),
     compared="mpmath quadrature of the definition",
 )

@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..entry import Quantity
 from ..notation import a, a_c, dgamma, r, retraction, u
 from ..physics import Rule, adhesive, normal
-from ..physics.consequences import CONSEQUENCES
 from ..physics.medium import Medium
 from ..physics.systems import System
 from ..print.formula import Printer
@@ -52,8 +50,7 @@ def _adhesive(medium: Medium) -> dict[str, Rule]:
 def _normal(medium: Medium) -> dict[str, Rule]:
     """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
     if not medium.graded:
-        further = {suffix: Rule(own.printed, where=_within(own.compact)) for suffix, own in CONSEQUENCES.items()}
-        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})"), **further}
+        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
     k, printer = medium.k, Printer((r, a))
     scale = printer(medium.pressure_scale / (1 + k))
     span = printer((a**2 - r**2) ** ((1 + k) / 2))
@@ -71,10 +68,6 @@ def _normal(medium: Medium) -> dict[str, Rule]:
             where=OUTSIDE,
         ),
     }
-
-
-def _within(quantity: Quantity) -> str:
-    return {"": "", "inside": INSIDE, "outside": OUTSIDE}[quantity.place]
 
 
 RULES = {normal.PHYSICS: _normal, adhesive.PHYSICS: _adhesive}

@@ -142,9 +142,7 @@ class Regimes:
                 steps[i] = f"{name} = np.where(a < {self.b}, {python(moved.steps[i][1])}, {python(whole)})"
         return moved, steps
 
-    @property
-    def strip(self) -> str:
-        """The last argument of a rule beyond the break, if there is one."""
+    def _width(self) -> str:
         return strip_width(self.profile)
 
 
