@@ -107,14 +107,15 @@ def _points_down(base: sp.Expr, positive: Callable[[sp.Expr], bool]) -> bool:
 
 
 def _conjugates(powers: dict[sp.Expr, sp.Expr]) -> dict[sp.Expr, sp.Expr]:
-    """(u - v)(u + v) -> u^2 - v^2, where both carry the same exponent."""
+    """(u - v)(u + v) -> u^2 - v^2, where both carry the same exponent, into what there is of that square."""
     for one, other in itertools.combinations(powers, 2):
         if not (one.is_Add and other.is_Add and len(one.args) == len(other.args) == 2 and powers[one] == powers[other]):
             continue
         twice, gap = one + other, one - other
         if not twice.is_Add and not gap.is_Add:
-            merged = {sp.expand(one * other): powers[one]}
-            return _conjugates(merged | {b: e for b, e in powers.items() if b not in (one, other)})
+            square = sp.expand(one * other)
+            merged = {square: powers[one] + powers.get(square, sp.S.Zero)}
+            return _conjugates(merged | {b: e for b, e in powers.items() if b not in (one, other, square)})
     return powers
 
 
