@@ -60,10 +60,10 @@ def stress(
 ) -> Stress:
     """Stress below the contact.
 
-        zz = -E_star*(S_0 + D_0)/pi
-        rz = -E_star*D_1/pi
-        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
-        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+        zz = -E_star*(D_0 + S_0)/pi
+        rz = -D_1*E_star/pi
+        rr + tt = E_star*(D_0 - S_0*(2*nu + 1))/pi
+        rr - tt = E_star*(-D_2 - 2*S_2*nu + S_2)/pi
 
     Parameters
     ----------
@@ -120,8 +120,8 @@ def displacement(
 ) -> Displacement:
     """Displacement below the contact.
 
-        z = (2*W + z*S_0/(1 - nu))/pi
-        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+        z = (S_0*z/(1 - nu) + 2*W)/pi
+        r = -r*(-D_0 - D_2 + S_0 + S_2 - 2*nu*(S_0 + S_2))/(2*pi*(1 - nu))
 
     Parameters
     ----------
@@ -175,8 +175,8 @@ def surface_stress(
 ) -> SurfaceStress:
     """Stress of the surface.
 
-        rr + tt = E_star*(D_0 - (1 + 2*nu)*S_0)/pi
-        rr - tt = E_star*((1 - 2*nu)*S_2 - D_2)/pi
+        rr + tt = E_star*(D_0 - S_0*(2*nu + 1))/pi
+        rr - tt = E_star*(-D_2 - 2*S_2*nu + S_2)/pi
 
     Parameters
     ----------
@@ -223,7 +223,7 @@ def surface_displacement(
 ) -> Result:
     """Displacement of the surface away from the axis.
 
-        r = -r*((1 - 2*nu)*(S_0 + S_2) - D_0 - D_2)/(2*pi*(1 - nu))
+        r = -r*(-D_0 - D_2 + S_0 + S_2 - 2*nu*(S_0 + S_2))/(2*pi*(1 - nu))
 
     Parameters
     ----------
@@ -278,12 +278,12 @@ def sliding_stress(
 ) -> SlidingStress:
     """Stress that friction adds where the whole contact slides.
 
-        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
-        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
-        zz = -mu*E_star*D_1*cos(phi)/pi
-        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
-        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
-        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+        rr + tt = E_star*mu*(D_1 - S_1*(2*nu + 2))*cos(phi)/pi
+        rr - tt = E_star*mu*(D_1/2 - D_3/2 + S_1*(nu - 2) - S_3*nu)*cos(phi)/pi
+        zz = -D_1*E_star*mu*cos(phi)/pi
+        rt = -E_star*mu*(D_1/2 + D_3/2 + S_1*(nu - 2) + S_3*nu)*sin(phi)/(2*pi)
+        rz = -E_star*mu*(-D_0/2 + D_2/2 + S_0)*cos(phi)/pi
+        tz = E_star*mu*(-D_0/2 - D_2/2 + S_0)*sin(phi)/pi
 
     Parameters
     ----------
@@ -347,12 +347,12 @@ def partial_slip_stress(
 ) -> SlidingStress:
     """Stress that friction adds where the contact sticks within the radius c.
 
-        rr + tt = mu*E_star*(D_1 - 2*(1 + nu)*S_1)*cos(phi)/pi
-        rr - tt = mu*E_star*((nu - 2)*S_1 + D_1/2 - nu*S_3 - D_3/2)*cos(phi)/pi
-        zz = -mu*E_star*D_1*cos(phi)/pi
-        rt = mu*E_star*((2 - nu)*S_1 - D_1/2 - nu*S_3 - D_3/2)*sin(phi)/(2*pi)
-        rz = -mu*E_star*(S_0 - D_0/2 + D_2/2)*cos(phi)/pi
-        tz = mu*E_star*(S_0 - D_0/2 - D_2/2)*sin(phi)/pi
+        rr + tt = E_star*mu*(D_1 - S_1*(2*nu + 2))*cos(phi)/pi
+        rr - tt = E_star*mu*(D_1/2 - D_3/2 + S_1*(nu - 2) - S_3*nu)*cos(phi)/pi
+        zz = -D_1*E_star*mu*cos(phi)/pi
+        rt = -E_star*mu*(D_1/2 + D_3/2 + S_1*(nu - 2) + S_3*nu)*sin(phi)/(2*pi)
+        rz = -E_star*mu*(-D_0/2 + D_2/2 + S_0)*cos(phi)/pi
+        tz = E_star*mu*(-D_0/2 - D_2/2 + S_0)*sin(phi)/pi
 
     Parameters
     ----------
