@@ -43,6 +43,9 @@ def defined(profile: Profile, known: dict[sp.Symbol, Any], physics: str, suffix:
         free = mp.mpf(str(sp.N(known[nt.d], 30))) if profile.contact == "complete" else None
         if physics == "normal":
             return float(mp.re(half_space.normal(suffix, a, free)))
+        own = BY_NAME[f"graded.{physics}"].physics
+        if own.definitions:
+            return float(mp.re(half_space.defined(own.definitions(profile, half_space.medium)[suffix])))
         return float(mp.re(getattr(half_space, physics)(suffix, a)))
 
 

@@ -109,7 +109,7 @@ def wrong_constant(suffix: str, case: Case, entry: Entry) -> sp.Expr | None:
 
 def sample(case: Case) -> dict[sp.Symbol, sp.Rational]:
     """A point of the region; lengths of a complete contact that are not compared come after the chain."""
-    ordered = [*(m for m in case.chain if m.is_Symbol), *LENGTHS, nt.n, nt.h, nt.d, nt.A, nt.E_star, nt.F]
+    ordered = [*(m for m in case.chain if m.is_Symbol), *LENGTHS, nt.n, nt.h, nt.d, nt.A, nt.E_star, nt.F, nt.z]
     values = {symbol: sp.Rational(7 + 4 * i, 10) for i, symbol in enumerate(dict.fromkeys(ordered))}
     return {**values, nt.theta: sp.Rational(3, 10), nt.j: sp.Integer(3), nt.R2: sp.Rational(1, 2)}
 

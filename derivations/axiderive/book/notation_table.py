@@ -45,6 +45,14 @@ IN_PRINT: dict[str, tuple[str, str, str]] = {
         r"d_{\mathrm c},\;d_{\mathrm m}", "m", "depth at pull-off, under force and under depth control"
     ),
     ":sliding": (r"u,\;u_{\mathrm s}", "m", "tangential displacement of the rigid body, and the one at full slip"),
+    ":section": ("z", "m", "depth below the surface"),
+    ":pressed": (r"S_0,\;S_1,\;S_2,\;S_3", "1", "what is left of the pressure at a depth"),
+    ":deeper": (r"D_0,\;D_1,\;D_2,\;D_3", "1", "what they lose with the depth, times the depth"),
+    ":potential": ("W", "m", "potential of the displacement"),
+    ":stresses": (r"\sigma_{rr},\;\sigma_{tt},\;\sigma_{zz}", "Pa", "normal stresses, tension positive"),
+    ":shears": (r"\tau_{rt},\;\tau_{rz},\;\tau_{tz}", "Pa", "shear stresses"),
+    ":moved": (r"u_{r},\;u_{z}", "m", "displacement away from the axis and into the half-space"),
+    ":direction": (r"\varphi", "rad", "angle from the direction of the traction"),
     ":history": (r"F_{\mathrm N}(t)", "N", "normal force over the time"),
     ":relaxation": ("E(t)", "Pa", "effective modulus after a step of the strain"),
     ":creep": ("J(t)", "1/Pa", "compliance after a step of the stress"),
@@ -69,6 +77,9 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
         ":pull_off_radius", ":pull_off_force", ":pull_off_depth",
     )),
     ("Friction", ("mu", "c", "F_x", "tau", ":sliding")),
+    ("Below the surface", (
+        ":section", ":pressed", ":deeper", ":potential", ":stresses", ":shears", ":moved", ":direction",
+    )),
     ("Viscoelastic half-space", (
         "time", "v", ":history", ":relaxation", ":creep", ":ramp", ":power",
         "E", "E_inf", "E_1", "eta", "relaxation", "alpha", "t_0",
@@ -79,7 +90,10 @@ SUBJECTS: tuple[tuple[str, tuple[str, ...]], ...] = (
 """Names of records in the order of the table; those with a colon are of `IN_PRINT`."""
 SAID = {"x": "distance from the middle of a plane contact"}
 """Meanings in print that are shorter than those of the records, which speak of derivations too."""
-INSTEAD = {"a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index"}
+INSTEAD = {
+    "a_c": ":pull_off_radius", "u_0": ":sliding", "j": ":index", "z": ":section", "W": ":potential",
+    **{f"S_{m}": ":pressed" for m in range(4)}, **{f"D_{m}": ":deeper" for m in range(4)},
+}  # fmt: skip
 """Records whose symbol stands in the row of a name in print."""
 
 

@@ -55,7 +55,9 @@ from .ranges import in_order
 
 def _point(entry: Entry, place: sp.Symbol | None, ratio: sp.Rational) -> Values:
     """A point of the last case of an entry; with a place at this share of the contact radius."""
-    (point,) = points(entry.profile, entry.cases[-1].chain, 1, 23, entry.quantity.arguments)
+    drawn = points(entry.profile, entry.cases[-1].chain, 6, 23, entry.quantity.arguments)
+    # kappa of a square is its exponent, and no misprint of one for the other would be seen there
+    point = next(one for one in drawn if one.values.get(nt.n) != 2)
     return point.values | ({place: point.values[nt.a] * ratio} if place else {})
 
 

@@ -285,8 +285,10 @@ def with_nodes(function: Callable[[Array], Array], x: Array, count: int) -> Arra
     def fixed(integrand: Callable[[Array], Array], stop: Array, _: int) -> Array:
         return whole(integrand, stop, count)
 
-    def fixed_weighted(smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, **more: Array) -> Array:
-        return weighted(smooth, stop, power, count, **more)
+    def fixed_weighted(
+        smooth: Callable[[Array], Array], stop: Array, power: Array, _: int = 0, above: Array | None = None
+    ) -> Array:
+        return weighted(smooth, stop, power, count, above)
 
     changes = {"integral": (whole, fixed), "weighted": (weighted, fixed_weighted)}
     with ExitStack() as changed:
