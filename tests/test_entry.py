@@ -6,7 +6,7 @@ import pytest
 
 from axiderive.entry import COMPACT, COMPLETE, FOUR
 from axiderive.physics import adhesive, detachment, loads, materials, tangential, viscoelastic
-from axiderive.physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from axiderive.physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from axiderive.physics.systems import problem
 from axiderive.store.records import entry_record, read_entry
 

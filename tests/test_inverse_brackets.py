@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -13,7 +14,7 @@ import sympy as sp
 
 from axicontact._runtime import inverse as roots
 from axicontact._runtime.shapes import waves
-from axicontact.normal import polynomial, power_law
+from axicontact.normal import capped_paraboloid, polynomial, power_law
 from axiderive.code.bodies.compact import Compact
 from axiderive.code.bodies.growth import DIGITS, Growth, exponents, log_slope, proved
 from axiderive.code.private import PrivateFunctions
@@ -130,3 +131,12 @@ def test_a_coefficient_next_to_the_largest_double() -> None:
         wanted = getattr(power_law, inverse)(value, A=height, n=3.0, **given)
         found = getattr(polynomial, inverse)(value, A=(0.0, 0.0, height), **given)
         assert wanted > 0.0 and abs(found / wanted - 1.0) <= 4 * EPS
+
+
+@pytest.mark.parametrize("many", [False, True])
+def test_a_cap_that_is_sharper_than_any_number_is_not_felt_below_it(many):
+    """At the break the root is zero: a number that is nothing beside b is something times the slope of this flank."""
+    lengths = {"b": 5.325544031524897e-29, "R1": 4.51567691438525e-06, "R2": 5.979941987306003e-208}
+    d = 6.18282823595198e-52
+    radius = capped_paraboloid.radius_from_depth(np.array([d]) if many else d, **lengths)
+    assert float(np.ravel(radius)[0]) == pytest.approx(math.sqrt(d * lengths["R1"]), rel=1e-14)

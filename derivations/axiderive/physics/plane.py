@@ -4,6 +4,10 @@ A strip of half-width t under the line load P has p = P/(pi sqrt(t^2 - x^2))
 and, outside, dw/dx = -2 P/(pi E* sqrt(x^2 - t^2)); a contact grows by strips of
 load P'(t) dt.  A half plane has no absolute depth: d is the depth of the middle
 relative to the surface at a distance L.
+
+Under an eccentric load a flat strip carries p = (alpha + beta x)/sqrt(c^2 - x^2) at any half-width c.  Load and moment
+fix alpha and beta; since the strip itself stays level, the second term inclines it by beta times int 1/sqrt(c^2 - x^2)
+dx.  The contact loses an edge where the pressure there vanishes, and then keeps the other.
 """
 
 from __future__ import annotations
@@ -12,19 +16,64 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
+from .. import notation as nt
 from ..abel import plane_moments
 from ..abel.atoms import PowerAtom
 from ..abel.form import Chain, Form, Order, insert
+from ..abel.moments import depth_moment
 from ..abel.plane_moments import Inside, Kernel, Outside, complementary
 from ..abel.reduce import NotReducibleError, Reduced, parse
 from ..entry import Case, Entry, Primitive, Quantity, Status
 from ..notation import E_star, L, P, a, e, f, r, r_zero, t, x, x_zero
 from ..profiles.pools import STRIPS
 from ..profiles.profile import Piece, Profile
-from . import Physics, Wording, complete, tilted
+from . import Physics, Wording, complete
 from .medium import HOMOGENEOUS
 from .normal import closed_inverse
-from .plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+
+PLANE = {
+    q.suffix: q
+    for q in (
+        Quantity("P", "load", "Line load", nt.P, (nt.a,), summary="Line load at half-width a."),
+        Quantity("p", "pressure", "Pressure", nt.p, (nt.x, nt.a), written="p(x)", place="inside", parity="even",
+                 summary="Contact pressure, positive in compression; zero outside the contact."),
+        Quantity("s", "slope", "Slope outside", nt.slope, (nt.x, nt.a), written=r"\frac{\mathrm{d}w}{\mathrm{d}x}",
+                 place="outside", parity="odd", summary="Slope dw/dx of the surface, inside and outside the contact."),
+        Quantity("d", "depth", "Depth relative to a point at distance L", nt.d, (nt.L, nt.a),
+                 summary="Indentation depth relative to the surface at the distance L."),
+        Quantity("aP", "half_width_from_load", "Half-width of the contact from the load", nt.a, (nt.P,), inverts="P",
+                 solves="P(a)=P", row="Half-width from load",
+                 summary="Half-width of the contact under the line load P."),
+    )
+}  # fmt: skip
+
+PLANE_COMPLETE = {
+    q.suffix: q
+    for q in (
+        replace(PLANE["p"], arguments=(nt.x, nt.P)),
+        replace(PLANE["s"], arguments=(nt.x, nt.P)),
+        replace(
+            PLANE["d"], label="Depth of the middle relative to a point at distance L", row=PLANE["d"].label,
+            arguments=(nt.L, nt.P),
+        ),
+        Quantity("xz", "zero_distance", "Place of first zero pressure", nt.x_zero, (), threshold=True,
+                 written="x_{0}", row="Zero pressure",
+                 summary="Distance from the middle where the pressure first vanishes on unloading."),
+        Quantity("Pmin", "minimum_load", "Least line load of complete contact", nt.P, (), threshold=True,
+                 written=r"P_{\mathrm{min}}", summary="Least line load of complete contact."),
+    )
+}  # fmt: skip
+
+PLANE_ECCENTRIC = {
+    q.suffix: q
+    for q in (
+        PLANE_COMPLETE["p"],
+        Quantity("phi", "tilt", "Inclination of the punch", nt.tilt, (nt.P,),
+                 summary="Inclination of the punch under an eccentric load."),
+        Quantity("cw", "contact_width", "Width of the contact", nt.width, (),
+                 summary="Width of the contact, smaller than the punch once an edge has lifted off."),
+    )
+}  # fmt: skip
 
 # factors of P/E* in the pressure over E*, and in slope and depth
 PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi
@@ -62,7 +111,7 @@ def derive(profile: Profile) -> dict[str, Entry]:
         If the profile does not start at zero or has a jump.
     """
     if e in profile.parameters:
-        return tilted.derive(profile)
+        return eccentric(profile)
     if profile.complete:
         return _Complete(profile).entries()
     return _Compact(profile).entries()
@@ -209,6 +258,72 @@ class _Complete:
             "xz": _entry(self.profile, PLANE_COMPLETE["xz"], place, status=ring.status),
             "Pmin": _entry(self.profile, PLANE_COMPLETE["Pmin"], (Case((a,), least),)),
         }
+
+
+LEVEL = 2 * depth_moment(sp.S.Zero).expr()
+"""int 1/sqrt(a^2 - x^2) dx over the strip."""
+MOMENT = 2 * depth_moment(sp.Integer(2)).expr()
+"""int x^2/sqrt(a^2 - x^2) dx over the strip."""
+
+
+def _strip(point: sp.Expr, half_width: sp.Expr, eccentricity: sp.Expr) -> sp.Expr:
+    """Numerator alpha + beta x of the pressure."""
+    return P / LEVEL + P * eccentricity / MOMENT.subs(a, half_width) * point
+
+
+def _inclination(half_width: sp.Expr, eccentricity: sp.Expr) -> sp.Expr:
+    return 2 / (sp.pi * E_star) * LEVEL * P * eccentricity / MOMENT.subs(a, half_width)
+
+
+def eccentric(profile: Profile) -> dict[str, Entry]:
+    """Pressure, tilt and width of the contact on both sides of lift-off."""
+    core = sp.cancel(MOMENT / (LEVEL * a))  # eccentricity at which the pressure of a strip vanishes at one edge
+    share = core / a
+    side, distance = sp.sign(e), sp.Abs(e)
+    half = sp.factor((a - distance) / (1 - share))  # e = a - c + share c for the contact a - 2 c < x < a
+    point = side * x - (a - half)
+    # alpha (1 + point/c) / sqrt(c^2 - point^2)
+    lifted = P / (LEVEL * half) * sp.sqrt(sp.Max(0, sp.expand(half + point))) / sp.sqrt(sp.expand(half - point))
+    touching, apart = (distance, core), (core, distance)
+    return {
+        "p": _eccentric_entry(
+            profile,
+            "p",
+            Case(touching, sp.factor(_strip(x, a, e)) / sp.sqrt(a**2 - x**2)),
+            Case(apart, lifted),
+        ),
+        "phi": _eccentric_entry(
+            profile,
+            "phi",
+            Case(touching, sp.factor(_inclination(a, e))),
+            Case(apart, side * sp.factor(_inclination(half, share * half))),
+        ),
+        "cw": _eccentric_entry(profile, "cw", Case(touching, 2 * a), Case(apart, 2 * half)),
+    }
+
+
+def eccentric_definitions() -> dict[str, sp.Expr]:
+    """Equilibrium of moments, the slope under the strip, and the extent of positive pressure."""
+    pressure = sp.Function(nt.p.name)
+    s = sp.Symbol("s", real=True)
+    return {
+        "p": sp.Eq(sp.Integral(x * pressure(x), (x, -a, a)), P * e),
+        "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(pressure(s) / (s - x), (s, -a, a)), nt.tilt),
+        "cw": sp.Eq(pressure(a - nt.width), 0),
+    }
+
+
+def _eccentric_entry(profile: Profile, suffix: str, *cases: Case) -> Entry:
+    material = (E_star,) if any(case.expr.has(E_star) for case in cases) else ()
+    return Entry(
+        key=f"plane.{profile.name}.{suffix}",
+        profile=profile,
+        quantity=PLANE_ECCENTRIC[suffix],
+        status="closed",
+        cases=cases,
+        definition=eccentric_definitions()[suffix],
+        parameters=profile.parameters + material,
+    )
 
 
 PHYSICS = Physics(

@@ -51,7 +51,7 @@ from ..notation import (
 )
 from ..physics import Physics, adhesive, detachment, loads, materials, normal, subsurface, viscoelastic
 from ..physics.medium import Medium
-from ..physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
 from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from ... import notation as nt
 from ...entry import Entry, Quantity
 from ...letters import name_of
-from ...physics.plane_quantities import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ...physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ...physics.systems import BY_NAME
 from ...profiles.profile import Profile
 from ..bodies.regimes import split

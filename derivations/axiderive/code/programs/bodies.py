@@ -32,6 +32,7 @@ NEEDS_ARRAYS = frozenset(("gauss_legendre",))
 """Names that a body may not refer to: nodes along an axis."""
 COUNTERPARTS = {
     "_runtime.integrals": "_runtime.plain",
+    "_runtime.functions": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
     "_runtime.graded.rules": "_runtime.graded.single",
     "_runtime.graded.waves": "_runtime.graded.single",
