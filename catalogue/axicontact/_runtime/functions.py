@@ -102,3 +102,8 @@ def gamma_quotient(x: Array, y: Array) -> Array:
         return math.gamma(x) / math.gamma(y) if x < 100.0 else math.exp(math.lgamma(x) - math.lgamma(y))
 
     return np.vectorize(quotient, otypes=[float])(x, y)
+
+
+def at_break(b: Array) -> Array:
+    """The root of radius**2 - b**2 at the break b."""
+    return np.zeros_like(b)

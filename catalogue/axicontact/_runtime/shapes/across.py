@@ -6,15 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..functions import nth_root
+from ..functions import at_break, nth_root
 from ..interface import Array
 from ..inverse import ROUNDING, above_noise, inverse, joining, leaving_power
 
 Rooted = Callable[[Array, Array], tuple[Array, Array]]
 NOISE = 5.0 * ROUNDING
 """Both the value and that at the break are rounded, some of them sums."""
-NOTHING = 1e-100
-"""A root over b that is nothing beside it: slopes that are infinite at the break are numbers there."""
 
 
 def inverse_beyond(
@@ -31,7 +29,7 @@ def inverse_beyond(
     The unknown is t = that root over b, even where the curve leaves b with an infinite slope.  The excess over the
     curve at b begins and ends with the `powers` of t; or `leaving` are those of what comes to the power itself.
     """
-    base = curve(b, NOTHING * b)[0]
+    base = curve(b, at_break(b))[0]
     above = value > base
     radius = b * nth_root(np.where(above, base, value) / base, tip)
     if not np.count_nonzero(above):

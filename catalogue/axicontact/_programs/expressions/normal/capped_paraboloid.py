@@ -126,45 +126,45 @@ def depth_beyond(xp, a, root, R1, R2):
 
 
 def radius_from_depth(xp, d, R1, R2, b):
-    v2 = depth_beyond(xp, b, 1e-100 * b, R1, R2)
-    v3 = d > v2
-    v4 = xp.where(v3, d, 2.0 * v2)
-    v5 = v4 > v2
-    v7 = xp.where(v5, 0.5 * v2, v4)
-    v10 = xp.where(v5, xp.where(v5, v4, 2.0 * v2), 2.0 * v2) - v2
-    v14 = 1.1102230246251565e-16 * v2
-    v15 = xp.maximum(depth_beyond(xp, b * 1.4142135623730951, b, R1, R2) - v2, v14)
-    v17 = xp.log(v10 / v15)
-    v18 = v17 < 0.0
-    v19 = xp.minimum(v17, 0.0)
-    v20 = v2 / v15
-    v21 = xp.log(v20)
-    v23 = -0.75 * (v19 - v21)
-    v26 = xp.log(xp.maximum(1.0 - v20, 1e-300))
-    v28 = -1.5 * (v19 - v26)
-    v39 = xp.maximum(xp.where(v18, 1.0, v17), 0.0)
-    v41 = -1.0 * (v39 - v21)
-    v43 = -1.0 * (v39 - v26)
-    v37 = xp.exp((xp.maximum(v23, v28) + xp.log1p(xp.exp(-xp.absolute(v23 - v28)))) / -1.5)
-    v52 = xp.exp((xp.maximum(v41, v43) + xp.log1p(xp.exp(-xp.absolute(v41 - v43)))) / -2.0)
+    v1 = depth_beyond(xp, b, 0.0, R1, R2)
+    v2 = d > v1
+    v3 = xp.where(v2, d, 2.0 * v1)
+    v4 = v3 > v1
+    v6 = xp.where(v4, 0.5 * v1, v3)
+    v9 = xp.where(v4, xp.where(v4, v3, 2.0 * v1), 2.0 * v1) - v1
+    v13 = 1.1102230246251565e-16 * v1
+    v14 = xp.maximum(depth_beyond(xp, b * 1.4142135623730951, b, R1, R2) - v1, v13)
+    v16 = xp.log(v9 / v14)
+    v17 = v16 < 0.0
+    v18 = xp.minimum(v16, 0.0)
+    v19 = v1 / v14
+    v20 = xp.log(v19)
+    v22 = -0.75 * (v18 - v20)
+    v25 = xp.log(xp.maximum(1.0 - v19, 1e-300))
+    v27 = -1.5 * (v18 - v25)
+    v38 = xp.maximum(xp.where(v17, 1.0, v16), 0.0)
+    v40 = -1.0 * (v38 - v20)
+    v42 = -1.0 * (v38 - v25)
+    v36 = xp.exp((xp.maximum(v22, v27) + xp.log1p(xp.exp(-xp.absolute(v22 - v27)))) / -1.5)
+    v51 = xp.exp((xp.maximum(v40, v42) + xp.log1p(xp.exp(-xp.absolute(v40 - v42)))) / -2.0)
 
-    def f53(v54):
-        v55 = v54 * v54
-        v56 = 1.0 + v55
-        v58 = b * xp.sqrt(v56)
-        v59 = b * v54
-        v62 = xp.maximum(depth_beyond(xp, v58, v59, R1, R2) - v2, v14)
-        v68 = xp.maximum(v58 * slope_beyond(xp, v58, v59, R1, R2, b) * (v55 / v56) / v62, 1.0)
-        return (v62, v68)
-    v69 = newton(xp, f53, v10, xp.where(v18, v37, v52), xp.inf, 1.0, xp.inf)
-    v74 = xp.where(v3, 0.5 * v2, d)
-    v75 = v74 > v2
-    v76 = xp.where(v75, v74, 2.0 * v2)
-    v79 = xp.where(v75, v2, xp.where(v75, 0.5 * v2, v74)) / v2
-    v83 = v79 ** 0.5
-    v91 = v83 + v83 * ((v79 / (v83 ** 2.0 * v83 ** 0.0) - 1.0) / 2.0)
-    v93 = b * xp.where((v79 > 0.0) & (v79 < xp.inf), v91, v83)
-    return xp.where(v3, b * xp.sqrt(1.0 + v69 * v69), v93)
+    def f52(v53):
+        v54 = v53 * v53
+        v55 = 1.0 + v54
+        v57 = b * xp.sqrt(v55)
+        v58 = b * v53
+        v61 = xp.maximum(depth_beyond(xp, v57, v58, R1, R2) - v1, v13)
+        v67 = xp.maximum(v57 * slope_beyond(xp, v57, v58, R1, R2, b) * (v54 / v55) / v61, 1.0)
+        return (v61, v67)
+    v68 = newton(xp, f52, v9, xp.where(v17, v36, v51), xp.inf, 1.0, xp.inf)
+    v73 = xp.where(v2, 0.5 * v1, d)
+    v74 = v73 > v1
+    v75 = xp.where(v74, v73, 2.0 * v1)
+    v78 = xp.where(v74, v1, xp.where(v74, 0.5 * v1, v73)) / v1
+    v82 = v78 ** 0.5
+    v90 = v82 + v82 * ((v78 / (v82 ** 2.0 * v82 ** 0.0) - 1.0) / 2.0)
+    v92 = b * xp.where((v78 > 0.0) & (v78 < xp.inf), v90, v82)
+    return xp.where(v2, b * xp.sqrt(1.0 + v68 * v68), v92)
 
 
 def force_beyond(xp, a, root, R1, R2, b, E_star):
@@ -174,45 +174,45 @@ def force_beyond(xp, a, root, R1, R2, b, E_star):
 
 
 def radius_from_force(xp, F, R1, R2, b, E_star):
-    v2 = force_beyond(xp, b, 1e-100 * b, R1, R2, b, E_star)
-    v3 = F > v2
-    v4 = xp.where(v3, F, 2.0 * v2)
-    v5 = v4 > v2
-    v7 = xp.where(v5, 0.5 * v2, v4)
-    v10 = xp.where(v5, xp.where(v5, v4, 2.0 * v2), 2.0 * v2) - v2
-    v14 = 1.1102230246251565e-16 * v2
-    v15 = xp.maximum(force_beyond(xp, b * 1.4142135623730951, b, R1, R2, b, E_star) - v2, v14)
-    v17 = xp.log(v10 / v15)
-    v18 = v17 < 0.0
-    v19 = xp.minimum(v17, 0.0)
-    v21 = v2 / v15 * 1.8284271247461903
-    v22 = xp.log(v21)
-    v24 = -0.75 * (v19 - v22)
-    v27 = xp.log(xp.maximum(1.0 - v21, 1e-300))
-    v29 = -1.5 * (v19 - v27)
-    v40 = xp.maximum(xp.where(v18, 1.0, v17), 0.0)
-    v42 = -1.0 * (v40 - v22)
-    v44 = -1.0 * (v40 - v27)
-    v38 = xp.exp((xp.maximum(v24, v29) + xp.log1p(xp.exp(-xp.absolute(v24 - v29)))) / -1.5)
-    v53 = xp.exp((xp.maximum(v42, v44) + xp.log1p(xp.exp(-xp.absolute(v42 - v44)))) / -3.0)
+    v1 = force_beyond(xp, b, 0.0, R1, R2, b, E_star)
+    v2 = F > v1
+    v3 = xp.where(v2, F, 2.0 * v1)
+    v4 = v3 > v1
+    v6 = xp.where(v4, 0.5 * v1, v3)
+    v9 = xp.where(v4, xp.where(v4, v3, 2.0 * v1), 2.0 * v1) - v1
+    v13 = 1.1102230246251565e-16 * v1
+    v14 = xp.maximum(force_beyond(xp, b * 1.4142135623730951, b, R1, R2, b, E_star) - v1, v13)
+    v16 = xp.log(v9 / v14)
+    v17 = v16 < 0.0
+    v18 = xp.minimum(v16, 0.0)
+    v20 = v1 / v14 * 1.8284271247461903
+    v21 = xp.log(v20)
+    v23 = -0.75 * (v18 - v21)
+    v26 = xp.log(xp.maximum(1.0 - v20, 1e-300))
+    v28 = -1.5 * (v18 - v26)
+    v39 = xp.maximum(xp.where(v17, 1.0, v16), 0.0)
+    v41 = -1.0 * (v39 - v21)
+    v43 = -1.0 * (v39 - v26)
+    v37 = xp.exp((xp.maximum(v23, v28) + xp.log1p(xp.exp(-xp.absolute(v23 - v28)))) / -1.5)
+    v52 = xp.exp((xp.maximum(v41, v43) + xp.log1p(xp.exp(-xp.absolute(v41 - v43)))) / -3.0)
 
-    def f54(v55):
-        v56 = v55 * v55
-        v57 = 1.0 + v56
-        v59 = b * xp.sqrt(v57)
-        v60 = b * v55
-        v63 = xp.maximum(force_beyond(xp, v59, v60, R1, R2, b, E_star) - v2, v14)
-        v71 = 2.0 * E_star * v59 ** 2.0 * slope_beyond(xp, v59, v60, R1, R2, b) * (v56 / v57) / v63
-        return (v63, xp.maximum(v71, 1.0))
-    v73 = newton(xp, f54, v10, xp.where(v18, v38, v53), xp.inf, 1.0, xp.inf)
-    v78 = xp.where(v3, 0.5 * v2, F)
-    v79 = v78 > v2
-    v80 = xp.where(v79, v78, 2.0 * v2)
-    v83 = xp.where(v79, v2, xp.where(v79, 0.5 * v2, v78)) / v2
-    v87 = v83 ** 0.3333333333333333
-    v96 = v87 + v87 * ((v83 / (v87 * v87 ** 2.0 * v87 ** 0.0) - 1.0) / 3.0)
-    v98 = b * xp.where((v83 > 0.0) & (v83 < xp.inf), v96, v87)
-    return xp.where(v3, b * xp.sqrt(1.0 + v73 * v73), v98)
+    def f53(v54):
+        v55 = v54 * v54
+        v56 = 1.0 + v55
+        v58 = b * xp.sqrt(v56)
+        v59 = b * v54
+        v62 = xp.maximum(force_beyond(xp, v58, v59, R1, R2, b, E_star) - v1, v13)
+        v70 = 2.0 * E_star * v58 ** 2.0 * slope_beyond(xp, v58, v59, R1, R2, b) * (v55 / v56) / v62
+        return (v62, xp.maximum(v70, 1.0))
+    v72 = newton(xp, f53, v9, xp.where(v17, v37, v52), xp.inf, 1.0, xp.inf)
+    v77 = xp.where(v2, 0.5 * v1, F)
+    v78 = v77 > v1
+    v79 = xp.where(v78, v77, 2.0 * v1)
+    v82 = xp.where(v78, v1, xp.where(v78, 0.5 * v1, v77)) / v1
+    v86 = v82 ** 0.3333333333333333
+    v95 = v86 + v86 * ((v82 / (v86 * v86 ** 2.0 * v86 ** 0.0) - 1.0) / 3.0)
+    v97 = b * xp.where((v82 > 0.0) & (v82 < xp.inf), v95, v86)
+    return xp.where(v2, b * xp.sqrt(1.0 + v72 * v72), v97)
 
 
 def force_from_depth(xp, d, R1, R2, b, E_star):

@@ -129,48 +129,48 @@ def depth_beyond(xp, a, root, theta, b):
 
 
 def radius_from_depth(xp, d, theta, b):
-    v2 = depth_beyond(xp, b, 1e-100 * b, theta, b)
-    v3 = d > v2
-    v4 = xp.where(v3, d, 2.0 * v2)
-    v5 = v4 > v2
-    v7 = xp.where(v5, 0.5 * v2, v4)
-    v10 = xp.where(v5, xp.where(v5, v4, 2.0 * v2), 2.0 * v2) - v2
-    v11 = b * 1.4142135623730951
-    v13 = depth_beyond(xp, v11, b, theta, b) - v2
-    v14 = 1.1102230246251565e-16 * v2
-    v15 = 16.0 * v14
-    v16 = v13 > v15
-    v18 = xp.where(v16, 0.5 * v15, v13)
-    v22 = v11 * slope_beyond(xp, v11, b, theta, b) * 0.5 / 2.0
-    v25 = xp.where(v16, xp.where(v16, v13, 2.0 * v15), xp.maximum(v22, 1.1102230246251565e-16 * v14))
-    v27 = xp.log(v10 / v25)
-    v34 = (xp.maximum(v11 * slope_beyond(xp, v11, b, theta, b) * 0.5 / v25, 1.0) - 2.0) / -1.0
-    v36 = xp.minimum(xp.maximum(v34, 1e-12), 0.999999999999)
-    v41 = 0.75 * (v27 - xp.log(1.0 / (1.0 - v36)))
-    v45 = 1.5 * (v27 - xp.log(1.0 / v36))
+    v1 = depth_beyond(xp, b, 0.0, theta, b)
+    v2 = d > v1
+    v3 = xp.where(v2, d, 2.0 * v1)
+    v4 = v3 > v1
+    v6 = xp.where(v4, 0.5 * v1, v3)
+    v9 = xp.where(v4, xp.where(v4, v3, 2.0 * v1), 2.0 * v1) - v1
+    v10 = b * 1.4142135623730951
+    v12 = depth_beyond(xp, v10, b, theta, b) - v1
+    v13 = 1.1102230246251565e-16 * v1
+    v14 = 16.0 * v13
+    v15 = v12 > v14
+    v17 = xp.where(v15, 0.5 * v14, v12)
+    v21 = v10 * slope_beyond(xp, v10, b, theta, b) * 0.5 / 2.0
+    v24 = xp.where(v15, xp.where(v15, v12, 2.0 * v14), xp.maximum(v21, 1.1102230246251565e-16 * v13))
+    v26 = xp.log(v9 / v24)
+    v33 = (xp.maximum(v10 * slope_beyond(xp, v10, b, theta, b) * 0.5 / v24, 1.0) - 2.0) / -1.0
+    v35 = xp.minimum(xp.maximum(v33, 1e-12), 0.999999999999)
+    v40 = 0.75 * (v26 - xp.log(1.0 / (1.0 - v35)))
+    v44 = 1.5 * (v26 - xp.log(1.0 / v35))
 
-    def f54(v55):
-        v56 = v55 * v55
-        v57 = 1.0 + v56
-        v59 = b * xp.sqrt(v57)
-        v60 = b * v55
-        v62 = depth_beyond(xp, v59, v60, theta, b) - v2
-        v63 = v62 > v15
-        v65 = xp.where(v63, 0.5 * v15, v62)
-        v70 = v59 * slope_beyond(xp, v59, v60, theta, b) * (v56 / v57) / 2.0
-        v73 = xp.where(v63, xp.where(v63, v62, 2.0 * v15), xp.maximum(v70, 1.1102230246251565e-16 * v14))
-        v79 = xp.maximum(v59 * slope_beyond(xp, v59, v60, theta, b) * (v56 / v57) / v73, 1.0)
-        return (v73, v79)
-    v54 = xp.exp((xp.maximum(v41, v45) + xp.log1p(xp.exp(-xp.absolute(v41 - v45)))) / 1.5)
-    v80 = newton(xp, f54, v10, v54, xp.inf, 1.0, xp.inf)
-    v85 = xp.where(v3, 0.5 * v2, d)
-    v86 = v85 > v2
-    v87 = xp.where(v86, v85, 2.0 * v2)
-    v90 = xp.where(v86, v2, xp.where(v86, 0.5 * v2, v85)) / v2
-    v94 = v90 ** 0.5
-    v102 = v94 + v94 * ((v90 / (v94 ** 2.0 * v94 ** 0.0) - 1.0) / 2.0)
-    v104 = b * xp.where((v90 > 0.0) & (v90 < xp.inf), v102, v94)
-    return xp.where(v3, b * xp.sqrt(1.0 + v80 * v80), v104)
+    def f53(v54):
+        v55 = v54 * v54
+        v56 = 1.0 + v55
+        v58 = b * xp.sqrt(v56)
+        v59 = b * v54
+        v61 = depth_beyond(xp, v58, v59, theta, b) - v1
+        v62 = v61 > v14
+        v64 = xp.where(v62, 0.5 * v14, v61)
+        v69 = v58 * slope_beyond(xp, v58, v59, theta, b) * (v55 / v56) / 2.0
+        v72 = xp.where(v62, xp.where(v62, v61, 2.0 * v14), xp.maximum(v69, 1.1102230246251565e-16 * v13))
+        v78 = xp.maximum(v58 * slope_beyond(xp, v58, v59, theta, b) * (v55 / v56) / v72, 1.0)
+        return (v72, v78)
+    v53 = xp.exp((xp.maximum(v40, v44) + xp.log1p(xp.exp(-xp.absolute(v40 - v44)))) / 1.5)
+    v79 = newton(xp, f53, v9, v53, xp.inf, 1.0, xp.inf)
+    v84 = xp.where(v2, 0.5 * v1, d)
+    v85 = v84 > v1
+    v86 = xp.where(v85, v84, 2.0 * v1)
+    v89 = xp.where(v85, v1, xp.where(v85, 0.5 * v1, v84)) / v1
+    v93 = v89 ** 0.5
+    v101 = v93 + v93 * ((v89 / (v93 ** 2.0 * v93 ** 0.0) - 1.0) / 2.0)
+    v103 = b * xp.where((v89 > 0.0) & (v89 < xp.inf), v101, v93)
+    return xp.where(v2, b * xp.sqrt(1.0 + v79 * v79), v103)
 
 
 def force_beyond(xp, a, root, theta, b, E_star):
@@ -180,47 +180,47 @@ def force_beyond(xp, a, root, theta, b, E_star):
 
 
 def radius_from_force(xp, F, theta, b, E_star):
-    v2 = force_beyond(xp, b, 1e-100 * b, theta, b, E_star)
-    v3 = F > v2
-    v4 = xp.where(v3, F, 2.0 * v2)
-    v5 = v4 > v2
-    v7 = xp.where(v5, 0.5 * v2, v4)
-    v10 = xp.where(v5, xp.where(v5, v4, 2.0 * v2), 2.0 * v2) - v2
-    v11 = b * 1.4142135623730951
-    v13 = force_beyond(xp, v11, b, theta, b, E_star) - v2
-    v14 = 1.1102230246251565e-16 * v2
-    v15 = 16.0 * v14
-    v16 = v13 > v15
-    v18 = xp.where(v16, 0.5 * v15, v13)
-    v25 = 2.0 * E_star * v11 ** 2.0 * slope_beyond(xp, v11, b, theta, b) * 0.5 / 2.0
-    v28 = xp.where(v16, xp.where(v16, v13, 2.0 * v15), xp.maximum(v25, 1.1102230246251565e-16 * v14))
-    v30 = xp.log(v10 / v28)
-    v31 = v30 < 0.0
-    v32 = 2.0 * E_star
-    v40 = xp.where(v31, 1.0, v30)
-    v39 = xp.maximum(v32 * v11 ** 2.0 * slope_beyond(xp, v11, b, theta, b) * 0.5 / v28, 1.0)
+    v1 = force_beyond(xp, b, 0.0, theta, b, E_star)
+    v2 = F > v1
+    v3 = xp.where(v2, F, 2.0 * v1)
+    v4 = v3 > v1
+    v6 = xp.where(v4, 0.5 * v1, v3)
+    v9 = xp.where(v4, xp.where(v4, v3, 2.0 * v1), 2.0 * v1) - v1
+    v10 = b * 1.4142135623730951
+    v12 = force_beyond(xp, v10, b, theta, b, E_star) - v1
+    v13 = 1.1102230246251565e-16 * v1
+    v14 = 16.0 * v13
+    v15 = v12 > v14
+    v17 = xp.where(v15, 0.5 * v14, v12)
+    v24 = 2.0 * E_star * v10 ** 2.0 * slope_beyond(xp, v10, b, theta, b) * 0.5 / 2.0
+    v27 = xp.where(v15, xp.where(v15, v12, 2.0 * v14), xp.maximum(v24, 1.1102230246251565e-16 * v13))
+    v29 = xp.log(v9 / v27)
+    v30 = v29 < 0.0
+    v31 = 2.0 * E_star
+    v39 = xp.where(v30, 1.0, v29)
+    v38 = xp.maximum(v31 * v10 ** 2.0 * slope_beyond(xp, v10, b, theta, b) * 0.5 / v27, 1.0)
 
-    def f43(v44):
-        v45 = v44 * v44
-        v46 = 1.0 + v45
-        v48 = b * xp.sqrt(v46)
-        v49 = b * v44
-        v51 = force_beyond(xp, v48, v49, theta, b, E_star) - v2
-        v52 = v51 > v15
-        v54 = xp.where(v52, 0.5 * v15, v51)
-        v61 = v32 * v48 ** 2.0 * slope_beyond(xp, v48, v49, theta, b) * (v45 / v46) / 2.0
-        v64 = xp.where(v52, xp.where(v52, v51, 2.0 * v15), xp.maximum(v61, 1.1102230246251565e-16 * v14))
-        v71 = v32 * v48 ** 2.0 * slope_beyond(xp, v48, v49, theta, b) * (v45 / v46) / v64
-        return (v64, xp.maximum(v71, 1.0))
-    v73 = newton(xp, f43, v10, xp.exp(v30 / xp.where(v31, v39, 2.0)), xp.inf, 1.0, xp.inf)
-    v78 = xp.where(v3, 0.5 * v2, F)
-    v79 = v78 > v2
-    v80 = xp.where(v79, v78, 2.0 * v2)
-    v83 = xp.where(v79, v2, xp.where(v79, 0.5 * v2, v78)) / v2
-    v87 = v83 ** 0.3333333333333333
-    v96 = v87 + v87 * ((v83 / (v87 * v87 ** 2.0 * v87 ** 0.0) - 1.0) / 3.0)
-    v98 = b * xp.where((v83 > 0.0) & (v83 < xp.inf), v96, v87)
-    return xp.where(v3, b * xp.sqrt(1.0 + v73 * v73), v98)
+    def f42(v43):
+        v44 = v43 * v43
+        v45 = 1.0 + v44
+        v47 = b * xp.sqrt(v45)
+        v48 = b * v43
+        v50 = force_beyond(xp, v47, v48, theta, b, E_star) - v1
+        v51 = v50 > v14
+        v53 = xp.where(v51, 0.5 * v14, v50)
+        v60 = v31 * v47 ** 2.0 * slope_beyond(xp, v47, v48, theta, b) * (v44 / v45) / 2.0
+        v63 = xp.where(v51, xp.where(v51, v50, 2.0 * v14), xp.maximum(v60, 1.1102230246251565e-16 * v13))
+        v70 = v31 * v47 ** 2.0 * slope_beyond(xp, v47, v48, theta, b) * (v44 / v45) / v63
+        return (v63, xp.maximum(v70, 1.0))
+    v72 = newton(xp, f42, v9, xp.exp(v29 / xp.where(v30, v38, 2.0)), xp.inf, 1.0, xp.inf)
+    v77 = xp.where(v2, 0.5 * v1, F)
+    v78 = v77 > v1
+    v79 = xp.where(v78, v77, 2.0 * v1)
+    v82 = xp.where(v78, v1, xp.where(v78, 0.5 * v1, v77)) / v1
+    v86 = v82 ** 0.3333333333333333
+    v95 = v86 + v86 * ((v82 / (v86 * v86 ** 2.0 * v86 ** 0.0) - 1.0) / 3.0)
+    v97 = b * xp.where((v82 > 0.0) & (v82 < xp.inf), v95, v86)
+    return xp.where(v2, b * xp.sqrt(1.0 + v72 * v72), v97)
 
 
 def force_from_depth(xp, d, theta, b, E_star):

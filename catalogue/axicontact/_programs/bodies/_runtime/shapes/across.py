@@ -5,10 +5,10 @@ from __future__ import annotations
 
 from ....._programs.bodies._runtime.functions import nth_root
 from ....._programs.bodies._runtime.inverse import above_noise, inverse, joining, leaving_power
+from ....._runtime.plain import at_break
 from ....._runtime.plain import MATH as np
 
 NOISE = 5.551115123125783e-16
-NOTHING = 1e-100
 ROUNDING = 1.1102230246251565e-16
 
 
@@ -19,7 +19,7 @@ def inverse_beyond(curve, value, b, tip, powers=None, leaving=None):
     The unknown is t = that root over b, even where the curve leaves b with an infinite slope.  The excess over the
     curve at b begins and ends with the `powers` of t; or `leaving` are those of what comes to the power itself.
     """
-    base = curve(b, NOTHING * b)[0]
+    base = curve(b, at_break(b))[0]
     above = value > base
     radius = b * nth_root((base if above else value) / base, tip)
     if not np.count_nonzero(above):
