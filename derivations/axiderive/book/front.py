@@ -131,7 +131,7 @@ def stress_rows() -> list[tuple[str, str, list[tuple[str, str]]]]:
     tables = (
         ("Normal load", "tension positive", _component, subsurface.STRESS),
         ("Displacement under the normal load", "", lambda axis: f"u_{{{axis}}}", subsurface.DISPLACEMENT),
-        ("What friction adds", r"traction $\mu p$ in the direction $\varphi=0$", _component, subsurface.FRICTION),
+        ("What friction adds", r"traction $\mu p$, $\varphi$ from its direction", _component, subsurface.FRICTION),
     )
     return [
         (title, note, [(left, f"{_left(left, named)}={printer(right)}") for left, right in table.items()])
