@@ -14,4 +14,7 @@ LETTERS = {
 
 def name_of(symbol: sp.Symbol | sp.IndexedBase) -> str:
     """The name in the interface."""
-    return LETTERS.get(symbol, str(getattr(symbol, "label", symbol)))
+    if symbol in LETTERS:
+        return LETTERS[symbol]
+    name = str(getattr(symbol, "label", symbol))
+    return (nt.known(name) and nt.describe(name).letter) or name

@@ -61,7 +61,8 @@ def _identities(system: System, own: Comparison) -> list[Evidence]:
     if system.base is None:
         found = [identities.stiffness(own)]
     else:
-        found = superposed.SUPERPOSED[system.physics](own, system.base.derive(profile))
+        tied = superposed.SUPERPOSED.get(system.physics)
+        found = tied(own, system.base.derive(profile)) if tied else []
     if not system.medium.graded:
         return found
     if "p" in own.entries:

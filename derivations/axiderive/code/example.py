@@ -133,6 +133,7 @@ class Example:
     def known(self) -> Values:
         """Parameters as drawn, unit moduli, and fields in the middle of the contact."""
         profile, known = self.profile, MATERIAL | numbers(self.profile)
+        known |= {symbol: sp.Rational(value) for symbol, value in self.system.physics.shown.items()}
         known |= {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
         radius = known.get(nt.a, sp.Rational(str(profile.sketch.a)))
         floor = known[profile.breaks[0]] if profile.truncated else sp.S.Zero

@@ -62,6 +62,9 @@ def superposed(
     if system.physics is deep.PHYSICS:
         return subsurface.module(entries, plain, normal)
     writer = Writer(system, entries, plain, normal)
+    if system.physics.code:
+        system.physics.code(writer)
+        return writer.module()
     parts = SUPERPOSED.get(system.physics) or _adhesive(writer)
     parts.rules(writer)
     if interface:

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from .. import notation as nt
 from ..entry import Entry
 from ..letters import name_of
 from ..notation import coefficients
@@ -147,6 +148,32 @@ class Writer:
         doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
         body = [*checks, f"return {evaluated or self.evaluated(f'_{quantity.function}', fields, names)}"]
         self.public.append(Function(quantity.function, fields, names, body, doc, "Result"))
+
+    def add_tuple(self, entries: Sequence[Entry], result: str, notes: str, checks: Sequence[str]) -> None:
+        """A public function whose result is a named tuple of the run time, by one entry for each member."""
+        first, names = entries[0], [name_of(symbol) for symbol in entries[0].parameters]
+        fields = [name_of(symbol) for symbol in first.arguments]
+        said = ", ".join(docstring.measured(nt.describe(own.quantity.symbol).meaning, own.quantity.symbol)
+                         for own in entries)  # fmt: skip
+        doc = docstring.document(
+            first.quantity.summary,
+            [line for own in entries for line in docstring.stated(own)],
+            docstring.parameters(first.arguments, first.parameters, docstring.words_of(self.profile)),
+            (result, f"Named tuple: {said}. {docstring.SHAPE}"),
+            f"{notes} Handbook: {', '.join(own.key for own in entries)}.",
+            docstring.sources_of(first),
+            self.example.lines(first.suffix),
+        )
+        found = ", ".join(self.evaluated(f"_{own.quantity.member}", fields, names) for own in entries)
+        self.public.append(
+            Function(first.quantity.function, fields, names, [*checks, f"return {result}({found})"], doc, result)
+        )
+
+    @staticmethod
+    def ordered(low: str, high: str, reason: str) -> list[str]:
+        """The check that one length is not above another."""
+        condition = f'np.all(~(numbers("{low}", {low}) > numbers("{high}", {high})))'
+        return ordered(condition, f"{low} <= {high}", reason, (low, high))
 
     def rule(
         self,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from ..notation import E_star
+from ..notation import E_star, a, c, r
 from ..profiles.pools import ROUND, Pool
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ class Rule:
     where: str = ""
 
 
-OWN = sp.Symbol("own", real=True)
+OWN = sp.Function("own")(r, a, c)
 """The formula of an entry in a statement about it."""
 DEPTH, FORCE, PRESSURE = map(sp.Function, ("g", "F", "p"))
 """Depth and force of the contact that is superposed, of a radius; its pressure of a place and a radius, 0 outside."""
@@ -135,18 +135,29 @@ class Physics:
     """Behind the title of its rules in front of the book."""
     printed: bool = True
     """Whether its rows stand on the pages of the profiles."""
+    code: Callable[[Any], None] | None = None
+    """Adds its functions to a module, whose writer (`code.writer.Writer`) it is given."""
+    shown: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    """Numbers of examples for symbols that no other physics has."""
 
     def parameters(self, medium: Medium) -> tuple[sp.Symbol, ...]:
         """What its functions take of the material on a medium."""
         return (*medium.moduli, *((medium.shear,) if self.shear else ()), *self.material)
 
-    def taken(self, definition: sp.Expr, medium: Medium) -> tuple[sp.Symbol, ...]:
+    def table(self, profile: Profile) -> Mapping[str, Quantity]:
+        """The quantities of a profile by suffix: the first ones of a contact that grows, else the last."""
+        tables = [*self.quantities.values()]
+        return tables[0 if profile.compact else -1]
+
+    def taken(
+        self, definition: sp.Expr, medium: Medium, arguments: tuple[sp.Symbol, ...] = ()
+    ) -> tuple[sp.Symbol, ...]:
         """What a quantity with this definition takes of the material: forces and pressures hold the modulus."""
         elastic = definition.has(FORCE, PRESSURE)
         known = definition.free_symbols | ({medium.modulus} if elastic else set()) | {*medium.moduli[1:]}
         shear = (medium.shear,) if self.shear else ()
         ordered = (medium.modulus, *shear, *medium.moduli[1:], *self.material)
-        return tuple(symbol for symbol in ordered if symbol in known)
+        return tuple(symbol for symbol in ordered if symbol in known and symbol not in arguments)
 
     @property
     def drawn(self) -> tuple[sp.Symbol, ...]:

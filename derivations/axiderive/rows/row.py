@@ -137,7 +137,7 @@ def row(entry: Entry) -> Row:
     if system.physics in WITHOUT_RULE:
         return WITHOUT_RULE[system.physics](entry)
     if system.physics.over:
-        return _superposed(entry, system) if entry.profile.compact else _formula(entry)
+        return _superposed(entry, system) if entry.profile.compact and rule(system, entry.suffix) else _formula(entry)
     plain = _normal_row(entry)
     ruled = entry.profile.compact and rule(system, entry.suffix) and not _fits(plain)
     return _ruled(entry, system) if ruled else plain
@@ -369,7 +369,9 @@ def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
 
 def _place(one: Row, wide: bool) -> float:
     """The force follows the depth at once where they have lines of their own."""
-    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
+    if wide and one.suffix == "F":
+        return ORDER.index("d") + 0.5
+    return ORDER.index(one.suffix) if one.suffix in ORDER else len(ORDER)
 
 
 def fits_half(one: Row) -> bool:
@@ -382,4 +384,5 @@ def fits_half(one: Row) -> bool:
 
 def ordered(entries: Mapping[str, Entry]) -> list[Row]:
     """The rows of a problem, the short ones first, fields last."""
-    return [row(entries[suffix]) for suffix in ORDER if suffix in entries]
+    known = [suffix for suffix in ORDER if suffix in entries]
+    return [row(entries[suffix]) for suffix in dict.fromkeys((*known, *entries))]

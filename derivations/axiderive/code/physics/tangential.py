@@ -8,15 +8,10 @@ from ...notation import c
 from ..bodies.regimes import strip_width
 from ..graded import slip
 from ..text import python
-from ..writer import Writer, ordered
+from ..writer import Writer
 from .adhesive import exponent, number
 
-ORDER = ordered(
-    'np.all(~(numbers("c", c) > numbers("a", a)))',
-    "c <= a",
-    "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
-    ("c", "a"),
-)
+REASON = "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load"
 
 
 def interface(writer: Writer) -> None:
@@ -26,7 +21,7 @@ def interface(writer: Writer) -> None:
     if profile.truncated:
         notes += " The stick zone is never smaller than the flat face: NaN for c < b."
     for entry in writer.entries.values():
-        order = ORDER if c in entry.arguments else []
+        order = writer.ordered("c", "a", REASON) if c in entry.arguments else []
         writer.add(entry, notes, [*writer.checks(entry.parameters, reach=True), *order])
 
 
