@@ -262,6 +262,6 @@ def name_of(entry: Entry) -> str:
     argument = own.arguments[0] if own.arguments else None
     if physics.tension and own.symbol in (nt.d, nt.F, nt.p, nt.w):
         return f"{name.partition('_')[0]}_adh({argument})"
-    if own.left.endswith(f"({argument})"):
+    if argument in (nt.r, nt.x) and own.left.endswith(f"({argument})"):
         return f"{name}({argument})"
     return f"{name}(t)" if physics.laws and own.symbol == nt.F else name
