@@ -187,10 +187,10 @@ ONE = 1
     second = "LIST = []\n\ndef g():\n    return 2\n\nfactor = 3\n\ndef other():\n    return 5\n"
     texts = {"__init__": "", "first": first, "second": second, "third": "x = 1\n"}
 
-    def digest_with(name="engine.first.f", **changed):
+    def digest_with(name="engine.first.f", apart=frozenset(), **changed):
         for own, text in {**texts, **changed}.items():
             (tmp_path / "engine" / f"{own}.py").write_text(text)
-        return sources.import_digest.__wrapped__(name)
+        return sources.import_digest.__wrapped__(name, apart=apart)
 
     base = digest_with()
     assert digest_with(first=first.replace("Words.", "Other words.") + "# a remark\n") == base
@@ -208,6 +208,33 @@ ONE = 1
     ):
         assert digest_with(second=second.replace(old, new)) != base
     assert digest_with("engine.first", first=first.replace("return 4", "return 5")) != digest_with("engine.first")
+    apart = frozenset({"elsewhere.second"})
+    assert digest_with(apart=apart) == digest_with(apart=apart, second=second.replace("return 2", "return 3"))
+    assert digest_with(apart=apart) != digest_with(apart=apart, first=first.replace("ONE = 1", "ONE = 2"))
+
+
+def test_a_physics_repeats_no_check_of_another(monkeypatch):
+    """Its own checks and those of normal contact count for it, whose functions it calls; what is named after others
+    does not, and a new file of a physics is one more of these.
+    """
+    reached = {}
+
+    def noted(*names, apart=frozenset()):
+        reached["names"], reached["apart"] = set(names), {module.rpartition(".")[2] for module in apart}
+        return ""
+
+    monkeypatch.setattr(work, "import_digest", noted)
+    others = {"adhesive", "tangential", "viscoelastic", "subsurface", "plane", "loads", "materials"}
+    for key, own in (
+        ("cone", set()),
+        ("cone.tan", {"tangential"}),
+        ("cone.fgm.adh", {"adhesive"}),
+        ("cone.sub", {"subsurface"}),
+    ):
+        work._reached(problem(key), work.CHECKING)
+        assert others - own <= reached["apart"]
+        assert not reached["apart"] & (own | {"normal"})
+        assert {f"axiderive.physics.{name}.PHYSICS" for name in own | {"normal"}} <= reached["names"]
 
 
 def test_what_files_say_is_kept_by_their_contents(tmp_path, monkeypatch):

@@ -22,13 +22,12 @@ if TYPE_CHECKING:
 FORMAT = 2
 DERIVING = (
     *("axiderive.physics.systems.problem", "axiderive.physics.systems.Problem"),
-    *(f"{module}.PHYSICS" for module in modules_of("axiderive.physics")),
     *("axiderive.store.records.entry_record", "axiderive.store.records.read_entry"),
 )
-PROVING = (*DERIVING, "axiderive.build.verification.verify")
-CHECKING = (*DERIVING, "axiderive.checks.checks.check_problem")
-MEASURING = (*DERIVING, "axiderive.stable.records.record")
-"""What derives, proves, checks and measures, with all that it uses of the engine."""
+PROVING = ("axiderive.build.verification.verify",)
+CHECKING = ("axiderive.checks.checks.check_problem",)
+MEASURING = ("axiderive.stable.records.record",)
+"""What derives, proves, checks and measures, with all that it uses of the engine; see `_reached`."""
 WRITING = (
     *("axiderive.notation", "axiderive.entry", "axiderive.abel", "axiderive.physics", "axiderive.store.records"),
     *("axiderive.profiles", "axiderive.stable", "axiderive.code", "axiderive.runtime", "axiderive.print"),
@@ -81,10 +80,23 @@ def project_root() -> Path:
     return checkout if (checkout / "pyproject.toml").is_file() else Path.cwd()
 
 
+def _reached(problem: Problem, names: tuple[str, ...] = ()) -> str:
+    """Digest of the code that derives a problem and does more with it: of its physics, and of normal contact.
+
+    What is named after another physics, in whatever room, is left out: a new physics repeats no check of an old one.
+    """
+    from ..physics import normal
+    from ..physics.systems import SYSTEMS
+
+    own = sorted({physics.derive.__module__ for physics in (problem.system.physics, normal.PHYSICS)})
+    names = (*names, *DERIVING, *(f"{module}.PHYSICS" for module in own))
+    return import_digest(*names, apart=frozenset(found.physics.derive.__module__ for found in SYSTEMS) - {*own})
+
+
 def derivation_key(problem: Problem) -> str:
     """SHA-256 of all a derivation depends on: its code, the version of SymPy, the problem and its profile."""
     shape = _shape(problem.profile)
-    return digest([FORMAT, "derivation", installed("sympy"), import_digest(*DERIVING), problem.key, shape])
+    return digest([FORMAT, "derivation", installed("sympy"), _reached(problem), problem.key, shape])
 
 
 def _shape(profile: Profile) -> Any:
@@ -111,27 +123,28 @@ def _shapes() -> str:
 
 def verification_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
     """Of the whole verification: proofs, the second proofs, and the checks."""
-    proving = [import_digest(*PROVING), source_digest("axiderive.verifier")]
+    proving = [_reached(problem, PROVING), source_digest("axiderive.verifier")]
     return digest([FORMAT, "verification", proving, checking_key(problem, entries, settings)])
 
 
 def checking_key(problem: Problem, entries: dict[str, Any], settings: Settings) -> str:
     """Of the numerical comparisons: the code that makes them, the settings, the profiles and the entries."""
     versions = [installed(name) for name in ("sympy", "mpmath", "python-flint")]
-    inputs = [versions, import_digest(*CHECKING), _shapes(), settings.record(), problem.key, entries]
+    inputs = [versions, _reached(problem, CHECKING), _shapes(), settings.record(), problem.key, entries]
     return digest([FORMAT, "checks", inputs])
 
 
 def evaluation_key(problem: Problem, entries: dict[str, Any], sources: Mapping[str, str]) -> str:
     """Of the measured errors: the code that measures, the profile, the entries and the texts of the modules."""
     versions = [installed(name) for name in ("numpy", "sympy", "python-flint")]
-    inputs = [versions, import_digest(*MEASURING), _shape(problem.profile), problem.key, entries, dict(sources)]
+    inputs = [versions, _reached(problem, MEASURING), _shape(problem.profile), problem.key, entries, dict(sources)]
     return digest([FORMAT, "evaluation", inputs])
 
 
 def chapter_key() -> str:
     """Of the checks of chapter 11, which compare with entries of the engine too."""
-    sources = [import_digest(*DERIVING, *modules_of("axiderive.chapter11")), _shapes()]
+    physics = (f"{module}.PHYSICS" for module in modules_of("axiderive.physics"))
+    sources = [import_digest(*DERIVING, *physics, *modules_of("axiderive.chapter11")), _shapes()]
     return digest([FORMAT, "chapter", installed("sympy"), installed("mpmath"), sources])
 
 

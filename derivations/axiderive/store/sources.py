@@ -32,18 +32,19 @@ def source_digest(*modules: str) -> str:
 
 
 @cache
-def import_digest(*names: str) -> str:
+def import_digest(*names: str, apart: frozenset[str] = frozenset()) -> str:
     """SHA-256 over what functions, or modules, compute: their statements and all these use of axiderive.
 
     Comments, docstrings, layout, the place of a definition and the version of Python do not count.  What is imported
-    by a name made at run time does not either.
+    by a name made at run time does not either, nor what modules hold that are called as one of those `apart`.
     """
     pending: list[Place] = [_place(*name.rpartition(".")[::2]) for name in names]
     seen, found = set[Place](), set[str]()
+    others = {module.rpartition(".")[2] for module in apart}
     while pending:
         place = pending.pop()
         module, name = place
-        if place in seen or module in VIEWS or _source(module) is None:
+        if place in seen or module in VIEWS or module.rpartition(".")[2] in others or _source(module) is None:
             continue
         seen.add(place)
         own = _module(module)
