@@ -6,12 +6,8 @@ import sympy as sp
 
 from . import notation as nt
 
-LETTERS = {
-    nt.time: "t", nt.relaxation: "tau", nt.sigma: "s", nt.young_1: "E_1", nt.young_2: "E_2",
-}  # fmt: skip
-"""Symbols whose letter in the interface is also that of another one."""
-
 
 def name_of(symbol: sp.Symbol | sp.IndexedBase) -> str:
-    """The name in the interface."""
-    return LETTERS.get(symbol, str(getattr(symbol, "label", symbol)))
+    """The name in the interface: the letter that its record says, where that is another than its own name."""
+    name = str(getattr(symbol, "label", symbol))
+    return (nt.known(name) and nt.describe(name).letter) or name

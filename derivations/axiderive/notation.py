@@ -56,6 +56,8 @@ class Notation:
     unit: str
     domain: str
     meaning: str
+    letter: str = ""
+    """In the interface, where it is another than the name."""
 
     @property
     def name(self) -> str:
@@ -66,9 +68,12 @@ class Notation:
 _RECORDS: dict[str, Notation] = {}
 
 
-def _define(name: str, latex: str, dimension: Dimension, unit: str, domain: str, meaning: str) -> sp.Symbol:
+def define(
+    name: str, latex: str, dimension: Dimension, unit: str, domain: str, meaning: str, letter: str = ""
+) -> sp.Symbol:
+    """A new symbol, positive, with its record; a physics defines the letters that no other one has."""
     symbol = sp.Symbol(name, positive=True)
-    _RECORDS[name] = Notation(symbol, latex, dimension, unit, domain, meaning)
+    _RECORDS[name] = Notation(symbol, latex, dimension, unit, domain, meaning, letter)
     return symbol
 
 
@@ -101,39 +106,39 @@ def all_notation() -> tuple[Notation, ...]:
 
 
 # fields: where a quantity is asked for, or what is asked
-r = _define("r", "r", LENGTH, "m", "r >= 0", "distance from the axis")
-a = _define("a", "a", LENGTH, "m", "a > 0", "contact radius")
-d = _define("d", "d", LENGTH, "m", "d > 0", "indentation depth of the point r = 0")
-F = _define("F", r"F_{\mathrm N}", FORCE, "N", "F > 0", "normal force")
-p = _define("p", "p", STRESS, "Pa", "", "contact pressure, positive in compression")
-w = _define("w", "w", LENGTH, "m", "", "surface displacement into the half-space")
-f = _define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from its apex")
-g = _define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
-p_mean = _define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
-r_zero = _define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
-r_peak = _define("r_peak", r"r_{\mathrm{max}}", LENGTH, "m", "", "radius of the ring of greatest pressure")
-p_peak = _define("p_peak", r"p_{\mathrm{max}}", STRESS, "Pa", "", "greatest pressure")
-stiffness = _define(
+r = define("r", "r", LENGTH, "m", "r >= 0", "distance from the axis")
+a = define("a", "a", LENGTH, "m", "a > 0", "contact radius")
+d = define("d", "d", LENGTH, "m", "d > 0", "indentation depth of the point r = 0")
+F = define("F", r"F_{\mathrm N}", FORCE, "N", "F > 0", "normal force")
+p = define("p", "p", STRESS, "Pa", "", "contact pressure, positive in compression")
+w = define("w", "w", LENGTH, "m", "", "surface displacement into the half-space")
+f = define("f", "f", LENGTH, "m", "", "profile of the indenter, measured from its apex")
+g = define("g", "g", LENGTH, "m", "", "indentation depth as a function of the contact radius")
+p_mean = define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)")
+r_zero = define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
+r_peak = define("r_peak", r"r_{\mathrm{max}}", LENGTH, "m", "", "radius of the ring of greatest pressure")
+p_peak = define("p_peak", r"p_{\mathrm{max}}", STRESS, "Pa", "", "greatest pressure")
+stiffness = define(
     "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
 )
 
 # fields below the surface
-z = _define("z", "z", LENGTH, "m", "z >= 0", "depth below the surface")
+z = define("z", "z", LENGTH, "m", "z >= 0", "depth below the surface")
 S_0, S_1, S_2, S_3 = (
-    _define(f"S_{m}", f"S_{m}", NUMBER, "1", "", f"pressure below the surface, turned {m} times; pi p/E_star for m = 0")
+    define(f"S_{m}", f"S_{m}", NUMBER, "1", "", f"pressure below the surface, turned {m} times; pi p/E_star for m = 0")
     for m in range(4)
 )
 D_0, D_1, D_2, D_3 = (
-    _define(f"D_{m}", f"D_{m}", NUMBER, "1", "", f"-z times the derivative of S_{m} by the depth") for m in range(4)
+    define(f"D_{m}", f"D_{m}", NUMBER, "1", "", f"-z times the derivative of S_{m} by the depth") for m in range(4)
 )
-W = _define("W", "W", LENGTH, "m", "", "potential of the displacement, pi/2 of it on the surface")
+W = define("W", "W", LENGTH, "m", "", "potential of the displacement, pi/2 of it on the surface")
 
 # material
-E_star = _define(
+E_star = define(
     "E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i"
 )
 
-k = _define(
+k = define(
     "k",
     "k",
     NUMBER,
@@ -141,7 +146,7 @@ k = _define(
     "-1 < k < 1",
     "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
 )
-H = _define(
+H = define(
     "H",
     "H",
     Dimension(-2 - k, sp.S.One),
@@ -150,33 +155,31 @@ H = _define(
     "foundation modulus of the graded half-space, c_N(x) = H |x|^k",
 )
 
-dgamma = _define(
+dgamma = define(
     "dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area"
 )
-mu = _define("mu", r"\mu", NUMBER, "1", "mu >= 0", "coefficient of friction")
-G_star = _define(
+mu = define("mu", r"\mu", NUMBER, "1", "mu >= 0", "coefficient of friction")
+G_star = define(
     "G_star", "G^{*}", STRESS, "Pa", "G_star > 0", "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)"
 )
 
 # geometry
-theta = _define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
-R = _define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")
-R1 = _define("R1", "R_1", LENGTH, "m", "R1 > 0", "radius of curvature of the inner part")
-R2 = _define("R2", "R_2", LENGTH, "m", "R2 > 0", "radius of curvature of the outer part")
-b = _define("b", "b", LENGTH, "m", "b > 0", "radius at which the profile breaks, or its length across")
-n = _define("n", "n", NUMBER, "1", "n > 0", "exponent of the profile")
-A = _define("A", "A", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "A > 0", "coefficient of a power-law profile")
-h = _define("h", "h", LENGTH, "m", "h > 0", "height or depth of the profile")
-s = _define("s", "s", LENGTH, "m", "s > 0", "length scale of the profile")
-wavelength = _define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wavelength of the waviness")
+theta = define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
+R = define("R", "R", LENGTH, "m", "R > 0", "radius of curvature")
+R1 = define("R1", "R_1", LENGTH, "m", "R1 > 0", "radius of curvature of the inner part")
+R2 = define("R2", "R_2", LENGTH, "m", "R2 > 0", "radius of curvature of the outer part")
+b = define("b", "b", LENGTH, "m", "b > 0", "radius at which the profile breaks, or its length across")
+n = define("n", "n", NUMBER, "1", "n > 0", "exponent of the profile")
+A = define("A", "A", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "A > 0", "coefficient of a power-law profile")
+h = define("h", "h", LENGTH, "m", "h > 0", "height or depth of the profile")
+s = define("s", "s", LENGTH, "m", "s > 0", "length scale of the profile")
+wavelength = define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wavelength of the waviness")
 
 # adhesive and tangential fields
-c = _define("c", "c", LENGTH, "m", "0 <= c <= a", "radius of the stick zone")
-retraction = _define(
-    "retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess"
-)
-a_c = _define("a_c", r"a_{\mathrm c}", LENGTH, "m", "", "contact radius at pull-off")
-H_x = _define(
+c = define("c", "c", LENGTH, "m", "0 <= c <= a", "radius of the stick zone")
+retraction = define("retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess")
+a_c = define("a_c", r"a_{\mathrm c}", LENGTH, "m", "", "contact radius at pull-off")
+H_x = define(
     "H_x",
     "H_x",
     Dimension(-2 - k, sp.S.One),
@@ -184,55 +187,55 @@ H_x = _define(
     "H_x > 0",
     "tangential foundation modulus, c_T(x) = H_x |x|^k",
 )
-F_x = _define("F_x", "F_x", FORCE, "N", "", "tangential force")
-tau = _define("tau", r"\tau", STRESS, "Pa", "", "tangential traction")
-u_0 = _define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the rigid body")
+F_x = define("F_x", "F_x", FORCE, "N", "", "tangential force")
+tau = define("tau", r"\tau", STRESS, "Pa", "", "tangential traction")
+u_0 = define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the rigid body")
 
 # plane problem
-P = _define("P", "P", Dimension.of(-1, 1), "N/m", "P > 0", "line load, force per length of the strip of contact")
-L = _define("L", "L", LENGTH, "m", "L > a", "distance of the reference point from the middle of the contact")
-x_zero = _define(
+P = define("P", "P", Dimension.of(-1, 1), "N/m", "P > 0", "line load, force per length of the strip of contact")
+L = define("L", "L", LENGTH, "m", "L > a", "distance of the reference point from the middle of the contact")
+x_zero = define(
     "x_zero", "x_0", LENGTH, "m", "", "distance from the middle where the pressure first vanishes on unloading"
 )
-slope = _define("slope", r"\frac{\mathrm dw}{\mathrm dx}", NUMBER, "1", "", "slope of the surface outside the contact")
-tilt = _define("tilt", r"\varphi", NUMBER, "rad", "", "inclination of the punch, deeper on the side of positive x")
-width = _define("width", r"\ell", LENGTH, "m", "", "width of the contact")
+slope = define("slope", r"\frac{\mathrm dw}{\mathrm dx}", NUMBER, "1", "", "slope of the surface outside the contact")
+tilt = define("tilt", r"\varphi", NUMBER, "rad", "", "inclination of the punch, deeper on the side of positive x")
+width = define("width", r"\ell", LENGTH, "m", "", "width of the contact")
 e = sp.Symbol("e", real=True)
 _RECORDS["e"] = Notation(e, "e", LENGTH, "m", "-a < e < a", "eccentricity: the load acts at x = e")
 
 # viscoelastic half-space: time, loading and material laws
-time = _define("time", "t", NUMBER, "s", "t >= 0", "time since first contact")
-v = _define("v", "v", LENGTH, "m/s", "v > 0", "speed of indentation, d = v t")
-E = _define("E", "E", STRESS, "Pa", "E > 0", "effective (plane-strain) modulus of the viscoelastic law")
-E_inf = _define("E_inf", r"E_\infty", STRESS, "Pa", "E_inf > 0", "long-time effective modulus")
-E_1 = _define("E_1", "E_1", STRESS, "Pa", "E_1 >= 0", "relaxing part of the effective modulus")
-eta = _define("eta", r"\eta", STRESS, "Pa s", "eta > 0", "effective viscosity")
-relaxation = _define("relaxation", r"\tau", NUMBER, "s", "tau > 0", "relaxation time")
-alpha = _define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of power-law creep")
-t_0 = _define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
+time = define("time", "t", NUMBER, "s", "t >= 0", "time since first contact", letter="t")
+v = define("v", "v", LENGTH, "m/s", "v > 0", "speed of indentation, d = v t")
+E = define("E", "E", STRESS, "Pa", "E > 0", "effective (plane-strain) modulus of the viscoelastic law")
+E_inf = define("E_inf", r"E_\infty", STRESS, "Pa", "E_inf > 0", "long-time effective modulus")
+E_1 = define("E_1", "E_1", STRESS, "Pa", "E_1 >= 0", "relaxing part of the effective modulus")
+eta = define("eta", r"\eta", STRESS, "Pa s", "eta > 0", "effective viscosity")
+relaxation = define("relaxation", r"\tau", NUMBER, "s", "tau > 0", "relaxation time", letter="tau")
+alpha = define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of power-law creep")
+t_0 = define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
 
 # elastic constants of the bodies in contact
-young_1 = _define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body")
-young_2 = _define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body")
-E_0 = _define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
-c_0 = _define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half-space")
+young_1 = define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body", letter="E_1")
+young_2 = define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body", letter="E_2")
+E_0 = define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
+c_0 = define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half-space")
 nu, nu_1, nu_2 = (sp.Symbol(name, real=True) for name in ("nu", "nu_1", "nu_2"))
 _RECORDS["nu"] = Notation(nu, r"\nu", NUMBER, "1", "-1 < nu <= 1/2", "Poisson ratio")
 _RECORDS["nu_1"] = Notation(nu_1, r"\nu_1", NUMBER, "1", "-1 < nu_1 <= 1/2", "Poisson ratio of the first body")
 _RECORDS["nu_2"] = Notation(nu_2, r"\nu_2", NUMBER, "1", "-1 < nu_2 <= 1/2", "Poisson ratio of the second body")
-beta = _define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half-space")
-h_N = _define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half-space, 1 for k = 0")
+beta = define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half-space")
+h_N = define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half-space, 1 for k = 0")
 
 # prescribed pressure
-p_0 = _define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")
-sigma = _define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed pressure")
+p_0 = define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")
+sigma = define("sigma", "s", NUMBER, "1", "s > -1", "exponent of a prescribed pressure", letter="s")
 
 # auxiliary: integration variables, never arguments of a function
-t = _define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
-x = _define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
-u = _define("u", "u", LENGTH, "m", "", "regularised integration variable")
-psi = _define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
-C = _define(
+t = define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlier contact")
+x = define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
+u = define("u", "u", LENGTH, "m", "", "regularised integration variable")
+psi = define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
+C = define(
     "C",
     "C",
     Dimension(1 - n, sp.S.Zero),

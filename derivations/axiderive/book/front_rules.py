@@ -10,8 +10,8 @@ from ..physics import normal, viscoelastic
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..physics.systems import BY_NAME, SYSTEMS
 from ..print.formula import Printer
-from ..rows import laws, rules
-from ..rows.row import Kind
+from ..rows import laws
+from ..rows.row import Kind, rule
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
 
 
 def _rule(system: str, suffix: str) -> RuleRow:
-    found = rules.rule(BY_NAME[system], suffix)
+    found = rule(BY_NAME[system], suffix)
     assert found is not None
     quantities, *_ = BY_NAME[system].physics.quantities.values()
     label, small = quantities[suffix].heading

@@ -11,7 +11,7 @@ import sympy as sp
 from .. import notation as nt
 from ..abel.masters import MASTERS
 from ..entry import COMPACT, Entry, Quantity
-from ..letters import LETTERS, name_of
+from ..letters import name_of
 from ..profiles.profile import Profile
 from .tables import LOADED
 
@@ -167,7 +167,8 @@ def stated(entry: Entry) -> list[str]:
 def usual(lines: Sequence[str]) -> list[str]:
     """Lines in those letters and names."""
     text = "\n".join(lines)
-    for old, new in ({symbol.name: name for symbol, name in LETTERS.items()} | USUAL).items():
+    letters = {record.name: record.letter for record in nt.all_notation() if record.letter}
+    for old, new in (letters | USUAL).items():
         text = re.sub(rf"\b{old}\b", new, text)
     return text.split("\n")
 

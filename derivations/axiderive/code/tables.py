@@ -19,7 +19,7 @@ import sympy as sp
 from flint import arb, ctx, fmpq
 
 from .. import notation as nt
-from ..letters import LETTERS, name_of
+from ..letters import name_of
 from ..physics import normal
 from ..profiles import load
 from ..stable.kernels import fit
@@ -336,7 +336,7 @@ def _row(record: nt.Notation) -> list[str]:
     closed = bounds(domain)[2]
     unit = "" if record.unit == "1" else f", in {record.unit}"
     parts = [f'"{domain}"', f'"{record.meaning}{unit}"']
-    instead, letter = INSTEAD.get(record.symbol, ""), LETTERS.get(record.symbol, "")
+    instead, letter = INSTEAD.get(record.symbol, ""), record.letter
     named = {"closed": closed, "instead": instead, "letter": letter}
     parts += [f'{name}="{text}"' for name, text in named.items() if text]
     lines = layout.call(f'"{record.name}": Domain', parts, "),")

@@ -55,6 +55,10 @@ class Rule:
     where: str = ""
 
 
+Printing = Callable[..., Callable[[sp.Expr], str]]
+"""What gives a printer of expressions (`print.formula.Printer`): of a chain of lengths, and with names of symbols."""
+
+
 OWN = sp.Symbol("own", real=True)
 """The formula of an entry in a statement about it."""
 DEPTH, FORCE, PRESSURE = map(sp.Function, ("g", "F", "p"))
@@ -129,8 +133,8 @@ class Physics:
     """What these definitions are called where formulas are compared with them."""
     proofs: Callable[[Profile, Medium], dict[str, Proof]] | None = None
     """Why its formulas are those of the definitions, on a medium of the prover."""
-    rules: Callable[[Medium, Callable[[sp.Expr], str]], dict[str, Rule]] = lambda medium, printer: {}
-    """The rules in print by quantity, with what prints an expression."""
+    rules: Callable[[Medium, Printing], dict[str, Rule]] | None = None
+    """The rules in print by quantity; None if every row is a formula of the profile itself."""
     noted: str = ""
     """Behind the title of its rules in front of the book."""
     printed: bool = True

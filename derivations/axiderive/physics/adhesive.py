@@ -15,8 +15,9 @@ import sympy as sp
 
 from ..entry import COMPACT, FOUR, Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
-from ..profiles.profile import Profile, Rule
-from . import Physics, Wording, detachment, normal
+from ..profiles import profile as bodies
+from ..profiles.profile import Profile
+from . import Physics, Printing, Rule, Wording, detachment, normal
 from .medium import GRADED, HOMOGENEOUS, Medium
 from .normal import stable_inverse
 
@@ -61,7 +62,7 @@ def pull_off_number(medium: Medium) -> dict[str, sp.Expr]:
     return {"force": 3 + medium.k, "depth": 1 - medium.k}
 
 
-def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> Rule | None:
+def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> bodies.Rule | None:
     """What the exponent of a power law must be for a stable contact to exist; None where none is a parameter.
 
     At n = (1 - k)/2 the depth is one power of the radius, and below it both loads grow on unloading.
@@ -72,7 +73,7 @@ def pull_off_rule(profile: Profile, medium: Medium = HOMOGENEOUS) -> Rule | None
         "a sharper profile has no pull-off, its adhesive contact is unstable at every radius; "
         f"use n > {_least_exponent(medium)}, or force(a) and depth(a) for the states of equilibrium"
     )
-    return Rule((1 - medium.k) / 2, n, True, reason)
+    return bodies.Rule((1 - medium.k) / 2, n, True, reason)
 
 
 def _least_exponent(medium: Medium) -> str:
@@ -209,6 +210,39 @@ def _derive(profile: Profile, medium: Medium, plain: Mapping[str, Entry] | None 
     return derive(profile, medium, plain) if profile.compact else detachment.derive(profile, medium)
 
 
+ADH = r"_{\mathrm{adh}}"
+
+
+def rules(medium: Medium, printing: Printing) -> dict[str, Rule]:
+    """The rules in print."""
+    printer = printing((r, a))
+    force = printer(medium.stiffness() * retraction)
+    pressure = printer(medium.punch_pressure() * retraction)
+    surface = printer(medium.punch_displacement().expr() * retraction)
+    found = {
+        "Dl": Rule(rf"\Delta\ell={printer(medium.retraction())}"),
+        "d": Rule(rf"d{ADH}(a)=g(a)-\Delta\ell"),
+        "F": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}(a)-{force}"),
+        "p": Rule(rf"p{ADH}(r)=p(r)-{pressure}", where="r<a"),
+        "w": Rule(rf"w{ADH}(r)=w(r)-{surface}", where=r"r\ge a"),
+        "ad": Rule(rf"d{ADH}(a)=d", r"for $a\ge a_{\mathrm m}$"),
+        "aF": Rule(rf"F{ADH}(a)=F_{{\mathrm N}}", r"for $a\ge a_{\mathrm c}$"),
+    }
+    for control, xi in pull_off_number(medium).items():
+        radius, force_then, depth_then = (QUANTITIES[suffix] for suffix in CONTROLS[control])
+        level = sp.sqrt(sp.pi * dgamma / (2 * medium.modulus)) * a_c ** (-(1 + medium.k) / 2)
+        at = radius.left
+        named = printing((), {a_c: at})
+        # the number stays in front of the root
+        text = named(xi * level) if xi.free_symbols else (named(xi) if xi != 1 else "") + named(level)
+        found |= {
+            radius.suffix: Rule(f"g'({at})={text}"),
+            force_then.suffix: Rule(f"{force_then.left}=F{ADH}({at})"),
+            depth_then.suffix: Rule(f"{depth_then.left}=d{ADH}({at})"),
+        }
+    return found
+
+
 FIELDS, PULLED = (("Dl", "d"), ("F",), ("p",), ("w",), ("ad", "aF")), (("Fc", "Fm"), ("dc", "dm"))
 PHYSICS = Physics(
     "adhesive",
@@ -245,6 +279,7 @@ PHYSICS = Physics(
     runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
     quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
     wanted=("depth", "force", "pressure", "displacement", "pull_off"),
+    rules=rules,
     compared="mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",
     noted=r"short-ranged (JKR); pull-off under given force at $a_{\mathrm c}$, under given depth at $a_{\mathrm m}$",
 )

@@ -26,7 +26,7 @@ from ..abel.reduce import Reduced, parse
 from ..entry import COMPACT, COMPLETE, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
-from . import Physics, Wording, complete, peak
+from . import Physics, Printing, Rule, Wording, complete, peak
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
@@ -374,6 +374,29 @@ def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
     return pieces, False
 
 
+def rules(medium: Medium, printing: Printing) -> dict[str, Rule]:
+    """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
+    if not medium.graded:
+        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
+    k, printer = medium.k, printing((r, a))
+    scale = printer(medium.pressure_scale / (1 + k))
+    span = printer((a**2 - r**2) ** ((1 + k) / 2))
+    radius = printer(sp.sqrt(r**2 + u ** (2 / (1 + k))))
+    outside = printer(medium.displacement_scale)
+    return {
+        "pm": Rule(r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}"),
+        "p": Rule(
+            rf"p(r)={scale}\int_{{0}}^{{y}} \frac{{g'(t)}}{{t}}\,\mathrm{{d}}u,\qquad t={radius},\quad y={span}",
+            where=r"r\le a",
+        ),
+        "w": Rule(
+            rf"w(r)={outside}\int_{{0}}^{{y}} \bigl[g(a)-g(r\sin\psi)\bigr]\tan^{{{printer(k)}}}\psi"
+            rf"\,\mathrm{{d}}\psi,\qquad y={printer(sp.asin(a / r))}",
+            where=r"r\ge a",
+        ),
+    }
+
+
 PHYSICS = Physics(
     "normal",
     {
@@ -405,4 +428,5 @@ PHYSICS = Physics(
     quantities={"compact": COMPACT, "complete": COMPLETE},
     wanted=("depth", "force", "pressure", "displacement"),
     compared="mpmath quadrature of the definition",
+    rules=rules,
 )

@@ -6,7 +6,7 @@ mu; the rule is stated once and every profile and medium follows.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import sympy as sp
 
@@ -14,7 +14,7 @@ from ..abel.form import insert
 from ..entry import Case, Entry, Quantity, Status
 from ..notation import F, F_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
-from . import DEPTH, FORCE, OWN, PRESSURE, Physics, Proof, Rule, Shown, Wording, normal
+from . import DEPTH, FORCE, OWN, PRESSURE, Physics, Printing, Proof, Rule, Shown, Wording, normal
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 GROUP = "tan"
@@ -81,9 +81,9 @@ def proofs(profile: Profile, medium: Medium) -> dict[str, Proof]:
     }
 
 
-def rules(medium: Medium, printer: Callable[[sp.Expr], str]) -> dict[str, Rule]:
+def rules(medium: Medium, printing: Printing) -> dict[str, Rule]:
     """The rules in print."""
-    ratio = printer(mu * medium.modulus / medium.shear)
+    ratio = printing()(mu * medium.modulus / medium.shear)
     return {
         "F": Rule(r"F_x=\mu\,\bigl[F_{\mathrm N}(a)-F_{\mathrm N}(c)\bigr]"),
         "tau": Rule(r"\tau(r)=\mu\,\bigl[p(r;a)-p(r;c)\bigr]", "with $p(r;c)=0$ for $r>c$"),

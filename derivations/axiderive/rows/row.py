@@ -14,14 +14,13 @@ import sympy as sp
 
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
-from ..physics import adhesive, loads, materials, plane, subsurface, viscoelastic
+from ..physics import Rule, adhesive
 from ..physics.systems import System, of
 from ..print.box import brackets_around, size_around, width
 from ..print.formula import Printer
 from ..print.shorthand import LINE, Short, shortened, with_kappa
 from ..print.terms import tidied
 from .ranges import Pairs, chain_of, condition, regions
-from .rules import rule
 
 LETTER = 3.3
 """Points of a letter of the key."""
@@ -134,8 +133,10 @@ class Row:
 def row(entry: Entry) -> Row:
     """The row of an entry."""
     system = of(entry)
-    if system.physics in WITHOUT_RULE:
-        return WITHOUT_RULE[system.physics](entry)
+    if not system.physics.printed:
+        return _unbroken(entry)
+    if system.physics.rules is None:
+        return _defined(entry) or _root_or_formula(entry)
     if system.physics.over:
         return _superposed(entry, system) if entry.profile.compact else _formula(entry)
     plain = _normal_row(entry)
@@ -151,15 +152,16 @@ def _normal_row(entry: Entry) -> Row:
     return _root_or_formula(entry)
 
 
-def _constant(entry: Entry) -> Row:
+def _defined(entry: Entry) -> Row | None:
     """An elastic constant, where it is read better by the equation that defines it: 1/E* as a sum, H over h_N."""
     known, own = entry.definition, entry.quantity.symbol
-    used = known.rhs.free_symbols - set(entry.parameters)
+    if not isinstance(known, sp.Equality) or known.lhs not in (own, 1 / own):
+        return None
+    line = (Region("", (Printer()(known),)),)
     if known.lhs == 1 / own:
-        return Row(entry, "definition", (Region("", (Printer()(known),)),))
-    if known.lhs == own and len(used) == 1:
-        return Row(entry, "definition", (Region("", (Printer()(known),)),), "with the factor", used.pop().name)
-    return _formula(entry)
+        return Row(entry, "definition", line)
+    used = known.rhs.free_symbols - set(entry.parameters)
+    return Row(entry, "definition", line, "with the factor", used.pop().name) if len(used) == 1 else None
 
 
 def _root_or_formula(entry: Entry) -> Row:
@@ -177,12 +179,6 @@ def _unbroken(entry: Entry) -> Row:
     return Row(entry, "formula", tuple(found))
 
 
-WITHOUT_RULE = {
-    materials.PHYSICS: _constant,
-    **dict.fromkeys((plane.PHYSICS, loads.PHYSICS, viscoelastic.PHYSICS), _root_or_formula),
-    subsurface.PHYSICS: _unbroken,
-}
-"""Rows of the physics whose quantities follow from no rule."""
 BETTER = {
     "cone.w": (r"w(r)=a \tan \theta \, \Bigl(\psi-\tan \frac{\psi}{2}\Bigr),\qquad \psi=\arcsin \frac{a}{r}",),
     "capped_paraboloid.ad": (
@@ -231,10 +227,16 @@ def _fits(one: Row) -> bool:
     )
 
 
+def rule(system: System, suffix: str) -> Rule | None:
+    """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
+    rules = system.physics.rules
+    return rules(system.medium, Printer).get(suffix) if rules else None
+
+
 def _ruled(entry: Entry, system: System, listed: bool = False) -> Row:
     found = rule(system, entry.suffix)
     if found is None:
-        message = f"{entry.key} follows from no rule; add one to rows.rules"
+        message = f"{entry.key} follows from no rule; add one to `rules` of its physics"
         raise LookupError(message)
     return Row(entry, "rule", (Region(found.where, (found.tex,)),), found.remark, listed=listed)
 
