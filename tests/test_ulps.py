@@ -28,7 +28,7 @@ from axiderive.physics.normal import derive
 from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
 from axiderive.stable.measure import Sample, closure, count_for, form, function_of, naive, samples, ulps, value
-from axiderive.stable.records import drift, record, settled
+from axiderive.stable.records import drift, jumps, record, settled
 from axiderive.stable.reference import condition, is_inverse, reference
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
 
@@ -267,3 +267,20 @@ def test_drift_is_what_no_library_explains() -> None:
     assert drift(row(2e2), row(2e7))
     # the digits of a formula that has lost all of them are noise
     assert drift(row(2.0, naive=7e15), row(2.0, naive=1e21)) == []
+
+
+def test_a_jump_is_ten_times_the_error_and_more_than_a_few_units_or_a_lost_value() -> None:
+    """What a build says and `--check` refuses; noise of a sum that has cancelled is none, nor is a better function."""
+
+    def row(worst: float, lost: int = 0) -> dict[str, dict[str, Any]]:
+        return {"F": {"sample": {"seed": 17, "count": 30}, "extreme": {"points": 30, "worst_ulp": worst, "lost": lost}}}
+
+    for before, after in ((2.8, 31.0), (5.0, 49.0), (2e4, 9e5), (22000.0, 2.8)):
+        assert jumps(row(before), row(after)) == []
+    assert jumps({}, row(1e9)) == []
+    for before, after in ((2.8, 22000.0), (3.2, 33.0), (2e4, 1e11)):
+        ((suffix, sentence),) = jumps(row(before), row(after))
+        assert suffix == "F"
+        assert sentence.startswith(f"extreme: the worst error was {before}, is {after} units")
+    assert jumps(row(2.0), row(2.0, lost=1)) == [("F", "extreme: 1 more values are lost")]
+    assert jumps(row(2.0, lost=1), row(2.0)) == []

@@ -36,6 +36,8 @@ class Catalogue:
     failures: tuple[Failure, ...]
     kept: tuple[int, int]
     """Problems whose checks, and whose measured errors, were taken over from what is published."""
+    worse: tuple[tuple[str, str], ...] = ()
+    """Functions whose measured errors have jumped beyond those published, as key and sentence."""
 
 
 def build(
@@ -102,7 +104,8 @@ def build(
     files = emission.emitted(published, package, book, cache, settings, jobs, printed)
     if published:
         files[RECEIPTS] = receipts_bytes(_receipts(published, settings, measured, chapter))
-    return Catalogue(files, outcomes, tuple(failures), (sum(outcome.kept for outcome in outcomes), kept))
+    taken_over = sum(outcome.kept for outcome in outcomes), kept
+    return Catalogue(files, outcomes, tuple(failures), taken_over, _worse(published, standing))
 
 
 def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
@@ -171,6 +174,18 @@ def _measured(
         for problem, outcome in published
     ]
     return whole, kept, inputs
+
+
+def _worse(published: Published, standing: Mapping[str, Record]) -> tuple[tuple[str, str], ...]:
+    """The functions whose errors have jumped since they were published."""
+    from ..stable.records import jumps
+
+    found = []
+    for own, outcome in published:
+        kept = standing.get(own.key, {}).get("evaluation") or {}
+        lines = jumps(kept, outcome.evidence.get("evaluation", {}))
+        found += [(f"{own.key}.{suffix}", line) for suffix, line in lines]
+    return tuple(found)
 
 
 def _receipts(published: Published, settings: Settings, measured: Mapping[str, str], chapter: Record | None) -> Record:

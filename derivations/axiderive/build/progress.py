@@ -97,6 +97,15 @@ def failure_lines(failures: Sequence[Failure], *, seed: int, verbose: bool) -> l
     return lines
 
 
+def worse_lines(catalogue: Catalogue) -> list[str]:
+    """The functions whose measured errors have jumped, and what to do about them."""
+    lines = [f"{key}: {sentence}" for key, sentence in catalogue.worse]
+    if lines:
+        key = catalogue.worse[0][0]
+        lines.append(f"find the cause, or say in the commit why it stays; axicontact check {key} -v measures again")
+    return lines
+
+
 def _problem(failure: Failure) -> str:
     """Key of the problem that a failure keeps out: its own, or that of the formula that failed."""
     known = {problem.key for problem in systems.problems()}

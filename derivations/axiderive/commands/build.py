@@ -18,7 +18,7 @@ from ..build.catalogue import Catalogue
 from ..build.catalogue import build as build_catalogue
 from ..build.comparison import Difference, book_of, differences, only_profiles, shortened, standing
 from ..build.emission import study_records
-from ..build.progress import Progress, failure_lines, summary, taken_over
+from ..build.progress import Progress, failure_lines, summary, taken_over, worse_lines
 from ..build.work import Settings, project_root
 from ..exits import FAILED, INCOMPLETE, CommandError
 from ..physics import systems
@@ -64,6 +64,9 @@ def build(arguments: argparse.Namespace) -> int:
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
     progress.say(summary(catalogue))
     progress.say(taken_over(catalogue))
+    worse = worse_lines(catalogue)
+    if worse:
+        print("\n".join(worse), file=sys.stderr)
     if not any(path.startswith("evidence/") for path in catalogue.files):
         print("\n".join([*failures, f"nothing to publish, {root} is as it was"]), file=sys.stderr)
         return FAILED
@@ -76,6 +79,7 @@ def build(arguments: argparse.Namespace) -> int:
             code = _compare(found, root, len(files), progress, arguments)
         else:
             code = _nothing_there(root, len(files), arguments)
+        code = FAILED if worse else code
     else:
         written, removed = publish(files, root, prune=not partial)
         for path, content in readme.items():

@@ -164,12 +164,28 @@ MANY = 1e3
 """Units above which a sum has cancelled: only the number of lost digits is compared."""
 NOTHING = 2.0**52
 """Units at which a printed formula has lost all digits; what it gives there is noise, as is the last one it keeps."""
+JUMP, SMALL = 10.0, 32.0
+"""A worst error of more units than SMALL that is this many times what it was: a function that has become worse."""
 STATED = ("form", "nodes", "sample")
 
 
 def settled(kept: Mapping[str, Record], found: Mapping[str, Record]) -> dict[str, Record]:
     """The kept row of every function whose errors have not drifted, so that a record does not depend on the machine."""
     return {suffix: row if drift(kept, {suffix: row}) else kept[suffix] for suffix, row in found.items()}
+
+
+def jumps(kept: Mapping[str, Record], found: Mapping[str, Record]) -> list[tuple[str, str]]:
+    """The functions that lost digits since the kept record, as suffix and sentence: what a build must not hide."""
+    lines = []
+    for suffix, row in found.items():
+        for domain in [name for name in row if name not in STATED and name in kept.get(suffix, {})]:
+            old, new = kept[suffix][domain], row[domain]
+            before, now, more = _worst(old), _worst(new), new.get("lost", 0) - old.get("lost", 0)
+            if more > 0:
+                lines.append((suffix, f"{domain}: {more} more values are lost"))
+            elif now > max(SMALL, JUMP * before) and _moved(old, new):
+                lines.append((suffix, f"{domain}: the worst error was {before}, is {now} units in the last place"))
+    return lines
 
 
 def drift(kept: Mapping[str, Record], found: Mapping[str, Record]) -> list[tuple[str, str]]:
