@@ -61,13 +61,7 @@ def _parser() -> argparse.ArgumentParser:
     build = commands.add_parser("build", help="derive, prove, check and write the catalogue")
     build.set_defaults(run=_build)
     build.add_argument("--only", type=_names, default=[], metavar="A,B", help="these profiles only")
-    build.add_argument(
-        "--jobs",
-        type=_positive,
-        default=min(os.cpu_count() or 1, MOST_JOBS),
-        metavar="N",
-        help="processes (%(default)s)",
-    )
+    _parallel(build)
     build.add_argument("--out", type=Path, metavar="DIR", help="folder of the catalogue (catalogue/ of the checkout)")
     build.add_argument("--no-pdf", action="store_true", help="leave the handbook as LaTeX")
     build.add_argument(
@@ -104,11 +98,15 @@ def _parser() -> argparse.ArgumentParser:
         "derive",
         help="formulas and a module for a profile of your own",
         # without it argparse calls the expression missing that begins with a minus
-        usage="%(prog)s [-h] [--out DIR] [--k K] -- EXPRESSION",
+        usage="%(prog)s [-h] [--out DIR] [--k K] (-- EXPRESSION | --from FILE [--jobs N | --executor M:C])",
     )
     derive.set_defaults(run=_derive)
-    derive.add_argument("expression", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it")
+    derive.add_argument(
+        "expression", nargs="?", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it"
+    )
+    derive.add_argument("--from", dest="source", type=Path, metavar="FILE", help="many, one on a line")
     derive.add_argument("--out", type=Path, metavar="DIR", help="write the module and its test there")
+    _parallel(derive)
     derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half-space (%(default)s)")
 
     emit = commands.add_parser("emit", help="a self-contained module for a scene")
@@ -117,7 +115,7 @@ def _parser() -> argparse.ArgumentParser:
     emit.add_argument("--out", type=Path, metavar="DIR", help="folder to write to, instead of that of the scene")
     emit.add_argument("--dry-run", action="store_true", help="say what would be written, with all defaults")
 
-    study.add_commands(commands)
+    study.add_commands(commands, _executor)
     return parser
 
 
@@ -126,6 +124,17 @@ def _numerical(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--points", type=_positive, default=8, help="points per formula (%(default)s)")
     parser.add_argument("--seed", type=int, default=17, help="seed of the points (%(default)s)")
     parser.add_argument("-v", "--verbose", action="store_true", help="say more")
+
+
+def _parallel(parser: argparse.ArgumentParser) -> None:
+    jobs = min(os.cpu_count() or 1, MOST_JOBS)
+    parser.add_argument("--jobs", type=_positive, default=jobs, metavar="N", help="processes (%(default)s)")
+    _executor(parser)
+
+
+def _executor(parser: argparse.ArgumentParser) -> None:
+    said = "a callable that returns a concurrent.futures.Executor, which runs the work; docs/many_machines.md"
+    parser.add_argument("--executor", default="", metavar="M:C", help=said)
 
 
 def _positive(text: str) -> int:
@@ -174,10 +183,13 @@ def _show(arguments: argparse.Namespace) -> int:
 
 def _check(arguments: argparse.Namespace) -> int:
     if arguments.keys == ["chapter"]:
+        from functools import partial
+
+        from .build.pool import run
         from .chapter11.equation import GUARD, report
 
-        jobs = min(os.cpu_count() or 1, MOST_JOBS)
-        return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, jobs) else FAILED
+        runner = partial(run, jobs=min(os.cpu_count() or 1, MOST_JOBS), ordered=True)
+        return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, runner) else FAILED
     from .build.work import Settings, project_root
     from .commands.check import check
 

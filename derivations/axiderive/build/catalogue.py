@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -47,7 +48,7 @@ def build(
     settings: Settings | None = None,
     standing: Mapping[str, Record] = MappingProxyType({}),
     book: Book | None = None,
-    jobs: int = 1,
+    jobs: pool.Jobs = 1,
     report: Callable[[Outcome], None] = lambda outcome: None,
     printed: Callable[[Mapping[str, bytes]], None] = lambda sources: None,
 ) -> Catalogue:
@@ -66,8 +67,8 @@ def build(
         taken over where their inputs are the same, and errors measured anew stay as published where they agree.
     book : Book, optional
         The book that the pages of these profiles belong to; one of their own otherwise.
-    jobs : int
-        Number of processes.
+    jobs : int or concurrent.futures.Executor
+        Number of processes, or what runs the tasks; this process alone writes what they bring.
     report : callable
         Called with each outcome as it is ready.
     printed : callable
@@ -92,6 +93,8 @@ def build(
     missing = sorted((problem for problem in wanted if problem.key not in found), key=_expected_effort, reverse=True)
     tasks = [(own.key, str(cache.folder), cache.fresh, settings, standing.get(own.key, {})) for own in missing]
     for outcome in pool.run(work.task, tasks, jobs):
+        for key, value in outcome.made.items():
+            cache.put(key, value)
         found[outcome.key] = outcome
         report(outcome)
     outcomes = tuple(found[problem.key] for problem in wanted)
@@ -108,14 +111,15 @@ def build(
     return Catalogue(files, outcomes, tuple(failures), taken_over, _worse(published, standing))
 
 
-def _chapter(cache: Cache, jobs: int, standing: Mapping[str, Any]) -> Record:
+def _chapter(cache: Cache, jobs: pool.Jobs, standing: Mapping[str, Any]) -> Record:
     """What the equations of chapter 11 come to; their checks compare with entries of the engine too."""
     from ..chapter11.equation import run
     from ..chapter11.errata import record
 
     key = work.chapter_key()
     kept = None if cache.fresh else work.taken_over(standing, "record", key)
-    return dict(cache.made(key, lambda: record(run(jobs=jobs))) if kept is None else kept)
+    runner = partial(pool.run, jobs=jobs, ordered=True)
+    return dict(cache.made(key, lambda: record(run(runner=runner))) if kept is None else kept)
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:
@@ -145,7 +149,7 @@ def _publishable(wanted: Sequence[Problem], found: Mapping[str, Outcome]) -> tup
 
 
 def _measured(
-    published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: int
+    published: Published, package: Mapping[str, str], standing: Mapping[str, Record], cache: Cache, jobs: pool.Jobs
 ) -> tuple[Published, int, dict[str, str]]:
     """The same with the errors of the emitted functions among the evidence.
 
@@ -162,10 +166,12 @@ def _measured(
             found, taken = work.measured(inputs[own.key], cache, standing.get(own.key, {}))
             kept += taken
             if found is None:
-                tasks.append((own.key, outcome.entries, sources, str(cache.folder), inputs[own.key]))
+                tasks.append((own.key, outcome.entries, sources))
             else:
                 errors[own.key] = found
-    errors |= pool.run(work.evaluation, tasks, jobs)
+    for key, measured in pool.run(work.evaluation, tasks, jobs):
+        cache.put(inputs[key], measured)
+        errors[key] = measured
     errors = {key: settled(standing.get(key, {}).get("evaluation") or {}, found) for key, found in errors.items()}
     whole = [
         (problem, replace(outcome, evidence=outcome.evidence | {"evaluation": errors[problem.key]}))

@@ -59,7 +59,7 @@ def emitted(
     book: Book,
     cache: Cache,
     settings: Settings,
-    jobs: int,
+    jobs: pool.Jobs,
     printed: Callable[[Mapping[str, bytes]], None],
 ) -> dict[str, bytes]:
     """Every file of the catalogue as bytes by path, in order of path; from the cache where nothing has changed.
@@ -85,7 +85,7 @@ def _emit(
     modules: Mapping[str, str],
     book: Book,
     studies: Mapping[str, Record],
-    jobs: int,
+    jobs: pool.Jobs,
     printed: Callable[[Mapping[str, bytes]], None],
 ) -> dict[str, str]:
     from .. import web
@@ -112,7 +112,7 @@ def _emit(
     return files
 
 
-def _page_models(published: Published, ids: Sequence[str], jobs: int) -> dict[str, Record]:
+def _page_models(published: Published, ids: Sequence[str], jobs: pool.Jobs) -> dict[str, Record]:
     """What the page of every profile shows, in the order of the handbook; made side by side."""
     from ..book import handbook
 

@@ -1,4 +1,4 @@
-"""Work in processes of its own: tasks of a build, a user's text under limits of time and memory, a call beside others.
+"""Work elsewhere: tasks in processes or by any executor, a user's text under limits, a call beside others.
 
 None outlives an interrupt, and a dead worker is an error, not a hang.
 """
@@ -7,48 +7,170 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import importlib
 import math
 import multiprocessing
 import os
 import pickle
+import platform
 import resource
 import signal
 import sys
 import threading
 import time
+import traceback
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
 from multiprocessing.connection import Connection
-from typing import Any, Generic, TypeVar
+from pathlib import Path
+from typing import Any, Generic, TypeAlias, TypeVar
 
-from ..exits import ENVIRONMENT, FAILED, CommandError
+from ..exits import ENVIRONMENT, FAILED, USAGE, CommandError
+from ..store.cache import digest
+from ..store.sources import source_digest
+from .work import installed
 
 Result = TypeVar("Result")
 
 
 class WorkerError(CommandError):
-    """A worker process died."""
+    """A worker died, or what runs the workers failed."""
 
     code = ENVIRONMENT
 
 
-def run(function: Callable[..., Result], tasks: Sequence[tuple[object, ...]], jobs: int) -> Iterator[Result]:
-    """`function(*task)` for every task, in order of completion; in this process for one job or one task."""
-    if jobs == 1 or len(tasks) <= 1:
+Jobs: TypeAlias = int | Executor
+"""So many processes of this machine, or whatever runs the tasks, here or on other machines."""
+
+
+def run(
+    function: Callable[..., Result], tasks: Sequence[tuple[object, ...]], jobs: Jobs, *, ordered: bool = False
+) -> Iterator[Result]:
+    """`function(*task)` for every task, in order of completion or of the tasks; here for one job or one task.
+
+    Raises
+    ------
+    WorkerError
+        If a process died, or an executor failed: what a task raises is raised as it is.
+    """
+    if isinstance(jobs, Executor):
+        yield from _gathered(jobs, function, tasks, ordered)
+    elif jobs == 1 or len(tasks) <= 1:
         yield from (function(*task) for task in tasks)
-        return
-    context = multiprocessing.get_context("spawn")
-    executor = ProcessPoolExecutor(min(jobs, len(tasks)), mp_context=context, initializer=_end_with_parent)
+    else:
+        with _processes(min(jobs, len(tasks))) as executor, _worker_environment():
+            yield from _gathered(executor, function, tasks, ordered)
+
+
+def _gathered(
+    executor: Executor, function: Callable[..., Result], tasks: Sequence[tuple[object, ...]], ordered: bool
+) -> Iterator[Result]:
+    """What comes back, to this process alone; an executor that knows how runs again what a lost worker had begun."""
+    futures: list[Future[Result | _Raised]] = []
     try:
-        with _worker_environment():
-            futures = [executor.submit(function, *task) for task in tasks]
-        for future in as_completed(futures):
-            yield future.result()
+        with _blamed(executor):
+            futures += [executor.submit(_answer, engine(), function, *task) for task in tasks]
+        for future in futures if ordered else as_completed(futures):
+            with _blamed(executor):
+                answer = future.result()
+            if isinstance(answer, _Raised):
+                raise answer.error
+            yield answer
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
+
+
+@contextmanager
+def _blamed(executor: Executor) -> Iterator[None]:
+    """What goes wrong in here is no error of a task."""
+    try:
+        yield
     except BrokenProcessPool as error:
         message = "a worker process died (out of memory?); finished profiles are kept, try again with --jobs 1"
         raise WorkerError(message) from error
+    except Exception as error:
+        said = f"{type(executor).__name__} failed, {type(error).__name__}: {error}"
+        message = f"{said}; finished profiles are kept, the same command continues"
+        raise WorkerError(message) from error
+
+
+@dataclass(frozen=True)
+class _Raised:
+    """An error of a task, which is no error of its executor."""
+
+    error: Exception
+
+
+_TURN = threading.RLock()
+"""Threads of a worker take turns: the precision of mpmath and the notation are those of a process."""
+
+
+def _answer(made_of: str, function: Callable[..., Result], *task: object) -> Result | _Raised:
+    """What a task gives, in a worker; another engine would give something else."""
+    if engine() != made_of:
+        message = f"axicontact on {platform.node()}, or what it stands on, is another; install the same on all machines"
+        return _Raised(WorkerError(message))
+    try:
+        with _TURN:
+            return function(*task)
+    except Exception as error:
+        error.add_note(traceback.format_exc())
+        return _Raised(error)
+
+
+@cache
+def engine() -> str:
+    """Digest of all that derives here: the sources of engine and catalogue, the versions of the packages."""
+    versions = [installed(name) for name in ("sympy", "mpmath", "python-flint", "numpy", "jinja2")]
+    return digest([source_digest("axiderive", "axicontact"), versions])
+
+
+@contextmanager
+def workers(named: str, jobs: int) -> Iterator[Jobs]:
+    """What runs the tasks of a command: so many processes, or the executor that a named callable returns.
+
+    Raises
+    ------
+    CommandError
+        If `named` is no `module:callable`, or the callable returns no executor.
+    """
+    if not named:
+        yield jobs
+        return
+    module, _, name = named.partition(":")
+    sys.path.append(str(Path.cwd()))  # where a command does not look for modules
+    try:
+        executor = getattr(importlib.import_module(module), name)()
+    except Exception as error:
+        message = (
+            f"--executor {named!r} cannot be used, {type(error).__name__}: {error}; name a module (here or installed) "
+            "and a callable in it that returns an executor, as concurrent.futures:ProcessPoolExecutor"
+        )
+        raise CommandError(message, USAGE) from error
+    if not isinstance(executor, Executor):
+        message = f"--executor {named!r} returns {executor!r}; a concurrent.futures.Executor is needed"
+        raise CommandError(message, USAGE)
+    try:
+        yield executor
+    except BaseException:
+        executor.shutdown(wait=False)
+        raise
+    executor.shutdown()
+
+
+@contextmanager
+def _processes(count: int) -> Iterator[Executor]:
+    """An executor of processes, which an error or an interrupt ends."""
+    context = multiprocessing.get_context("spawn")
+    executor = ProcessPoolExecutor(count, mp_context=context, initializer=_end_with_parent)
+    try:
+        yield executor
     except BaseException:
         executor.shutdown(wait=False, cancel_futures=True)
         for process in multiprocessing.active_children():
@@ -120,12 +242,15 @@ def limited(
     CommandError
         Whatever the function itself raises, with its message.
     """
-    context: Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
+    # a process of many threads, as a worker of others is, is not forked
+    plain = sys.platform == "linux" and threading.current_thread() is threading.main_thread()
+    context: Any = multiprocessing.get_context("fork" if plain else "spawn")
     receiver, sender = context.Pipe(duplex=False)
     process = context.Process(
         target=_work, args=(sender, function, arguments, hear is not None, seconds, megabytes), daemon=True
     )
-    process.start()
+    with _may_have_children():
+        process.start()
     sender.close()
     try:
         stopped = f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
@@ -158,6 +283,20 @@ def limited(
         raise CommandError(message, code)
     result: Result = value
     return result
+
+
+@contextmanager
+def _may_have_children() -> Iterator[None]:
+    """Daemons, as the workers of Dask are, start no process; what is started in here ends before its worker goes on."""
+    own = multiprocessing.current_process()
+    daemon = own.daemon
+    if daemon:
+        own.daemon = False
+    try:
+        yield
+    finally:
+        if daemon:
+            own.daemon = True
 
 
 def _work(

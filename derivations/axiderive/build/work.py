@@ -5,13 +5,13 @@ from __future__ import annotations
 import time
 import traceback
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache as remember
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..store.cache import Cache, digest
+from ..store.cache import Cache, Lent, digest
 from ..store.sources import import_digest, kept, modules_of, source_digest
 
 if TYPE_CHECKING:
@@ -66,6 +66,8 @@ class Outcome:
     """Whether its checks were taken from the catalogue."""
     error: str = ""
     trace: str = ""
+    made: dict[str, Any] = field(default_factory=dict)
+    """What was made, by the keys of the cache."""
 
     @property
     def failures(self) -> list[dict[str, str]]:
@@ -172,7 +174,7 @@ def stored(problem: Problem, cache: Cache, settings: Settings) -> Outcome | None
 
 
 def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mapping[str, Any]) -> Outcome:
-    """Derive and verify one problem; what is finished is in the cache before the next step begins.
+    """Derive and verify one problem; what is made goes back to the process that keeps the cache in the folder.
 
     `standing` is what the catalogue holds of it: checks made from the same inputs are not made again.
     """
@@ -180,9 +182,10 @@ def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mappi
 
     start = time.perf_counter()
     entries: dict[str, Any] = {}
+    cache = Lent(Path(folder), fresh)
     try:
-        problem, cache = systems.problem(key), Cache(Path(folder), fresh)
-        with kept(cache):
+        problem = systems.problem(key)
+        with kept(Lent(Path(folder))):
             entries = _derived(problem, cache)
             checks = None if fresh else kept_checks(problem, entries, settings, standing)
             evidence = _verified(problem, entries, cache, settings, checks)
@@ -191,9 +194,16 @@ def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mappi
     except Exception as error:  # a defect in one problem must not take the others with it
         kind = type(error).__name__
         return Outcome(
-            key, entries, {}, time.perf_counter() - start, error=f"{kind}: {error}", trace=traceback.format_exc()
+            key,
+            entries,
+            {},
+            time.perf_counter() - start,
+            error=f"{kind}: {error}",
+            trace=traceback.format_exc(),
+            made=cache.made_here,
         )
-    return Outcome(key, entries, evidence, time.perf_counter() - start, kept=checks is not None)
+    seconds = time.perf_counter() - start
+    return Outcome(key, entries, evidence, seconds, kept=checks is not None, made=cache.made_here)
 
 
 def kept_checks(
@@ -213,19 +223,15 @@ def measured(made_of: str, cache: Cache, standing: Mapping[str, Any]) -> tuple[d
     return (cache.get(made_of), False) if errors is None else (dict(errors), True)
 
 
-def evaluation(
-    key: str, entries: dict[str, Any], sources: dict[str, str], folder: str, made_of: str
-) -> tuple[str, dict[str, Any]]:
-    """The key of a problem and the measured errors of its emitted functions; they are stored under `made_of`.
+def evaluation(key: str, entries: dict[str, Any], sources: dict[str, str]) -> tuple[str, dict[str, Any]]:
+    """The key of a problem and the measured errors of its emitted functions.
 
     `sources` are those of the package that the module of the problem rests on.
     """
     from ..physics import systems
     from ..stable.records import record
 
-    found = record(key, sources, read_entries(systems.problem(key), entries))
-    Cache(Path(folder)).put(made_of, found)
-    return key, found
+    return key, record(key, sources, read_entries(systems.problem(key), entries))
 
 
 def read_entries(problem: Problem, records: dict[str, Any]) -> dict[str, Entry]:

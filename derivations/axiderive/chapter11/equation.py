@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import random
 import time
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
-from multiprocessing import get_context
-from typing import Any, Literal, NamedTuple
+from itertools import starmap
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import mpmath as mp
 
@@ -284,13 +283,16 @@ def check(equation: Equation, digits: int = 30, seed: int = 11, draws: int = 3) 
     return Row(equation.number, equation.title, verdict, printed, corrected, equation.right_form)
 
 
-def _task(job: tuple[int, int, int, int]) -> Row:
-    number, digits, seed, draws = job
+def _row(number: int, digits: int, seed: int, draws: int) -> Row:
     return check(equations()[number], digits, seed, draws)
 
 
+Runner: TypeAlias = Callable[[Callable[..., Row], Sequence[tuple[int, ...]]], Iterable[Row]]
+"""Calls a function with each of some arguments, in order, here or elsewhere."""
+
+
 def run(
-    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, jobs: int = 1
+    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, runner: Runner = starmap
 ) -> tuple[Row, ...]:
     """Check the equations (11.n) of these numbers, all if None.
 
@@ -302,19 +304,19 @@ def run(
         Relative agreement demanded; 20 more are carried.
     seed, draws
         Random parameters: the seed, and how many sets of them for every equation.
-    jobs
-        Processes; the rows do not depend on it.
+    runner
+        What calls for each equation; the rows do not depend on it.
 
     Raises
     ------
     ValueError
         If the chapter has no equation of that number.
     """
-    return tuple(stream(numbers, digits, seed, draws, jobs))
+    return tuple(stream(numbers, digits, seed, draws, runner))
 
 
 def stream(
-    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, jobs: int = 1
+    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, runner: Runner = starmap
 ) -> Iterator[Row]:
     """The rows of `run` one by one, in order."""
     wanted = sorted(equations() if numbers is None else set(numbers))
@@ -322,12 +324,7 @@ def stream(
     if unknown:
         message = f"the chapter has no equation (11.{unknown[0]}); its equations are (11.1)-(11.{max(equations())})"
         raise ValueError(message)
-    tasks = [(n, digits, seed, draws) for n in wanted]
-    if jobs <= 1:
-        yield from map(_task, tasks)
-        return
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(_task, tasks)
+    yield from runner(_row, [(n, digits, seed, draws) for n in wanted])
 
 
 HEAD = ("equation", "verdict", "digits", "printed", "units", "corrected", "what was checked")
@@ -357,12 +354,12 @@ def line(row: Row) -> str:
     )
 
 
-def report(digits: int = 30, seed: int = 11, jobs: int = 1) -> bool:
+def report(digits: int = 30, seed: int = 11, runner: Runner = starmap) -> bool:
     """Print the table line by line; whether every equation holds as printed or as corrected."""
     started = time.perf_counter()
     rows: list[Row] = []
     print(_text(*HEAD))
-    for row in stream(digits=digits, seed=seed, jobs=jobs):
+    for row in stream(digits=digits, seed=seed, runner=runner):
         print(line(row), flush=True)
         rows.append(row)
     verdicts = [row.verdict for row in rows]

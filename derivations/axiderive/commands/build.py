@@ -18,6 +18,7 @@ from ..build.catalogue import Catalogue
 from ..build.catalogue import build as build_catalogue
 from ..build.comparison import Difference, book_of, differences, only_profiles, shortened, standing
 from ..build.emission import study_records
+from ..build.pool import workers
 from ..build.progress import Progress, failure_lines, summary, taken_over, worse_lines
 from ..build.work import Settings, project_root
 from ..exits import FAILED, INCOMPLETE, CommandError
@@ -49,14 +50,14 @@ def build(arguments: argparse.Namespace) -> int:
     measured = standing(project_root() / "catalogue", keys) | standing(root, keys)
     ahead = Ahead(wanted=not (arguments.no_pdf or arguments.check or partial))
     progress = Progress(len(keys), quiet=arguments.quiet)
-    with kept(cache):
+    with kept(cache), workers(arguments.executor, arguments.jobs) as jobs:
         catalogue = build_catalogue(
             names,
             cache=cache,
             settings=settings,
             standing=measured,
             book=book,
-            jobs=arguments.jobs,
+            jobs=jobs,
             report=progress.finished,
             printed=ahead.begin,
         )

@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 import re
+import sys
 import textwrap
 import time
 from collections.abc import Mapping
@@ -18,14 +19,16 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import sympy as sp
 
 from .. import notation as nt
 from ..build import pdf
-from ..build.pool import limited
+from ..build.pool import engine, limited, run, workers
+from ..build.work import project_root
 from ..entry import FOUR
-from ..exits import ENVIRONMENT, USAGE, CommandError
+from ..exits import ENVIRONMENT, FAILED, USAGE, CommandError
 from ..expression.answer import DIGITS, Answer, answered
 from ..expression.names import ExpressionError
 from ..expression.profile import OwnProfile, own_profile
@@ -34,16 +37,71 @@ from ..scene.compose import Result, composed, manifest
 from ..scene.linker.sources import graded_refusal
 from ..scene.page import typeset
 from ..scene.reading import Scene, read
+from ..store.cache import Cache, digest
 from ..store.writing import write_atomic
 
 
 def derive(arguments: argparse.Namespace) -> int:
-    """Print the formulas of an expression; write its module and test where a folder is named."""
+    """Print the formulas of an expression, or of each in a file; write module and test where a folder is named."""
+    if (arguments.expression is None) == (arguments.source is None):
+        message = "give one EXPRESSION behind --, or a file of them with --from FILE"
+        raise CommandError(message, USAGE)
+    if arguments.source is not None:
+        return _derive_each(arguments)
     lines, result = limited(shown, arguments.expression, arguments.k, arguments.out is not None)
     print("\n".join(lines))
     if arguments.out is not None and result is not None:
         _write(result, arguments.out)
     return 0
+
+
+def _derive_each(arguments: argparse.Namespace) -> int:
+    """The same of every line of a file; one that cannot be derived is said and takes no other with it."""
+    asked = _lines_of(arguments.source)
+    cache, write = Cache(project_root() / ".cache"), arguments.out is not None
+    keys = [digest(["own profile", engine(), text, arguments.k, write]) for text in asked.values()]
+    known = [cache.get(key) for key in keys]
+    tasks = [(text, arguments.k, write) for text, own in zip(asked.values(), known, strict=True) if own is None]
+    failed = 0
+    with workers(arguments.executor, arguments.jobs) as jobs:
+        made = run(_own_record, tasks, jobs, ordered=True)
+        for (number, text), key, own in zip(asked.items(), keys, known, strict=True):
+            found = own or next(made)
+            if "error" in found:
+                failed += 1
+                print(f"axicontact: line {number}: {text}: {found['error']}", file=sys.stderr)
+                continue
+            cache.put(key, found)
+            print(f"line {number}", *found["lines"], "", sep="\n", flush=True)
+            if write and found["files"]:
+                files = {name: content.encode() for name, content in found["files"].items()}
+                _write(Result(files, ()), arguments.out / f"line-{number}")
+    return FAILED if failed else 0
+
+
+def _lines_of(path: Path) -> dict[int, str]:
+    """The expressions of a file by the number of their line."""
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        message = f"{path} cannot be read ({error}); name a text file with one expression on a line"
+        raise CommandError(message, USAGE) from error
+    bare = {number: line.partition("#")[0].strip() for number, line in enumerate(lines, 1)}
+    found = {number: text for number, text in bare.items() if text}
+    if not found:
+        message = f"{path} has no expression; write one on a line, as r**2/(2*R) + c*r**4"
+        raise CommandError(message, USAGE)
+    return found
+
+
+def _own_record(text: str, k: str, write: bool) -> dict[str, Any]:
+    """What `derive` says and writes of an expression, as plain data."""
+    try:
+        lines, result = limited(shown, text, k, write)
+    except CommandError as error:
+        return {"error": str(error)}
+    files = result and {name: content.decode() for name, content in result.files.items()}
+    return {"lines": lines, "files": files}
 
 
 def emit(arguments: argparse.Namespace) -> int:

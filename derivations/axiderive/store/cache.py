@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -57,3 +57,14 @@ class Cache:
         """Stores a value under a key, with its checksum; the file is replaced as a whole."""
         record = {"key": key, "sha256": digest(value), "value": value}
         write_atomic(self.path(key), (json.dumps(record, ensure_ascii=False, indent=1) + "\n").encode())
+
+
+@dataclass(frozen=True)
+class Lent(Cache):
+    """A store that is only read; what is made is handed to the one process that writes it."""
+
+    made_here: dict[str, Any] = field(default_factory=dict)
+
+    def put(self, key: str, value: object) -> None:
+        """Keeps a value for the one who writes."""
+        self.made_here[key] = value

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 LIMIT = 60.0
 TOPICS = {
@@ -16,14 +16,17 @@ TOPICS = {
 """What is compared, each in the module of its name."""
 
 
-def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add `study` and its topics; nothing heavy is imported before one runs."""
+def add_commands(
+    commands: argparse._SubParsersAction[argparse.ArgumentParser], executor: Callable[[argparse.ArgumentParser], None]
+) -> None:
+    """Add `study` and its topics, with the option of an executor; nothing heavy is imported before one runs."""
     study = commands.add_parser("study", help="comparisons: the engine and its functions beside other ways")
     study.set_defaults(run=_topics)
     topics = study.add_subparsers(metavar="topic")
     for topic, text in TOPICS.items():
         parser = topics.add_parser(topic, help=text)
         parser.set_defaults(run=_measure, topic=topic)
+        executor(parser)
         if topic == "corpus":
             parser.set_defaults(run=_corpus)
             parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
@@ -59,9 +62,11 @@ def _topics(arguments: argparse.Namespace) -> int:
 
 
 def _corpus(arguments: argparse.Namespace) -> int:
+    from ..build.pool import workers
     from .corpus import compare
 
-    return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit)
+    with workers(arguments.executor, 1) as jobs:
+        return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit, jobs=jobs)
 
 
 def _measure(arguments: argparse.Namespace) -> int:
@@ -69,6 +74,7 @@ def _measure(arguments: argparse.Namespace) -> int:
     from importlib import import_module
     from importlib.util import find_spec
 
+    from ..build.pool import workers
     from ..exits import ENVIRONMENT, USAGE, CommandError
 
     if find_spec("scipy") is None:
@@ -80,7 +86,9 @@ def _measure(arguments: argparse.Namespace) -> int:
     from .report import store, to_json
 
     topic = import_module(f".{arguments.topic}", __package__)
-    record = topic.measure(_names(arguments.only, topic.KNOWN), quick=arguments.quick)
+    names = _names(arguments.only, topic.KNOWN)
+    with workers(arguments.executor, 1) as jobs:
+        record = topic.measure(names, quick=arguments.quick, jobs=jobs)
     print(to_json(record).rstrip() if arguments.json else topic.text(record))
     if arguments.write:
         path = store(record)

@@ -24,7 +24,7 @@ from ..abel.form import Chain, Form, Order
 from ..abel.masters import MASTERS
 from ..abel.moments import outside_kernel
 from ..abel.reduce import Reduced, parse
-from ..build.pool import LimitError, limited
+from ..build.pool import Jobs, LimitError, limited, run
 from ..build.work import project_root
 from ..exits import ENVIRONMENT, FAILED, CommandError
 from ..notation import a
@@ -193,26 +193,32 @@ def _attempt(integral: Integral) -> Attempt:
     return Attempt("ok" if right else "WRONG", seconds)
 
 
-def compare(ids: Sequence[str], *, sympy: bool = False, limit: float = LIMIT) -> int:
+def compare(ids: Sequence[str], *, sympy: bool = False, limit: float = LIMIT, jobs: Jobs = 1) -> int:
     """Print one row per integral and the totals; the exit code is that of the engine's own answers."""
     integrals = corpus()
     for name in ids:
         if name not in integrals:
             raise nearest(name, "integral", integrals)
     right, seconds, peers = 0, [], []
-    for name in ids or integrals:
-        elapsed, digits = _timed(name)
+    asked = list(ids or integrals)
+    found = run(_attempted, [(name, sympy, limit) for name in asked], jobs, ordered=True)
+    for name, (elapsed, digits, peer) in zip(asked, found, strict=True):
         right += digits >= REQUIRED
         seconds.append(elapsed)
         row = f"{name:18s} {integrals[name].kind:5s} {elapsed * 1e3:8.1f} ms {digits:5.1f} digits"
-        if sympy:
-            peers.append(integrate(integrals[name], limit))
+        if peer:
+            peers.append(peer)
             row += f"   SymPy {peers[-1].seconds:8.3f} s  {peers[-1].verdict}"
         print(row, flush=True)
     print(f"engine: {right} of {len(seconds)} within {REQUIRED} digits; {_times(seconds)}")
     if peers:
         print(f"SymPy {sp.__version__}: {_verdicts(peers)}; {_times([peer.seconds for peer in peers])}")
     return 0 if right == len(seconds) else FAILED
+
+
+def _attempted(name: str, sympy: bool, limit: float) -> tuple[float, float, Attempt | None]:
+    """Seconds and digits of the engine, and what SymPy does, if that is asked for."""
+    return *_timed(name), integrate(corpus()[name], limit) if sympy else None
 
 
 def _timed(name: str) -> tuple[float, float]:

@@ -22,6 +22,7 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
+from ..build.pool import Jobs, run
 from ..oracle.half_space import HalfSpace
 from ..oracle.plane import defined as plane_defined
 from . import rivals
@@ -327,15 +328,15 @@ def skipped(subject: Subject, suffix: str) -> list[dict[str, str]]:
     return [{"key": f"{subject.name}.{suffix}", "method": name, "reason": reason} for name, reason in found.items()]
 
 
-def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, jobs: Jobs = 1) -> Record:
     """The record of the study."""
     plan = QUICK if quick else Plan()
     rows: list[Record] = []
     missing: list[dict[str, str]] = []
-    for name in names:
-        for suffix in EVERY[name]:
-            rows += list(_rows(subject(name), suffix, plan))
-            missing += skipped(subject(name), suffix)
+    tasks = [(name, suffix, plan) for name in names for suffix in EVERY[name]]
+    for found, left_out in run(_quantity, tasks, jobs, ordered=True):
+        rows += found
+        missing += left_out
     parameters = named(PARAMETERS) | {"a": RADIUS}
     own = {name: FURTHER.get(subject(name).problem.name) for name in names}
     parameters |= {name: named(values) for name, values in own.items() if values}
@@ -352,6 +353,11 @@ def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
         "rows": rows,
         "skipped": missing,
     }
+
+
+def _quantity(name: str, suffix: str, plan: Plan) -> tuple[list[Record], list[dict[str, str]]]:
+    """The rows of one quantity, and what is left out of them."""
+    return list(_rows(subject(name), suffix, plan)), skipped(subject(name), suffix)
 
 
 def _plain(settings: Mapping[str, Any]) -> Record:

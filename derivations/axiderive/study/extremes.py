@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 from .. import notation as nt
+from ..build.pool import Jobs, run
 from ..oracle.evaluate import evaluate
 from .naive import Point, judged, reference
 from .report import Record, rounded, table, versions
@@ -131,20 +133,23 @@ NOTE = (
 )
 
 
-def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, jobs: Jobs = 1) -> Record:
     """The record of the study."""
     settings = {"parameters": named(PARAMETERS) | {"a": RADIUS}, "versions": versions()}
-    rows = [row for limit in LIMITS for case in limit.cases(names, quick=quick) for row in _row(case)]
+    cases = [(case,) for limit in LIMITS for case in limit.cases(names, quick=quick)]
+    rows = list(chain.from_iterable(run(_row, cases, jobs, ordered=True)))
     return {"study": "extremes", "note": NOTE, "settings": settings, "rows": rows}
 
 
-def _row(case: Case) -> Iterator[Record]:
+def _row(case: Case) -> list[Record]:
+    """One row, none where the exact value is no normal double."""
     exact = reference(case.problem, case.suffix, case.point)
-    if exact is not None:
-        found = {way: ones[0] for way, ones in judged(case.problem, case.suffix, [case.point], [exact]).items()}
-        told = {"limit": case.limit, "key": f"{case.problem}.{case.suffix}", "case": case.label}
-        errors = {way: rounded(one.relative) for way, one in found.items()}
-        yield told | errors | {"ulps": rounded(found["emitted"].ulps)}
+    if exact is None:
+        return []
+    found = {way: ones[0] for way, ones in judged(case.problem, case.suffix, [case.point], [exact]).items()}
+    told = {"limit": case.limit, "key": f"{case.problem}.{case.suffix}", "case": case.label}
+    errors = {way: rounded(one.relative) for way, one in found.items()}
+    return [told | errors | {"ulps": rounded(found["emitted"].ulps)}]
 
 
 def text(record: Record) -> str:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .. import notation as nt
+from ..build.pool import Jobs, run
 from ..entry import FOUR, Entry
 from .naive import Judged, Point, judged, reference
 from .report import Record, rounded, table, versions
@@ -82,7 +83,9 @@ def axes(entry: Entry) -> tuple[Axis, ...]:
 KNOWN = (*NAMES, OTHER)
 
 
-def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, quantities: Sequence[str] = FOUR) -> Record:
+def measure(
+    names: Sequence[str] = KNOWN, *, quick: bool = False, quantities: Sequence[str] = FOUR, jobs: Jobs = 1
+) -> Record:
     """The record of the study: one map for each formula that depends on a ratio."""
     cells, samples = (QUICK_CELLS, QUICK_SAMPLES) if quick else (CELLS, SAMPLES)
     keys = [(name, suffix) for name in names for suffix in quantities if axes(subject(name).entries[suffix])]
@@ -91,7 +94,7 @@ def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, quantities: Se
         "study": "maps",
         "note": NOTE,
         "settings": settings | {"parameters": named(PARAMETERS) | {"a": "0.5 to 2"}},
-        "maps": [_map(name, suffix, cells, samples) for name, suffix in keys],
+        "maps": list(run(_map, [(name, suffix, cells, samples) for name, suffix in keys], jobs, ordered=True)),
     }
 
 

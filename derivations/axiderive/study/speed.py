@@ -11,12 +11,14 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
+from itertools import chain
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from ..build.pool import Jobs, run
 from ..code.programs.graph import Lengths, trace
 from ..code.programs.plain import LARGE, SMALL, TRUSTED, Lines
 from ..entry import FOUR, Entry
@@ -52,21 +54,25 @@ NOTE = (
 KNOWN = NAMES
 
 
-def measure(names: Sequence[str] = KNOWN, *, quick: bool = False) -> Record:
+def measure(names: Sequence[str] = KNOWN, *, quick: bool = False, jobs: Jobs = 1) -> Record:
     """The record of the study."""
     rounds, sizes, largest = (1, (100, 200), 1000) if quick else (ROUNDS, SIZES, LARGEST)
-    rows = [row for name in names for row in _rows(subject(name), rounds, sizes, largest)]
+    found = run(_rows, [(name, rounds, sizes, largest) for name in names], jobs, ordered=True)
     return {
         "study": "speed",
         "note": NOTE,
         "settings": {"rounds": rounds, "sizes": list(sizes), "largest": largest, "versions": versions()},
-        "rows": rows,
+        "rows": list(chain.from_iterable(found)),
         "fresh": rounded(_copy(np.copy, np.ones(largest), rounds)),
         "imports": [{"module": module, "ratio": rounded(_import(module, rounds))} for module in IMPORTS],
     }
 
 
-def _rows(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> Iterator[Record]:
+def _rows(name: str, rounds: int, sizes: Sequence[int], largest: int) -> list[Record]:
+    return list(_timed(subject(name), rounds, sizes, largest))
+
+
+def _timed(subject: Subject, rounds: int, sizes: Sequence[int], largest: int) -> Iterator[Record]:
     module = import_module(f"{subject.problem.system.package}.{subject.problem.name}")
     for suffix in FOUR:
         entry = subject.entries[suffix]
