@@ -334,11 +334,11 @@ def test_a_dead_worker_is_an_error_not_a_hang():
 
 
 INTERRUPTED = """
-import signal, sys, time
+import os, signal, sys, time
 from axiderive.build import pool
 
 def work(seconds):
-    print("at work", flush=True)
+    os.write(1, b"at work\\n")  # in one piece, as two say it at the same time
     time.sleep(seconds)
 
 if __name__ == "__main__":

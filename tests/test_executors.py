@@ -218,8 +218,6 @@ def test_a_file_of_profiles_is_written_as_each_alone(listed: Path, tmp_path: Pat
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ([], "give one EXPRESSION"),
-        (["--from", "nowhere.txt", "--", "r"], "give one EXPRESSION"),
         (["--from", "nowhere.txt"], "nowhere.txt cannot be read"),
         (["--from", "empty.txt"], "empty.txt has no expression"),
     ],

@@ -101,10 +101,11 @@ def _parser() -> argparse.ArgumentParser:
         usage="%(prog)s [-h] [--out DIR] [--k K] (-- EXPRESSION | --from FILE [--jobs N | --executor M:C])",
     )
     derive.set_defaults(run=_derive)
-    derive.add_argument(
+    either = derive.add_mutually_exclusive_group(required=True)
+    either.add_argument(
         "expression", nargs="?", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it"
     )
-    derive.add_argument("--from", dest="source", type=Path, metavar="FILE", help="many, one on a line")
+    either.add_argument("--from", dest="source", type=Path, metavar="FILE", help="many, one on a line")
     derive.add_argument("--out", type=Path, metavar="DIR", help="write the module and its test there")
     _parallel(derive)
     derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half-space (%(default)s)")

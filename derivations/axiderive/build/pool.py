@@ -62,7 +62,7 @@ def run(
     elif jobs == 1 or len(tasks) <= 1:
         yield from (function(*task) for task in tasks)
     else:
-        with _processes(min(jobs, len(tasks))) as executor, _worker_environment():
+        with _processes(min(jobs, len(tasks))) as executor:
             yield from _gathered(executor, function, tasks, ordered)
 
 
@@ -72,7 +72,7 @@ def _gathered(
     """What comes back, to this process alone; an executor that knows how runs again what a lost worker had begun."""
     futures: list[Future[Result | _Raised]] = []
     try:
-        with _blamed(executor):
+        with _blamed(executor), _worker_environment():
             futures += [executor.submit(_answer, engine(), function, *task) for task in tasks]
         for future in futures if ordered else as_completed(futures):
             with _blamed(executor):

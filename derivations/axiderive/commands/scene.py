@@ -43,9 +43,6 @@ from ..store.writing import write_atomic
 
 def derive(arguments: argparse.Namespace) -> int:
     """Print the formulas of an expression, or of each in a file; write module and test where a folder is named."""
-    if (arguments.expression is None) == (arguments.source is None):
-        message = "give one EXPRESSION behind --, or a file of them with --from FILE"
-        raise CommandError(message, USAGE)
     if arguments.source is not None:
         return _derive_each(arguments)
     lines, result = limited(shown, arguments.expression, arguments.k, arguments.out is not None)
