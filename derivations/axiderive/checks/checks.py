@@ -61,7 +61,7 @@ def _identities(system: System, own: Comparison) -> list[Evidence]:
     if system.base is None:
         found = [identities.stiffness(own)]
     else:
-        found = superposed.SUPERPOSED[system.physics](own, system.base.derive(profile))
+        found = superposed.check_profile(own, system.base.derive(profile))
     if not system.medium.graded:
         return found
     if "p" in own.entries:

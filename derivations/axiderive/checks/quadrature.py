@@ -16,7 +16,7 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number
-from ..physics import normal
+from ..physics import PRESSURE, normal
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import rings, viscoelastic
@@ -25,6 +25,8 @@ from .comparison import LOST, Comparison, Evidence, Rows, formula_value, inverse
 NESTED = 46
 """Digits of a pressure on the graded half-space, which is an integral of integrals."""
 NESTED_LOST = 6
+SUMMED = 14
+"""Digits of an integral over pressures by the definition, each of which is an integral."""
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
 ILL = 60
@@ -40,21 +42,23 @@ def check(own: Comparison, suffix: str) -> Evidence:
     if own.physics.laws:
         return viscoelastic.check(own, suffix)
     quantity, graded = own.entries[suffix].quantity, own.graded(suffix)
-    if quantity.threshold or (quantity.member and not quantity.control):
+    if own.physics.definitions is None and (quantity.threshold or (quantity.member and not quantity.control)):
         return rings.check(own, suffix)
     nested = graded and quantity.place == "inside" and not _sum_of_powers(own.profile)
-    working = min(own.digits, NESTED) if nested else own.digits
-    drawn = own.drawn(suffix, 1 if nested else own.points)
+    definition = own.entries[suffix].definition
+    summed = definition.has(sp.Integral) and definition.has(PRESSURE)
+    working = SUMMED if summed else min(own.digits, NESTED) if nested else own.digits
+    drawn = own.drawn(suffix, 1 if nested or summed else own.points)
     rule, more = (_superposed, 20) if own.physics.definitions else (_adhesive if own.physics.tension else _pressed, 0)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
     ill = quantity.symbol == nt.c
-    more = ILL if ill else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
+    more = ILL if ill else 0 if summed else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
     rows: Rows = []
     with mp.workdps(working + GUARD + (ILL if ill else 0)):
         for point in drawn:
             here = HalfSpace(own.profile, point.values, working + more, graded)
             rows.append((point.values, rule(here, own, suffix, here.at(nt.a), working)))
-    extremes, lost = sum(point.extreme for point in drawn), NESTED_LOST if nested else LOST
+    extremes, lost = sum(point.extreme for point in drawn), NESTED_LOST if nested or summed else LOST
     return own.judge(suffix, _compared(own, suffix), rows, extremes=extremes, digits=working, lost=lost)
 
 

@@ -6,8 +6,6 @@ stick zone and summed over the contact.  Viscoelastic laws in their elastic limi
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import mpmath as mp
 import sympy as sp
 
@@ -18,7 +16,7 @@ from ..oracle.integrals import GUARD
 from ..oracle.rules import integrate
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Values, number, shape
-from ..physics import Physics, adhesive, tangential, viscoelastic
+from ..physics import adhesive, viscoelastic
 from ..profiles.loads import Load
 from .comparison import Comparison, Entries, Evidence, Outcome, Rows, not_available, residual
 from .identities import traction_carried
@@ -136,11 +134,15 @@ def crack_closure(own: Comparison) -> Evidence:
 
 
 def slip(own: Comparison, plain: Entries) -> list[Evidence]:
-    """Full slip as the stick zone shrinks to what it starts from, and the traction summed over the contact."""
-    found, digits = [traction_carried(own), superposed(own.entries["tau"], plain["p"])], own.digits
-    for suffix, full, compared in (("F", plain["F"], "mu F"), ("u", own.entries["us"], "displacement at full slip")):
+    """Full slip as the stick zone shrinks to what it starts from, and a traction summed over the contact."""
+    found, digits = [], own.digits
+    if own.physics.shear:
+        found = [traction_carried(own), superposed(own.entries["tau"], plain["p"])]
+    whole = next((name for name, _ in own.physics.slipped.values() if name in own.entries), "")
+    for suffix, (name, compared) in own.physics.slipped.items() if whole else ():
+        below, full = name.startswith("plain."), own.entries.get(name) or plain[name.removeprefix("plain.")]
         rows: Rows = []
-        for point in own.drawn("us", 1):
+        for point in own.drawn(whole, 1):
             values = dict(point.values)
             with mp.workdps(3 * digits):
                 if own.profile.truncated:
@@ -149,7 +151,7 @@ def slip(own: Comparison, plain: Entries) -> list[Evidence]:
                 else:
                     values[nt.c] = TINY**3 * values[nt.a]
                 got, wanted = (evaluate(case_at(e, values).expr, values, digits) for e in (own.entries[suffix], full))
-                rows.append((values, residual(got, (number(values[nt.mu]) if suffix == "F" else 1) * wanted)))
+                rows.append((values, residual(got, (number(values[nt.mu]) if below else 1) * wanted)))
         found.append(own.judge(suffix, f"c at its smallest: {compared}", rows))
     return found
 
@@ -202,11 +204,11 @@ def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
     return found
 
 
-SUPERPOSED: dict[Physics, Callable[[Comparison, Entries], list[Evidence]]] = {
-    adhesive.PHYSICS: adhesion,
-    tangential.PHYSICS: slip,
-    viscoelastic.PHYSICS: elastic,
-}
+def check_profile(own: Comparison, plain: Entries) -> list[Evidence]:
+    """What ties a contact to the one below it, by what it is: held by adhesion, relaxing, or slipping."""
+    if own.physics.tension:
+        return adhesion(own, plain)
+    return elastic(own, plain) if own.physics.laws else slip(own, plain)
 
 
 def reciprocity(own: Comparison, load: Load) -> Evidence:

@@ -21,14 +21,7 @@ from ..profiles.profile import Profile
 from .layout import fit
 
 Values = dict[sp.Symbol, sp.Expr]
-MATERIAL: Values = {
-    symbol: sp.Rational(value)
-    for symbol, value in (
-        (nt.E_star, "1"), (nt.dgamma, "1/100"), (nt.mu, "3/10"), (nt.G_star, "4/5"), (nt.E, "1"), (nt.E_inf, "2/5"),
-        (nt.E_1, "3/5"), (nt.relaxation, "2"), (nt.eta, "3/2"), (nt.alpha, "1/4"), (nt.t_0, "1"), (nt.v, "1/5"),
-        (nt.p_0, "1"), (nt.sigma, "3/10"), (nt.time, "1"), (nt.P, "1"), (nt.H, "1"), (nt.k, "1/4"), (nt.H_x, "4/5"),
-    )
-}  # fmt: skip
+MODULI: Values = {nt.E_star: sp.S.One, nt.H: sp.S.One, nt.k: sp.Rational(1, 4)}
 POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
 STICK = sp.Rational(3, 5)
 """c/a, or its place between a flat face and a."""
@@ -132,7 +125,8 @@ class Example:
     @cached_property
     def known(self) -> Values:
         """Parameters as drawn, unit moduli, and fields in the middle of the contact."""
-        profile, known = self.profile, MATERIAL | numbers(self.profile)
+        profile, shown = self.profile, self.system.physics.shown
+        known = MODULI | {symbol: sp.Rational(text) for symbol, text in shown.items()} | numbers(profile)
         known |= {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
         radius = known.get(nt.a, sp.Rational(str(profile.sketch.a)))
         floor = known[profile.breaks[0]] if profile.truncated else sp.S.Zero

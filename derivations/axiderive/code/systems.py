@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Protocol
+from importlib import import_module
+from typing import Protocol, cast
 
 from ..entry import Entry
 from ..physics import loads as prescribed
@@ -11,14 +12,12 @@ from ..physics import materials as elastic
 from ..physics import normal as pressed
 from ..physics import plane as strips
 from ..physics import subsurface as deep
-from ..physics import tangential as slipping
-from ..physics import viscoelastic as creeping
 from ..physics.systems import System
 from . import normal, subsurface
 from .graded import adhesive as graded_adhesive
 from .graded import compact, complete
 from .module import Module
-from .physics import adhesive, detachment, loads, materials, tangential, viscoelastic
+from .physics import adhesive, detachment, loads, materials, stated
 from .plane import interface as plane
 from .writer import Writer
 
@@ -41,7 +40,6 @@ ALONE: dict[object, Callable[[Entries], Module]] = {
     prescribed.PHYSICS: loads.module,
     elastic.PHYSICS: materials.module,
 }
-SUPERPOSED: dict[object, Parts] = {slipping.PHYSICS: tangential, creeping.PHYSICS: viscoelastic}
 
 
 def alone(system: System, entries: Entries) -> Module:
@@ -62,14 +60,20 @@ def superposed(
     if system.physics is deep.PHYSICS:
         return subsurface.module(entries, plain, normal)
     writer = Writer(system, entries, plain, normal)
-    parts = SUPERPOSED.get(system.physics) or _adhesive(writer)
+    parts = _parts(writer)
     parts.rules(writer)
     if interface:
         parts.interface(writer)
     return writer.module()
 
 
-def _adhesive(writer: Writer) -> Parts:
+def _parts(writer: Writer) -> Parts:
+    """What writes them: the file of `code/physics` with the name of the physics, where it states no code itself."""
+    physics = writer.system.physics
+    if physics.code:
+        return stated
+    if not physics.tension:
+        return cast(Parts, import_module(f".physics.{physics.name}", __package__))
     if writer.profile.complete:
         return detachment
     return graded_adhesive if writer.system.medium.graded else adhesive

@@ -187,8 +187,8 @@ def _least(values: Values) -> float:
 
 def _images(variable: sp.Symbol, values: Values, radii: tuple[complex, ...]) -> list[complex]:
     """Where the regularised variable of (11.53) or (11.56) meets a singular point of the profile."""
-    if not radii:
-        return []
+    if not radii or variable not in (nt.u, nt.psi):
+        return [*radii]
     k, r = float(values.get(nt.k, 0)), float(evaluated(nt.r, values))
     if variable == nt.u:
         return [0j, *(complex(z * z - r * r) ** ((1 + k) / 2) for z in radii)]

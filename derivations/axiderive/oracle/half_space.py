@@ -18,6 +18,7 @@ force (11.33) is the integral of such pressures over all wave numbers.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import mpmath as mp
@@ -146,24 +147,30 @@ class HalfSpace:
 
     def defined(self, expr: sp.Expr) -> Number:
         """The value of a definition in depth, force and pressure of radii; integrals over them by quadrature."""
-        known, stand_ins = {**self.values}, dict[sp.Expr, sp.Symbol]()
-        for integral in expr.atoms(sp.Integral):
-            stand_ins[integral] = sp.Dummy(real=True)
-            known[stand_ins[integral]] = self._integrated(integral)
-        rest = expr.xreplace(stand_ins)
-        called = {own: sp.Dummy(real=True) for name in (DEPTH, FORCE, PRESSURE) for own in rest.atoms(name)}
-        known |= {stand_in: self._called(own) for own, stand_in in called.items()}
-        return evaluated(rest.xreplace(called), known)
+        if isinstance(expr, sp.Piecewise):
+            (expr, _), *_ = (own for own in expr.args if own.cond.xreplace(self.values) == sp.true)
+        integrals = {own: sp.Dummy() for own in expr.atoms(sp.Integral)}
+        known = {stand_in: self._integrated(own) for own, stand_in in integrals.items()}
+        rest, called = _apart(expr.xreplace(integrals))
+        return evaluated(rest, {**self.values, **known, **self._values_of(called)})
 
     def _integrated(self, integral: sp.Integral) -> Number:
-        """By the double exponential rule, in stretches that end at the breaks of the profile."""
+        """By the double exponential rule in stretches that end at the breaks of the profile."""
         ((variable, *ends),) = integral.limits
         low, high = map(self.defined, ends)
         breaks = sorted(x for x in map(self.at, self.profile.breaks) if low < x < high)
-        return mp.quad(
-            lambda x: replace(self, values={**self.values, variable: x}).defined(integral.function),
-            [low, *breaks, high],
-        )
+        rest, called = _apart(integral.function)
+
+        def integrand(x: Number) -> Number:
+            there = replace(self, values={**self.values, variable: x})
+            return evaluated(rest, {**there.values, **there._values_of(called)})
+
+        # pressures are integrals themselves: no more digits of the sum than are asked for
+        with mp.workdps(self.digits + MORE if called else mp.mp.dps):
+            return mp.quad(integrand, [low, *breaks, high])
+
+    def _values_of(self, called: Mapping[sp.Expr, sp.Symbol]) -> Values:
+        return {stand_in: self._called(own) for own, stand_in in called.items()}
 
     def _called(self, called: sp.Expr) -> Number:
         """The depth, the force or a pressure; a contact no greater than the flat face has no depth, none is outside."""
@@ -175,6 +182,16 @@ class HalfSpace:
             return self.force(radius)
         (place,) = places
         return self.pressure(place, radius) if place < radius else mp.mpf(0)
+
+
+MORE = 4
+"""Digits of an integral over pressures beyond those asked for."""
+
+
+def _apart(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
+    """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
+    called = {own: sp.Dummy() for name in (DEPTH, FORCE, PRESSURE) for own in expr.atoms(name)}
+    return expr.xreplace(called), called
 
 
 FAR = 1.5

@@ -123,12 +123,24 @@ class Physics:
     """What kind of contact it is, in words behind the name of a profile."""
     runtime: tuple[str, ...] = ()
     """Files of the run time that its modules may call."""
+    code: Callable[[Profile], Mapping[str, str]] | None = None
+    """By quantity what its function returns, in functions of the run time; None where `code/physics` has its file."""
+    results: Mapping[str, str] = field(default_factory=dict)
+    """Named tuples of the run time by the functions that give them, a quantity for each member."""
+    assumed: str = ""
+    """What its functions take for granted, behind the range of a profile in their docstrings."""
+    ordered: tuple[tuple[str, str, str], ...] = ()
+    """Lengths of which the first is never above the second, with what to do if it is."""
+    shown: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    """Numbers of its doctests, for symbols that are no lengths of a profile."""
     quantities: Mapping[str, Mapping[str, Quantity]] = field(default_factory=dict)
     """By the names of stored records: of a contact that grows, with a fixed edge, under a leaning load."""
     wanted: tuple[str, ...] = ()
     """Functions that a scene gets if it asks for none; empty where there are no scenes."""
     definitions: Callable[[Profile, Medium], dict[str, sp.Expr]] | None = None
     """What each of its quantities is, in `DEPTH`, `FORCE` and `PRESSURE` of the contact that it superposes."""
+    slipped: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    """By quantity with a zone of stick, which one it is once that has shrunk, or mu times `plain.` one; with words."""
     compared: str = ""
     """What these definitions are called where formulas are compared with them."""
     proofs: Callable[[Profile, Medium], dict[str, Proof]] | None = None
@@ -144,13 +156,20 @@ class Physics:
         """What its functions take of the material on a medium."""
         return (*medium.moduli, *((medium.shear,) if self.shear else ()), *self.material)
 
-    def taken(self, definition: sp.Expr, medium: Medium) -> tuple[sp.Symbol, ...]:
+    def table(self, profile: Profile) -> Mapping[str, Quantity]:
+        """The quantities of a profile by suffix: the first ones of a contact that grows, else the last."""
+        tables = [*self.quantities.values()]
+        return tables[0 if profile.compact else -1]
+
+    def taken(
+        self, definition: sp.Expr, medium: Medium, arguments: tuple[sp.Symbol, ...] = ()
+    ) -> tuple[sp.Symbol, ...]:
         """What a quantity with this definition takes of the material: forces and pressures hold the modulus."""
         elastic = definition.has(FORCE, PRESSURE)
         known = definition.free_symbols | ({medium.modulus} if elastic else set()) | {*medium.moduli[1:]}
         shear = (medium.shear,) if self.shear else ()
         ordered = (medium.modulus, *shear, *medium.moduli[1:], *self.material)
-        return tuple(symbol for symbol in ordered if symbol in known)
+        return tuple(symbol for symbol in ordered if symbol in known and symbol not in arguments)
 
     @property
     def drawn(self) -> tuple[sp.Symbol, ...]:

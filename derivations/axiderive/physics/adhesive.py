@@ -276,6 +276,7 @@ PHYSICS = Physics(
     tension=True,
     material=(dgamma,),
     contact="with adhesion",
+    shown={dgamma: "1/100"},
     runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
     quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
     wanted=("depth", "force", "pressure", "displacement", "pull_off"),

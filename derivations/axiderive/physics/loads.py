@@ -88,6 +88,7 @@ PHYSICS = Physics(
     lambda profile, *_: derive(profile),
     pool=PRESSURES,
     contact="under a prescribed pressure",
+    shown={p_0: "1", sigma: "3/10"},
     runtime=("physics.circle",),
     quantities={"loads": QUANTITIES},
     wanted=("displacement",),

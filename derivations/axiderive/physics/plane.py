@@ -340,6 +340,7 @@ PHYSICS = Physics(
     lambda profile, *_: derive(profile),
     pool=STRIPS,
     contact="of a strip without adhesion, per length",
+    shown={P: "1"},
     runtime=("physics.plane",),
     quantities={"plane": PLANE, "plane complete": PLANE_COMPLETE, "plane eccentric": PLANE_ECCENTRIC},
     wanted=("load", "pressure", "slope", "depth", "half_width_from_load"),

@@ -12,7 +12,7 @@ import sympy as sp
 
 from ..abel.form import insert
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import F, F_x, a, c, mu, r, tau, u_0
+from ..notation import F, F_x, G_star, H_x, a, c, mu, r, tau, u_0
 from ..profiles.profile import Profile
 from . import DEPTH, FORCE, OWN, PRESSURE, Physics, Printing, Proof, Rule, Shown, Wording, normal
 from .medium import GRADED, HOMOGENEOUS, Medium
@@ -235,10 +235,16 @@ PHYSICS = Physics(
     shear=True,
     material=(mu,),
     contact="under a tangential load",
+    shown={mu: "3/10", G_star: "4/5", H_x: "4/5"},
     runtime=("physics.slip",),
+    assumed="Cattaneo-Mindlin approximation",
+    ordered=(
+        ("c", "a", "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load"),
+    ),
     quantities={"tangential": QUANTITIES},
     wanted=("depth", "force", "tangential_force", "traction", "stick_radius"),
     definitions=definitions,
+    slipped={"F": ("plain.F", "mu F"), "u": ("us", "displacement at full slip")},
     compared="mu times the difference of two normal contacts by mpmath quadrature, (11.78) to (11.80)",
     proofs=proofs,
     rules=rules,

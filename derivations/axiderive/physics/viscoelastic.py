@@ -174,6 +174,7 @@ PHYSICS = Physics(
     over=normal.PHYSICS,
     laws=LAWS,
     contact="on a viscoelastic half-space",
+    shown={E: "1", E_inf: "2/5", E_1: "3/5", relaxation: "2", eta: "3/2", alpha: "1/4", t_0: "1", v: "1/5", time: "1"},
     runtime=("physics.relaxation",),
     quantities={"viscoelastic": QUANTITIES},
     wanted=("ramp_force", "step_force", "step_load_radius"),

@@ -145,6 +145,8 @@ def _name_radius(short: Short) -> None:
     """t = sqrt(r^2 + u^2) under an integral over u, t = r sin(psi) under one over psi."""
     t = sp.Symbol("t'", positive=True)
     (variable,) = {e.limits[0][0] for e in short.expr.atoms(sp.Integral)}
+    if variable not in (u, psi):
+        return
     radius = sp.sqrt(r**2 + u**2) if variable == u else r * sp.sin(psi)
 
     def renamed(integral: sp.Integral) -> sp.Integral:

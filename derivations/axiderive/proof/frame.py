@@ -258,11 +258,11 @@ def peeling(profile: Profile, medium: Medium) -> Frames:
 def superposed(physics: Physics, profile: Profile, medium: Medium) -> Frames:
     """A contact above another one, as its physics defines it."""
     assert physics.definitions is not None
-    (quantities,) = physics.quantities.values()
+    quantities = physics.table(profile)
     return {
         suffix: Frame(
             medium.key(profile.name, medium.group, physics.group, suffix), profile, quantities[suffix],
-            definition, (*profile.parameters, *physics.taken(definition, medium)),
+            definition, (*profile.parameters, *physics.taken(definition, medium, quantities[suffix].arguments)),
         )
         for suffix, definition in physics.definitions(profile, medium).items()
     }  # fmt: skip

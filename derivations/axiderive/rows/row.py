@@ -138,7 +138,7 @@ def row(entry: Entry) -> Row:
     if system.physics.rules is None:
         return _defined(entry) or _root_or_formula(entry)
     if system.physics.over:
-        return _superposed(entry, system) if entry.profile.compact else _formula(entry)
+        return _superposed(entry, system) if entry.profile.compact and rule(system, entry.suffix) else _formula(entry)
     plain = _normal_row(entry)
     ruled = entry.profile.compact and rule(system, entry.suffix) and not _fits(plain)
     return _ruled(entry, system) if ruled else plain
@@ -371,7 +371,12 @@ def lines(rows: list[Row]) -> list[tuple[Row, ...]]:
 
 def _place(one: Row, wide: bool) -> float:
     """The force follows the depth at once where they have lines of their own."""
-    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else ORDER.index(one.suffix)
+    return ORDER.index("d") + 0.5 if wide and one.suffix == "F" else _index(one.suffix)
+
+
+def _index(suffix: str) -> int:
+    """Quantities that only one physics has come last, in its own order."""
+    return ORDER.index(suffix) if suffix in ORDER else len(ORDER)
 
 
 def fits_half(one: Row) -> bool:
@@ -384,4 +389,5 @@ def fits_half(one: Row) -> bool:
 
 def ordered(entries: Mapping[str, Entry]) -> list[Row]:
     """The rows of a problem, the short ones first, fields last."""
-    return [row(entries[suffix]) for suffix in ORDER if suffix in entries]
+    found = (entries[suffix] for suffix in sorted(entries, key=_index))
+    return [row(entry) for entry in found if entry.suffix in ORDER or of(entry).physics.printed]

@@ -25,7 +25,7 @@ from ..profiles.profile import Limit, Piece, Profile, Rule, Sketch
 _FUNCTIONS: tuple[str, ...] = (
     "Abs", "Max", "Min", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "besseli", "besselj", "beta",
     "ceiling", "cos", "cosh", "elliptic_e", "elliptic_f", "elliptic_k", "elliptic_pi", "erf",
-    "erfi", "exp", "floor", "gamma", "hyper", "log", "loggamma", "polylog", "sign", "sin", "sinh", "tan", "tanh",
+    "erfi", "exp", "floor", "gamma", "hyper", "im", "log", "loggamma", "polylog", "sign", "sin", "sinh", "tan", "tanh",
 )  # fmt: skip
 _UNEVALUATED: tuple[str, ...] = (
     "Add", "Mul", "Pow", "Equality", "Unequality", "StrictLessThan", "LessThan", "StrictGreaterThan", "GreaterThan",

@@ -4,30 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...notation import c
 from ..bodies.regimes import strip_width
 from ..graded import slip
 from ..text import python
-from ..writer import Writer, ordered
+from ..writer import Writer
+from . import stated
 from .adhesive import exponent, number
 
-ORDER = ordered(
-    'np.all(~(numbers("c", c) > numbers("a", a)))',
-    "c <= a",
-    "the stick zone lies inside the contact; exchange a and c, or use c = a for no tangential load",
-    ("c", "a"),
-)
-
-
-def interface(writer: Writer) -> None:
-    """Adds the public functions."""
-    profile = writer.profile
-    notes = f"Valid for {profile.validity}; Cattaneo-Mindlin approximation. Negative or NaN field values give NaN."
-    if profile.truncated:
-        notes += " The stick zone is never smaller than the flat face: NaN for c < b."
-    for entry in writer.entries.values():
-        order = ORDER if c in entry.arguments else []
-        writer.add(entry, notes, [*writer.checks(entry.parameters, reach=True), *order])
+interface = stated.interface
 
 
 def rules(writer: Writer) -> None:

@@ -39,7 +39,7 @@ class Superposed:
     def _step(self, case: Case, shown: Shown, radii: set[sp.Symbol | None]) -> str:
         """That the expression of a statement vanishes in a region, or on the border that it names."""
         given = {symbol: self._put(expr, case.chain, radii) for symbol, expr in shown.given.items()}
-        zero = self._put(shown.zero, case.chain, radii).xreplace({OWN: case.expr.subs(given)})
+        zero = self._put(shown.zero, case.chain, radii).xreplace({OWN: case.expr.subs(given)}).doit()
         domain = self.normal.domain(case.chain)
         if shown.at is not None:
             domain = domain.at(*shown.at)
