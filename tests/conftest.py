@@ -73,7 +73,7 @@ def as_built(problem: Problem) -> dict[str, Entry] | None:
 
 @pytest.fixture(scope="session", autouse=True)
 def profiles_of_the_catalogue_are_derived_once() -> Iterator[None]:
-    """A profile of the catalogue as it stands, on a half-space or as a strip: fifty tests ask for those of the cone.
+    """A problem or a profile of the catalogue as it stands: fifty tests ask for those of the cone.
 
     What a build has derived by the same sources is read; a profile that a test has changed is another object, and is
     derived anew, as all are where the engine has changed since.
@@ -91,10 +91,17 @@ def profiles_of_the_catalogue_are_derived_once() -> Iterator[None]:
             found[key] = (as_built(problem(name)) if group is not None and name in KEYS else None) or genuine()
         return dict(found[key])
 
+    def of_problem(own: Problem) -> dict[str, Entry]:
+        if own.key not in problems:
+            problems[own.key] = as_built(own) or own.system.derive(own.profile)
+        return dict(problems[own.key])
+
+    problems: dict[str, dict[str, Entry]] = {}
     compact, face, strip, plane_face = (
         normal._Compact.entries, complete.derive, plane._Compact.entries, plane._Complete.entries
     )  # fmt: skip
     with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Problem, "derive", of_problem)
         patch.setattr(normal._Compact, "entries", lambda own: once(own.profile, own.medium, lambda: compact(own)))
         patch.setattr(
             complete, "derive",

@@ -11,6 +11,7 @@ import functools
 import random
 from dataclasses import dataclass, replace
 
+import mpmath as mp
 import pytest
 import sympy as sp
 from selected import few
@@ -19,6 +20,7 @@ from stored_book import evidence
 from axiderive import notation as nt
 from axiderive import profiles
 from axiderive.entry import Case, Entry
+from axiderive.oracle.evaluate import evaluated
 from axiderive.physics.normal import derive
 from axiderive.proof.certificate import certify, certify_profile
 from axiderive.proof.statement import summand
@@ -116,14 +118,17 @@ def sample(case: Case) -> dict[sp.Symbol, sp.Rational]:
 
 def differs(new: sp.Expr, case: Case) -> bool:
     """Whether a mutant is a different function: evaluated, not compared as text."""
-    gap = sp.Add(summand(new), -summand(case.expr), evaluate=False).subs(sample(case))
-    if gap.has(sp.zoo, sp.nan):
-        return True
+    point = sample(case)
     try:
-        value, size = sp.N(gap), sp.N(summand(case.expr).subs(sample(case)))
-    except TypeError:  # the mutant left the real range of a function
+        here, there = (mp.mpmathify(evaluated(summand(expr), point)) for expr in (case.expr, new))
+    except (
+        KeyError,
+        TypeError,
+        ValueError,
+        ZeroDivisionError,
+    ):  # it left the range of a function
         return True
-    return not value.is_number or abs(value) > 1e-9 * abs(size)
+    return not mp.isfinite(there) or abs(there - here) > 1e-9 * abs(here)
 
 
 def with_case(entry: Entry, index: int, expr: sp.Expr) -> Entry:
