@@ -262,7 +262,7 @@ def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> st
     powers = [p.exp for p in slope.atoms(sp.Pow) if p.base == t and p.exp.free_symbols]
     if powers:
         n = python(powers[0])
-        return f"Piece(EXP, {start}, {high}, 2.0 / np.maximum({n}, 1.0), {n}, {n} <= 1.0)"
+        return f"Piece(EXP, {start}, {high}, 3.0 / ({n} + 3.0), {n}, {n} <= 1.0)"
     calls = slope.atoms(masters.Dawson, masters.StruveH)
     if regimes is not None and calls:
         form = regimes.slopes["tip"][1]

@@ -47,7 +47,7 @@ def samples(entries: Mapping[str, Entry], suffix: str, domain: Domain, count: in
     like = entry.quantity.inverts if is_inverse(entry) else "d" if suffix == "k" and "d" in entries else suffix
     for values in floats(entries[like], domain, count, seed, entry.parameters):
         try:
-            _complete(entries, values)
+            completed(entries, values)
             arguments, exact = reference(dict(entries), suffix, values)
         except UnknownError:
             continue
@@ -63,7 +63,7 @@ def value(function: Callable[..., float], point: Sample) -> float:
         return math.nan
 
 
-def _complete(entries: Mapping[str, Entry], values: Floats) -> None:
+def completed(entries: Mapping[str, Entry], values: Floats) -> None:
     """Raise depth, force and load above the threshold of complete contact, a depth by its own size over the contact."""
     for entry in entries.values():
         symbol = entry.quantity.symbol

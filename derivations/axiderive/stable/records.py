@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import partial
 from typing import Any
 
 import sympy as sp
 
 from ..entry import FOUR, Entry
+from ..physics import subsurface
 from ..physics.systems import SYSTEMS, System, problem
 from ..profiles.pools import BODIES, ROUND
+from . import fields
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
 from .reference import UnknownError, condition, is_inverse
 from .samples import DOMAINS
@@ -23,6 +25,8 @@ OWN = tuple(own for own in MEASURED if own.base is None and not own.medium.grade
 """Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 DIRECT = (*FOUR, "k", "pm", "Dl", "tau", "u", "us")
 """Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
+FIELDS = {subsurface.PHYSICS: fields.measured}
+"""Functions with several components, which are sums of entries; they are recorded by their names."""
 TOLERANCE = 5.0
 CHECKED = 4
 """Points above the tolerance whose condition is found."""
@@ -65,6 +69,9 @@ def record(
     """
     found = problem(key)
     system = found.system
+    if system.physics in FIELDS:
+        with loaded(sources, found.module) as module:
+            return _of_fields(FIELDS[system.physics](module, entries, seed))
     wanted = [suffix for suffix in entries if suffixes is None or suffix in suffixes]
     if not (system in OWN and system.pool is ROUND):
         wanted = [suffix for suffix in wanted if _direct(entries[suffix], system)]
@@ -76,6 +83,15 @@ def record(
             row["sample"] = {"seed": seed, "count": max(1, count_for(entry, count))}
             evaluate = partial(value, function_of(entry, module))
             rows[suffix] = row | _errors(entries, suffix, *_measured(entries, suffix, evaluate, row["sample"]))
+    return rows
+
+
+def _of_fields(found: Iterable[tuple[str, str, list[float], list[float]]]) -> dict[str, Record]:
+    """The record of functions with components: units of the last place of the largest one, and those of each."""
+    rows: dict[str, Record] = {}
+    for function, domain, along, own in found:
+        worst = {"by_component": rounded_up(max(own))} if own else {}
+        rows.setdefault(function, {})[domain] = summary(along) | worst
     return rows
 
 
