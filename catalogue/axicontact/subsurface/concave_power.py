@@ -421,7 +421,7 @@ def _shape(d: Array, a: Array, h: Array, n: Array) -> tuple[Array, Array, tuple[
     kappa = gamma_ratio(n / 2 + 1 / 2)
     radius = np.where(d >= normal._minimum_depth(h, n) * (1.0 - 1e-15), a, np.nan)
     edge = d - (-np.sqrt(np.pi) * h * kappa)
-    return radius, edge, (Piece(EXP, 0.0, radius, _slope, (a, h, n), radius, 2.0 / np.maximum(n, 1.0), n, n <= 1.0),)
+    return radius, edge, (Piece(EXP, 0.0, radius, _slope, (a, h, n), radius, 3.0 / (n + 3.0), n, n <= 1.0),)
 
 
 def _slope(t: Array, a: Array, h: Array, n: Array) -> Array:

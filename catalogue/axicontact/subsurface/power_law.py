@@ -496,5 +496,5 @@ def _shape(a: Array, A: Array, n: Array, d: Array | None = None) -> tuple[Array,
     depth = normal._depth(a, A, n)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(EXP, 0.0, a, normal._slope, (A, n), a, 2.0 / np.maximum(n, 1.0), n, n <= 1.0)
+    tip = Piece(EXP, 0.0, a, normal._slope, (A, n), a, 3.0 / (n + 3.0), n, n <= 1.0)
     return radius, edge, (tip,)

@@ -33,8 +33,8 @@ SMOOTH = 8.0
 """Order to which a power of t is smooth in t**(1/m) at least, in which it is integrated next to the axis."""
 POINTS = 512
 """Panels that are summed together, so that what they need stays in the cache."""
-NUMBERS = 11
-"""S_0 ... S_3, D_0 ... D_3, S_0 + D_0, S_0 - D_0/2 and W."""
+NUMBERS = 12
+"""S_0 ... S_3, D_0 ... D_3, S_0 + D_0, S_0 - (D_0 + D_2)/2 = S_0 - z S_1/r, r (S_0 + S_2)/2 and W."""
 
 
 class Variable(NamedTuple):
@@ -109,7 +109,7 @@ class Piece(NamedTuple):
 
 
 def punch(r: Array, z: Array, t: Array, gap: Array) -> tuple[Array, ...]:
-    """The eleven numbers of flat punches of radii t, pressed in by one; `gap` is t - r.
+    """The twelve numbers of flat punches of radii t, pressed in by one; `gap` is t - r.
 
     With (xi + i eta)**2 = r**2 + (z + i t)**2.
     """
@@ -139,13 +139,13 @@ def punch(r: Array, z: Array, t: Array, gap: Array) -> tuple[Array, ...]:
         bent.append(-depth * scale * (wide * turned + (m - 1) * (now[0] * double[1] + now[1] * double[0])))
         before, now = now, (now[0] * c + now[1] * s, now[1] * c - now[0] * s)
         scale = scale * kappa
-    whole = y * yy * (yy + xx * (4.0 + (1.0 - flat) * (1.0 + flat)) + 3.0 * xx * (xi / t) ** 2) / root
-    half = y * (1.5 * (xx * r / h) ** 2 + xx * yy * (1.0 + flat * flat) / 2.0 + yy * yy) / root
-    return (*found, *bent, whole, half, np.arctan2(t, xi))
+    # z/root is xi y/t, in which nothing overflows
+    whole = y * (yy * (yy + xx * (4.0 + (1.0 - flat) * (1.0 + flat))) + 3.0 * xx * (z / root) ** 2) / root
+    return (*found, *bent, whole, y * s * s / root, kappa * s, np.arctan2(t, xi))
 
 
 def superposed(r: Array, z: Array, pieces: Sequence[Piece]) -> Array:
-    """The eleven numbers of the slopes of all pieces at points (r, z) with z >= 0, flat arrays, as rows."""
+    """The twelve numbers of the slopes of all pieces at points (r, z) with z >= 0, flat arrays, as rows."""
     total = np.zeros((NUMBERS, r.size))
     for piece in pieces:
         shape = [np.broadcast_to(np.asarray(x, float), r.shape) for x in _arrays(piece)]
@@ -183,14 +183,15 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         star = variable.place(w, b)
         top = _away(piece, piece.high, w, star)
         if variable is EXP:
-            bottom = np.minimum(0.0, -star.real) - np.log(_tail_of(piece.power))
+            lowest = np.minimum(star.real, 0.0) - np.log(_tail_of(piece.power))
+            bottom = lowest - star.real
         else:
             lowest = variable.place(piece.low + 0j, b).real
             bottom = _away(piece, piece.low, w, star).real
         alpha, beta, top = star.real, np.abs(top.imag), top.real
         highest = variable.place(piece.high + 0j, b).real
         # not as the difference of both distances, which far away have lost its digits
-        whole = top - bottom if variable is EXP else highest - lowest
+        whole = highest - lowest
         mirror = np.full(r.shape, 4.0) if variable is EXP else 2.0 * alpha
         count = np.maximum(1.0, np.ceil(whole / piece.longest)).astype(int)
         point, share, share_1 = _split(count)
@@ -199,7 +200,7 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
         total = _tail(r, z, piece) if variable is EXP else np.zeros((NUMBERS, r.size))
-        begin = (alpha + bottom if variable is EXP else lowest)[point] + width * share
+        begin = lowest[point] + width * share
         # a high power takes its digits from the end at which it is large
         begin = np.where((variable is EXP) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
         # eight nodes are enough for the kernel, and for a slope that is a power
@@ -297,6 +298,8 @@ def _add(total: Array, r: Array, z: Array, piece: Piece, star: Array, panels: Pa
         place, b = star[o], piece.length[o]
         t, pace = piece.variable.radius(v, b)
         gap = away if piece.variable is PLAIN else piece.variable.difference(place, away - 1j * place.imag, b).real
+        # far away the places of all radii are alike to the last digits
+        gap = np.where(np.hypot(r[o], z[o]) > 2.0 * piece.high[o], t - r[o], gap)
         roots = {COSH: pace, TANH: np.sqrt(pace * b), SINH: None, PLAIN: None, EXP: None}[piece.variable]
         given = (t,) if roots is None else (t, roots)
         weight = piece.slope(*given, *(x[o] for x in piece.parameters)) * pace * rate * step * weights

@@ -1,4 +1,4 @@
-"""Stresses and displacements of a contact from its eleven numbers, under normal load and under friction.
+"""Stresses and displacements of a contact from its twelve numbers, under normal load and under friction.
 
 Tension is positive, z points into the half-space, cylindrical components.  Friction is uncoupled from the pressure:
 the traction is mu p in the direction phi = 0.
@@ -62,8 +62,8 @@ Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
 which the edge is pressed in beyond g; the pieces of g'."""
 
 
-def eleven(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
-    """The eleven numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
+def twelve(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
+    """The twelve numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
 
     They are infinite where the pressure is: at the edge of a flat face, a tip, a kink.
     """
@@ -78,7 +78,7 @@ def eleven(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, A
         x, y, t = r[pressed], z[pressed], radius[pressed]
         field = np.array(punch(x, y, t, t - x))
         rim = np.flatnonzero((x == t) & (y == 0.0))
-        field[:, rim] = np.nan
+        field[:10, rim] = np.nan
         for row in (0, 8, 9):
             field[row, rim] = np.inf
         total[:, pressed] += edge[pressed] * field
@@ -105,7 +105,7 @@ def displacement_below(
 ) -> Displacement:
     """The displacement under the normal load."""
     found, (nu,) = _found(shape, r, z, given, geometry, nu=nu)
-    return Displacement(*plain(normal_displacement(found, np.asarray(r), np.asarray(z), nu)))
+    return Displacement(*plain(normal_displacement(found, np.asarray(z), nu)))
 
 
 def sliding_below(
@@ -123,12 +123,12 @@ def sliding_below(
 def _found(
     shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], **others: Result
 ) -> tuple[Array, list[Array]]:
-    """The eleven numbers, and the other arguments, over the shape to which all broadcast."""
+    """The twelve numbers, and the other arguments, over the shape to which all broadcast."""
     fields = {"r": r, "z": z, _given(geometry): given}
     known = [numbers(name, x) for own in (fields, geometry, others) for name, x in own.items()]
     r, z, given, *own = np.broadcast_arrays(*known)
     geometry = dict(zip(geometry, own, strict=False))
-    return eleven(shape, r, z, given, geometry), own[len(geometry) :]
+    return twelve(shape, r, z, given, geometry), own[len(geometry) :]
 
 
 def _given(geometry: dict[str, Result]) -> str:
@@ -166,7 +166,7 @@ def _greatest_of(
         return Greatest(np.inf, sharp[0], 0.0)
 
     def value(r: Array, z: Array) -> Array:
-        found = eleven(shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
+        found = twelve(shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
         return measure(Stress(*normal_stress(found, nu, modulus / np.pi)))
 
     return greatest(value, a, [0.0, *inside, a])
@@ -178,16 +178,16 @@ def plain(values: Sequence[Array]) -> list[Result]:
 
 
 def normal_stress(found: Array, nu: Array, scale: Array) -> list[Array]:
-    """rr, tt, zz, rz of a pressure whose eleven numbers these are; `scale` is E_star/pi."""
+    """rr, tt, zz, rz of a pressure whose twelve numbers these are; `scale` is E_star/pi."""
     mean, half = (found[4] - (1.0 + 2.0 * nu) * found[0]) / 2.0, ((1.0 - 2.0 * nu) * found[2] - found[6]) / 2.0
     return [scale * x for x in (mean + half, mean - half, -found[8], -found[5])]
 
 
-def normal_displacement(found: Array, r: Array, z: Array, nu: Array) -> list[Array]:
+def normal_displacement(found: Array, z: Array, nu: Array) -> list[Array]:
     """Away from the axis and into the half-space."""
-    outward = (1.0 - 2.0 * nu) * (found[0] + found[2]) - (found[4] + found[6])
-    sunk = np.where(z == 0.0, 0.0, z * found[0]) / (1.0 - nu)
-    return [-r * outward / (2.0 * np.pi * (1.0 - nu)), (2.0 * found[10] + sunk) / np.pi]
+    sunk, sheared = (np.where(z == 0.0, 0.0, z * found[m]) for m in (0, 1))
+    outward = (1.0 - 2.0 * nu) * found[10] - sheared
+    return [-outward / (np.pi * (1.0 - nu)), (2.0 * found[11] + sunk / (1.0 - nu)) / np.pi]
 
 
 def frictional_stress(found: Array, phi: Array, nu: Array, scale: Array) -> list[Array]:
@@ -196,9 +196,8 @@ def frictional_stress(found: Array, phi: Array, nu: Array, scale: Array) -> list
     mean = found[5] / 2.0 - (1.0 + nu) * found[1]
     along, across = found[5] / 4.0 - (1.0 - nu / 2.0) * found[1], (2.0 * nu * found[3] + found[7]) / 4.0
     lengthwise, sideways = (mean + along - across) * cos, (mean - along + across) * cos
-    shear, turned = found[9], found[6] / 2.0
     parts = (lengthwise, sideways, -found[5] * cos, -(along + across) * sin)
-    return [scale * x for x in (*parts, -(shear + turned) * cos, (shear - turned) * sin)]
+    return [scale * x for x in (*parts, -(found[9] + found[6]) * cos, found[9] * sin)]
 
 
 AnyStress: TypeAlias = Stress | SlidingStress
