@@ -12,7 +12,7 @@ from typing import Any
 from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
-from axiderive.readback import front
+from axiderive.readback import fields, front
 from axiderive.readback.claims import Line
 from axiderive.readback.compare import residuals, worst_residual
 from axiderive.readback.ranges import Place, misplaced, places_of
@@ -124,6 +124,7 @@ def front_readings() -> list[Line]:
         *front.definitions(stored("rounded_punch"), stored("concave_quartic")),
         *front.functions(),
         *front.stresses(),
+        *fields.numbers(stored),
         *front.rules(stored),
         *front.laws_of_materials(),
         *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),

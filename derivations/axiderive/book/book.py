@@ -145,7 +145,8 @@ def model(
             (references.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
         ],
-        "stresses": front.stress_rows(),
+        "stresses": [*front.stress_rows(), front.number_rows()[0]],
+        "numbers": front.number_rows()[1],
         "tones": [f"${level:g}$" for level in SHADES],
         "symbol_index": symbol_index(pages),
         "word_index": word_index(pages, contents, WITHIN),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from ..abel import masters
 from ..entry import COMPACT, COMPLETE, FOUR, Entry
@@ -13,6 +13,8 @@ from ..print.box import width
 from ..print.formula import MASTER_NAMES, Printer
 from ..print.shorthand import with_kappa
 from ..profiles.pools import ROUND, STRIPS
+from ..rows import fields
+from ..rows.blocks import JOINT
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
@@ -125,8 +127,12 @@ def definition_rows() -> list[tuple[str, str, str]]:
     return [(label[0].upper() + label[1:], text, numbers) for label, text, numbers in rows]
 
 
-def stress_rows() -> list[tuple[str, str, list[tuple[str, str]]]]:
-    """Title, note and rows of what the numbers below the surface say, each row with the component and its formula."""
+Section = tuple[str, str, Sequence[Sequence[tuple[str, str, str]]]]
+"""Title, note and lines of one row or two, each with label, small words and formula."""
+
+
+def stress_rows() -> list[Section]:
+    """What the numbers below the surface say, each row with the component that it gives."""
     printer = Printer(names={subsurface.ANGLE: r"\varphi"})
     tables = (
         ("Normal load", "tension positive", _component, subsurface.STRESS),
@@ -134,9 +140,44 @@ def stress_rows() -> list[tuple[str, str, list[tuple[str, str]]]]:
         ("What friction adds", r"traction $\mu p$, $\varphi$ from its direction", _component, subsurface.FRICTION),
     )
     return [
-        (title, note, [(left, f"{_left(left, named)}={printer(right)}") for left, right in table.items()])
+        (title, note, [((left, "", f"{_left(left, named)}={printer(right)}"),) for left, right in table.items()])
         for title, note, named, table in tables
     ]
+
+
+def number_rows() -> tuple[Section, list[Section]]:
+    """What profiles are made of; the letters and the numbers of flat punch and slopes."""
+    sums = [
+        (profile.title, "edge in contact" if fields.touches_later(profile) else "", fields.total(own))
+        for profile in map(ROUND.load, ROUND.names)
+        if (own := fields.parts(profile)) and set(own) <= set(SLOPES)
+    ]
+    slopes = [
+        ((r"\mbox{}" if i else f"$n={n}$", "" if i else slope, JOINT.join(one.region.tex for one in line)),)
+        for n, slope in SLOPES.items()
+        for i, line in enumerate(fields.lines(n))
+    ]
+    letters = [((title, "", tex),) for title, tex in fields.shorthands()]
+    return (
+        ("Numbers of a profile", MADE_OF, [*_beside(sums), (("Any profile", "", fields.EVERY),)]),
+        [
+            ("Letters", "", letters),
+            ("Numbers", "a formula with $m$ is for the orders without one of their own", slopes),
+        ],
+    )
+
+
+def _beside(rows: list[tuple[str, str, str]]) -> list[Sequence[tuple[str, str, str]]]:
+    """Those of one part two on a line, the others by themselves."""
+    narrow = [one for one in rows if one[2].count("N_") == 1]
+    return [*zip(narrow[::2], narrow[1::2], strict=True), *((one,) for one in rows if one not in narrow)]
+
+
+MADE_OF = (
+    "$N$ is any of the nine; $N_{n}$ that of the slope $g'=t^{n-1}$, and $N_{0}$ that of a flat punch pressed in by one"
+)
+SLOPES = {0: "flat punch", 1: "$g'=1$", 2: "$g'=t$", 4: "$g'=t^{3}$"}
+"""Of which the book has the numbers, by the power n of the profile; those of the sextic take a page."""
 
 
 def _left(components: str, named: Callable[[str], str]) -> str:

@@ -243,6 +243,7 @@ LISTED = {
         r"c_{\mathrm N}(x)=H|x|^{k}", r"c_{\mathrm N}(x)=H|x|^k", r"c_{\mathrm T}(x)=H_x|x|^{k}",
         r"c_{\mathrm T}(x)=H_x|x|^k", "d=v t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
+        "g'=t^{n-1}",
         r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}", r"\sqrt{R\,d}",
         r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
     ),
@@ -363,7 +364,7 @@ def stresses() -> list[Line]:
     for (title, _, rows), own in zip(front.stress_rows(), (pressed, moved, sliding), strict=True):
         parts = {f"{x}_{name}": value for name, value in own._asdict().items() for x in ("u", "sigma", "tau")}
         env = {name: mp.mpf(float(value)) for name, value in (known | names | parts).items()}
-        found += [Claim(env, close=FLOATS).line(f"{title}: {left}", tex) for left, tex in rows]
+        found += [Claim(env, close=FLOATS).line(f"{title}: {left}", tex) for ((left, _, tex),) in rows]
     return found
 
 
