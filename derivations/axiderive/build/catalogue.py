@@ -119,7 +119,7 @@ def _chapter(cache: Cache, jobs: pool.Jobs, standing: Mapping[str, Any]) -> Reco
     key = work.chapter_key()
     kept = None if cache.fresh else work.taken_over(standing, "record", key)
     runner = partial(pool.run, jobs=jobs, ordered=True)
-    return dict(cache.made(key, lambda: record(run(runner=runner))) if kept is None else kept)
+    return dict(cache.made(key, lambda: record(tuple(run(runner=runner)))) if kept is None else kept)
 
 
 def _expected_effort(problem: Problem) -> tuple[int, int, int]:

@@ -21,9 +21,7 @@ import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, as_completed
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import cache
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -58,27 +56,31 @@ def run(
         If a process died, or an executor failed: what a task raises is raised as it is.
     """
     if isinstance(jobs, Executor):
-        yield from _gathered(jobs, function, tasks, ordered)
+        yield from _gathered(jobs, engine(), function, tasks, ordered)
     elif jobs == 1 or len(tasks) <= 1:
         yield from (function(*task) for task in tasks)
     else:
         with _processes(min(jobs, len(tasks))) as executor:
-            yield from _gathered(executor, function, tasks, ordered)
+            yield from _gathered(executor, "", function, tasks, ordered)
 
 
 def _gathered(
-    executor: Executor, function: Callable[..., Result], tasks: Sequence[tuple[object, ...]], ordered: bool
+    executor: Executor,
+    made_of: str,
+    function: Callable[..., Result],
+    tasks: Sequence[tuple[object, ...]],
+    ordered: bool,
 ) -> Iterator[Result]:
     """What comes back, to this process alone; an executor that knows how runs again what a lost worker had begun."""
-    futures: list[Future[Result | _Raised]] = []
+    futures: list[Future[Result | Exception]] = []
     try:
         with _blamed(executor), _worker_environment():
-            futures += [executor.submit(_answer, engine(), function, *task) for task in tasks]
+            futures += [executor.submit(_answer, made_of, function, *task) for task in tasks]
         for future in futures if ordered else as_completed(futures):
             with _blamed(executor):
                 answer = future.result()
-            if isinstance(answer, _Raised):
-                raise answer.error
+            if isinstance(answer, Exception):
+                raise answer
             yield answer
     except BaseException:
         for future in futures:
@@ -88,40 +90,30 @@ def _gathered(
 
 @contextmanager
 def _blamed(executor: Executor) -> Iterator[None]:
-    """What goes wrong in here is no error of a task."""
+    """What goes wrong in here is no error of a task, which comes back as an answer."""
     try:
         yield
-    except BrokenProcessPool as error:
-        message = "a worker process died (out of memory?); finished profiles are kept, try again with --jobs 1"
-        raise WorkerError(message) from error
     except Exception as error:
-        said = f"{type(executor).__name__} failed, {type(error).__name__}: {error}"
-        message = f"{said}; finished profiles are kept, the same command continues"
+        said = f"{type(executor).__name__} failed, {type(error).__name__}: {error} (a worker out of memory?)"
+        message = f"{said}; finished profiles are kept, the same command continues, and with --jobs 1 in one process"
         raise WorkerError(message) from error
-
-
-@dataclass(frozen=True)
-class _Raised:
-    """An error of a task, which is no error of its executor."""
-
-    error: Exception
 
 
 _TURN = threading.RLock()
 """Threads of a worker take turns: the precision of mpmath and the notation are those of a process."""
 
 
-def _answer(made_of: str, function: Callable[..., Result], *task: object) -> Result | _Raised:
-    """What a task gives, in a worker; another engine would give something else."""
-    if engine() != made_of:
+def _answer(made_of: str, function: Callable[..., Result], *task: object) -> Result | Exception:
+    """What a task gives or raises, in a worker; that of another engine would be stored as that of this one."""
+    if made_of and engine() != made_of:
         message = f"axicontact on {platform.node()}, or what it stands on, is another; install the same on all machines"
-        return _Raised(WorkerError(message))
+        return WorkerError(message)
     try:
         with _TURN:
             return function(*task)
     except Exception as error:
         error.add_note(traceback.format_exc())
-        return _Raised(error)
+        return error
 
 
 @cache
@@ -147,15 +139,13 @@ def workers(named: str, jobs: int) -> Iterator[Jobs]:
     sys.path.append(str(Path.cwd()))  # where a command does not look for modules
     try:
         executor = getattr(importlib.import_module(module), name)()
+        if not isinstance(executor, Executor):
+            message = f"it returns {executor!r}"
+            raise TypeError(message)
     except Exception as error:
-        message = (
-            f"--executor {named!r} cannot be used, {type(error).__name__}: {error}; name a module (here or installed) "
-            "and a callable in it that returns an executor, as concurrent.futures:ProcessPoolExecutor"
-        )
+        said = f"--executor {named!r} cannot be used, {type(error).__name__}: {error}"
+        message = f"{said}; name a module, and a callable in it that returns a concurrent.futures.Executor"
         raise CommandError(message, USAGE) from error
-    if not isinstance(executor, Executor):
-        message = f"--executor {named!r} returns {executor!r}; a concurrent.futures.Executor is needed"
-        raise CommandError(message, USAGE)
     try:
         yield executor
     except BaseException:
@@ -249,8 +239,9 @@ def limited(
     process = context.Process(
         target=_work, args=(sender, function, arguments, hear is not None, seconds, megabytes), daemon=True
     )
-    with _may_have_children():
-        process.start()
+    if (own := multiprocessing.current_process()).daemon:
+        own.daemon = False  # as the workers of Dask are, who could start no process; this one ends before they go on
+    process.start()
     sender.close()
     try:
         stopped = f"stopped after {seconds:g} s; name parts of the expression, lower its powers, or use fewer breaks"
@@ -283,20 +274,6 @@ def limited(
         raise CommandError(message, code)
     result: Result = value
     return result
-
-
-@contextmanager
-def _may_have_children() -> Iterator[None]:
-    """Daemons, as the workers of Dask are, start no process; what is started in here ends before its worker goes on."""
-    own = multiprocessing.current_process()
-    daemon = own.daemon
-    if daemon:
-        own.daemon = False
-    try:
-        yield
-    finally:
-        if daemon:
-            own.daemon = True
 
 
 def _work(

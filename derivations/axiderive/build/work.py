@@ -182,7 +182,9 @@ def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mappi
 
     start = time.perf_counter()
     entries: dict[str, Any] = {}
-    cache = Lent(Path(folder), fresh)
+    evidence: dict[str, Any] = {}
+    checks, cache = None, Lent(Path(folder), fresh)
+    said = trace = ""
     try:
         problem = systems.problem(key)
         with kept(Lent(Path(folder))):
@@ -192,18 +194,9 @@ def task(key: str, folder: str, fresh: bool, settings: Settings, standing: Mappi
     except OSError:
         raise
     except Exception as error:  # a defect in one problem must not take the others with it
-        kind = type(error).__name__
-        return Outcome(
-            key,
-            entries,
-            {},
-            time.perf_counter() - start,
-            error=f"{kind}: {error}",
-            trace=traceback.format_exc(),
-            made=cache.made_here,
-        )
+        said, trace = f"{type(error).__name__}: {error}", traceback.format_exc()
     seconds = time.perf_counter() - start
-    return Outcome(key, entries, evidence, seconds, kept=checks is not None, made=cache.made_here)
+    return Outcome(key, entries, evidence, seconds, False, checks is not None, said, trace, cache.made_here)
 
 
 def kept_checks(

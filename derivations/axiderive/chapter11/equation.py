@@ -293,8 +293,8 @@ Runner: TypeAlias = Callable[[Callable[..., Row], Sequence[tuple[int, ...]]], It
 
 def run(
     numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, runner: Runner = starmap
-) -> tuple[Row, ...]:
-    """Check the equations (11.n) of these numbers, all if None.
+) -> Iterator[Row]:
+    """Check the equations (11.n) of these numbers, all if None, and give their rows one by one, in order.
 
     Parameters
     ----------
@@ -312,13 +312,6 @@ def run(
     ValueError
         If the chapter has no equation of that number.
     """
-    return tuple(stream(numbers, digits, seed, draws, runner))
-
-
-def stream(
-    numbers: Iterable[int] | None = None, digits: int = 30, seed: int = 11, draws: int = 3, runner: Runner = starmap
-) -> Iterator[Row]:
-    """The rows of `run` one by one, in order."""
     wanted = sorted(equations() if numbers is None else set(numbers))
     unknown = [n for n in wanted if n not in equations()]
     if unknown:
@@ -359,7 +352,7 @@ def report(digits: int = 30, seed: int = 11, runner: Runner = starmap) -> bool:
     started = time.perf_counter()
     rows: list[Row] = []
     print(_text(*HEAD))
-    for row in stream(digits=digits, seed=seed, runner=runner):
+    for row in run(digits=digits, seed=seed, runner=runner):
         print(line(row), flush=True)
         rows.append(row)
     verdicts = [row.verdict for row in rows]

@@ -68,7 +68,8 @@ def _derive_each(arguments: argparse.Namespace) -> int:
                 failed += 1
                 print(f"axicontact: line {number}: {text}: {found['error']}", file=sys.stderr)
                 continue
-            cache.put(key, found)
+            if own is None:
+                cache.put(key, found)
             print(f"line {number}", *found["lines"], "", sep="\n", flush=True)
             if write and found["files"]:
                 files = {name: content.encode() for name, content in found["files"].items()}
@@ -78,11 +79,7 @@ def _derive_each(arguments: argparse.Namespace) -> int:
 
 def _lines_of(path: Path) -> dict[int, str]:
     """The expressions of a file by the number of their line."""
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        message = f"{path} cannot be read ({error}); name a text file with one expression on a line"
-        raise CommandError(message, USAGE) from error
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     bare = {number: line.partition("#")[0].strip() for number, line in enumerate(lines, 1)}
     found = {number: text for number, text in bare.items() if text}
     if not found:
