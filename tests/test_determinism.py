@@ -16,12 +16,17 @@ from stored_book import KEYS, stored
 import axiderive
 
 EVERYTHING = """
+import json
 from axiderive.physics.systems import problems
+from axiderive.store.records import entry_record, read_entry
 
 for problem in problems():
     for entry in problem.derive().values():
-        print(entry.text())
+        back = read_entry(json.loads(json.dumps(entry_record(entry))), problem.profile)
+        assert back == entry and back.primitives == entry.primitives, entry.key
+        print(back.text())
 """
+"""Derives all, and prints what a record of it reads as: what is published was read back."""
 VERSIONS = ("1.12", "1.13.3", "1.14.0")
 
 
@@ -47,9 +52,9 @@ def everything() -> str:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 4242])
-def test_same_text_for_every_hash_seed(everything: str, seed: int) -> None:
-    same(everything, results(EVERYTHING, seed))
+def test_same_text_for_another_hash_seed(everything: str) -> None:
+    """The tests below have seeds of their own."""
+    same(everything, results(EVERYTHING, 1))
 
 
 @pytest.mark.slow
