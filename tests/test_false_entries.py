@@ -21,6 +21,7 @@ QUICK = (
 """One of every physics; the others run with -m slow."""
 AGAIN = (
     "paraboloid", "flat_punch", "paraboloid.fgm", "cone.adh", "paraboloid.tan", "plane.eccentric_punch", "materials",
+    "cone.sub",
 )  # fmt: skip
 """Those of them that the second prover is asked; it reads each entry as it is stored."""
 OUTSIDE = re.compile(r"\bk = -?[1-9]\d*\b(?!/)")

@@ -5,9 +5,15 @@ from __future__ import annotations
 import itertools
 import json
 import re
+from functools import cache
 
 import pytest
+from stored_book import stored
+from web_page import Page
 
+from axiderive.profiles import load
+from axiderive.readback import fields
+from axiderive.rows import fields as numbers
 from axiderive.web.search import anchor_of
 from axiderive.web.words import symbol
 
@@ -50,6 +56,26 @@ def test_the_matrix_is_ordered_by_chapter(site: dict[str, str]) -> None:
     assert heads == ["Compact contact", "Complete contact", "Plane contact", "Prescribed pressure", "Elastic constants"]
     assert "√<sub>50</sub>" in table
     assert not re.search(r"[○∫√]\d", table)
+
+
+@cache
+def read_back() -> frozenset[str]:
+    """The formulas of the numbers below the surface that are compared with their entries."""
+    return frozenset(one.tex.replace(r"\begin{aligned}[t]", r"\begin{aligned}") for one in fields.numbers(stored))
+
+
+@pytest.mark.parametrize("name", ["cone", "flat_punch"])
+def test_the_numbers_below_the_surface_are_those_that_were_read_back(site: dict[str, str], name: str) -> None:
+    """The keys of all nine stand there, and every formula of the section is one of those that are compared."""
+    page = Page(site[f"{name}.html"])
+    own = Page(site[f"{name}.html"].partition('id="about.subsurface"')[2].partition("<section")[0])
+    assert len(set(page.ids)) == len(page.ids)
+    assert {f"sub.{suffix}" for suffix in stored(f"{name}.sub")} <= set(own.ids)
+    shown = set(own.formulas) & read_back()
+    parts = numbers.parts(load(name))
+    assert {numbers.total(parts), *(tex for _, tex in numbers.shorthands())} <= shown
+    assert {numbers.beside(line) for n in parts for line in numbers.lines(n)} <= shown
+    assert {tex for tex in own.formulas if "=" in tex} - shown <= {"n=0", "n=1", "g'=1", "g'=t^{n-1}"}
 
 
 def test_negative_places_have_a_minus(site: dict[str, str]) -> None:

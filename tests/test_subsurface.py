@@ -429,3 +429,32 @@ def test_arguments_broadcast_and_numbers_give_numbers() -> None:
     assert cone.displacement(2.0, 1.0, theta=0.2) == pytest.approx(
         subsurface.cone.displacement(2.0, 0.0, 1.0, theta=0.2, nu=NU).z, rel=1e-13
     )
+
+
+@pytest.mark.parametrize("name", PROFILES)
+def test_every_function_refuses_what_is_outside(name: str) -> None:
+    fields, _, geometry, given, a = contact(name)
+    known: dict[str, Any] = {"r": 0.4, "phi": 0.3, "z": 0.2, "a": given, "d": given, "c": 0.95 * a}
+    material = {"E_star": E_STAR, "nu": NU, "mu": MU}
+    for asked, function in inspect.getmembers(fields, inspect.isfunction):
+        if asked.startswith("_") or function.__module__ != fields.__name__:
+            continue
+        signature = inspect.signature(function).parameters.values()
+        first = [one.name for one in signature if one.kind is one.POSITIONAL_OR_KEYWORD]
+        rest = {one.name: material[one.name] for one in signature if one.name in material} | geometry
+        for outside in (-1.0, 0.5000001, np.nan):
+            with pytest.raises(ValueError, match="-1 < nu <= 1/2"):
+                function(*(known[one] for one in first), **{**rest, "nu": outside})
+        # an incompressible half-space, and one next to the other end of the range; a search takes longer
+        for inside in () if asked.startswith("greatest") else (0.5, -0.999):
+            assert np.isfinite(function(*(known[one] for one in first), **{**rest, "nu": inside})).all()
+        for field in {"r", "z"} & set(first):
+            assert np.isnan(function(*({**known, field: -1e-300}[one] for one in first), **rest)).all(), (asked, field)
+        if "z" in first:
+            # neither above the surface nor with the axis in the way does one point spoil the others
+            many = np.array([0.2, -0.2, np.nan])
+            found = np.array(function(*({**known, "z": many}[one] for one in first), **rest))
+            assert np.isnan(found[:, 1:]).all(), asked
+            assert np.isfinite(found[:, 0]).all(), asked
+        if "stress" in asked:
+            assert "infinite" in str(function.__doc__), asked

@@ -20,7 +20,7 @@ FOLDER = Path(axiderive.verifier.__file__).parent
 SAMPLE = (
     "cone", "paraboloid", "rounded_cone", "capped_cylinder", "concave_paraboloid", "paraboloid.fgm", "flat_punch.fgm",
     "cone.adh", "flat_punch.fgm.adh", "paraboloid.tan", "paraboloid.vis", "plane.parabola", "plane.truncated_wedge",
-    "plane.eccentric_punch", "materials",
+    "plane.eccentric_punch", "materials", "cone.sub",
 )  # fmt: skip
 NOT_SHOWN = {"materials.H", "materials.h_N", "cone.adh.aF", *(f"rounded_cone.{s}" for s in ("ad", "aF", "Fd", "dF"))}
 """Of the sample, what no prover certifies."""

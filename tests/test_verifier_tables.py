@@ -43,7 +43,7 @@ FORMULAS = [
     "elliptic_e(b/a, r**2/b**2)", "sinh(asinh(a/b)/3)", "exp(-a**2/b**2)", "gamma(n/2 + 3)", "gamma((1 + k)/2)",
     "gamma(5/2)", "cos(pi*k/2)",
     "sin(a/b)", "cos(a/b)", "(a**2 - b**2)**((k - 1)/2)*(8*a*b)**(n/3)", "(a**2 - 2*a*b + b**2)**(1/2)",
-    "CapMoment(k, b, R, a)",
+    "CapMoment(k, b, R, a)", "Xi(a, b, r)", "Eta(a, b, r)",
     *(f"IncompleteBeta(b**2/a**2, {p}, {q})" for p in ("1/2", "(1 + k)/2", "(5 + k)/2", "n/2 + 3") for q in
       ("1/2", "0", "1", "2", "-k/2", "(1 - k)/2", "(5 - k)/2", "-3/2 - k/2")),
     *(f"StruveH({order}, a/b)" for order in ("0", "1", "-1", "2", "k/2", "k/2 + 2", "k/2 - 2")),
@@ -156,6 +156,8 @@ LONG = (
     "power_law",
     "rounded_punch",
     "cone.vis",
+    "cone.sub",
+    "concave_paraboloid.sub",
     "plane.eccentric_punch",
 )
 

@@ -334,9 +334,10 @@ def sliding_stress(
 
     Notes
     -----
-    Valid for a << R2. The traction mu p does not change the pressure. The whole stress is the `add` of this
-    and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t. Their formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
+    Valid for a << R2. The traction mu p does not change the pressure. At the edge of a face, at a tip and at
+    a kink it is infinite, and with it rz and tz. The whole stress is the `add` of this and of `stress`. S_m,
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------
@@ -406,9 +407,10 @@ def partial_slip_stress(
 
     Notes
     -----
-    Valid for a << R2. The traction is mu times the difference of the pressures of radii a and c. S_m, D_m and
-    W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas
-    are capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
+    Valid for a << R2. The traction is mu times the difference of the pressures of radii a and c. At the edge
+    of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m, D_m and W are those of flat
+    punches of all radii t up to the contact, times g'(t), summed over t. Their formulas are
+    capped_paraboloid.sub.S0 to S3, D0 to D3 and capped_paraboloid.sub.W.
 
     References
     ----------

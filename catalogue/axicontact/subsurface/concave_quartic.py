@@ -287,10 +287,10 @@ def sliding_stress(
 
     Notes
     -----
-    Valid for small slopes; complete contact only. The traction mu p does not change the pressure. The whole
-    stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and
-    concave_quartic.sub.W.
+    Valid for small slopes; complete contact only. The traction mu p does not change the pressure. At the edge
+    of a face, at a tip and at a kink it is infinite, and with it rz and tz. The whole stress is the `add` of
+    this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
+    g'(t), summed over t. Their formulas are concave_quartic.sub.S0 to S3, D0 to D3 and concave_quartic.sub.W.
 
     References
     ----------

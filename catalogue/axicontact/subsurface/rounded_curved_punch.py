@@ -322,10 +322,10 @@ def sliding_stress(
 
     Notes
     -----
-    Valid for a << R1, a - b << R2. The traction mu p does not change the pressure. The whole stress is the
-    `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and
-    rounded_curved_punch.sub.W.
+    Valid for a << R1, a - b << R2. The traction mu p does not change the pressure. At the edge of a face, at
+    a tip and at a kink it is infinite, and with it rz and tz. The whole stress is the `add` of this and of
+    `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
+    over t. Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, R1=R1, R2=R2, b=b, **held(d))
@@ -392,8 +392,9 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a << R1, a - b << R2. The traction is mu times the difference of the pressures of radii a and c.
-    S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t.
-    Their formulas are rounded_curved_punch.sub.S0 to S3, D0 to D3 and rounded_curved_punch.sub.W.
+    At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m, D_m and W are
+    those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their formulas are
+    rounded_curved_punch.sub.S0 to S3, D0 to D3 and rounded_curved_punch.sub.W.
     """
     require(R1=R1, R2=R2, b=b, E_star=E_star, nu=nu, mu=mu)
     return sliding_below(_shape, r, phi, z, a, E_star, nu, mu, c, R1=R1, R2=R2, b=b)

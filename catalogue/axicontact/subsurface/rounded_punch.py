@@ -319,10 +319,10 @@ def sliding_stress(
 
     Notes
     -----
-    Valid for a - b << R (parabolic rounding). The traction mu p does not change the pressure. The whole
-    stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
-    the contact, times g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and
-    rounded_punch.sub.W.
+    Valid for a - b << R (parabolic rounding). The traction mu p does not change the pressure. At the edge of
+    a face, at a tip and at a kink it is infinite, and with it rz and tz. The whole stress is the `add` of
+    this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to the contact, times
+    g'(t), summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
 
     References
     ----------
@@ -391,8 +391,9 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a - b << R (parabolic rounding). The traction is mu times the difference of the pressures of
-    radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t),
-    summed over t. Their formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
+    radii a and c. At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. S_m,
+    D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed over t. Their
+    formulas are rounded_punch.sub.S0 to S3, D0 to D3 and rounded_punch.sub.W.
 
     References
     ----------

@@ -299,9 +299,10 @@ def sliding_stress(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. The traction mu p does not change the
-    pressure. The whole stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches
-    of all radii t up to the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0
-    to D3 and sphere.sub.W.
+    pressure. At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz. The whole
+    stress is the `add` of this and of `stress`. S_m, D_m and W are those of flat punches of all radii t up to
+    the contact, times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and
+    sphere.sub.W.
 
     References
     ----------
@@ -366,8 +367,9 @@ def partial_slip_stress(
     Notes
     -----
     Valid for a < R; the theory of small slopes asks for a << R. The traction is mu times the difference of
-    the pressures of radii a and c. S_m, D_m and W are those of flat punches of all radii t up to the contact,
-    times g'(t), summed over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and sphere.sub.W.
+    the pressures of radii a and c. At the edge of a face, at a tip and at a kink it is infinite, and with it
+    rz and tz. S_m, D_m and W are those of flat punches of all radii t up to the contact, times g'(t), summed
+    over t. Their formulas are sphere.sub.S0 to S3, D0 to D3 and sphere.sub.W.
 
     References
     ----------

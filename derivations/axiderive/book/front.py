@@ -14,7 +14,6 @@ from ..print.formula import MASTER_NAMES, Printer
 from ..print.shorthand import with_kappa
 from ..profiles.pools import ROUND, STRIPS
 from ..rows import fields
-from ..rows.blocks import JOINT
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
@@ -150,16 +149,16 @@ def number_rows() -> tuple[Section, list[Section]]:
     sums = [
         (profile.title, "edge in contact" if fields.touches_later(profile) else "", fields.total(own))
         for profile in map(ROUND.load, ROUND.names)
-        if (own := fields.parts(profile)) and set(own) <= set(SLOPES)
+        if (own := fields.parts(profile)) and set(own) <= set(fields.PRINTED)
     ]
     slopes = [
-        ((r"\mbox{}" if i else f"$n={n}$", "" if i else slope, JOINT.join(one.region.tex for one in line)),)
-        for n, slope in SLOPES.items()
+        ((r"\mbox{}" if i else f"$n={n}$", "" if i else fields.SLOPES[n], fields.beside(line)),)
+        for n in fields.PRINTED
         for i, line in enumerate(fields.lines(n))
     ]
     letters = [((title, "", tex),) for title, tex in fields.shorthands()]
     return (
-        ("Numbers of a profile", MADE_OF, [*_beside(sums), (("Any profile", "", fields.EVERY),)]),
+        ("Numbers of a profile", fields.MADE_OF, [*_beside(sums), (("Any profile", "", fields.EVERY),)]),
         [
             ("Letters", "", letters),
             ("Numbers", "a formula with $m$ is for the orders without one of their own", slopes),
@@ -171,13 +170,6 @@ def _beside(rows: list[tuple[str, str, str]]) -> list[Sequence[tuple[str, str, s
     """Those of one part two on a line, the others by themselves."""
     narrow = [one for one in rows if one[2].count("N_") == 1]
     return [*zip(narrow[::2], narrow[1::2], strict=True), *((one,) for one in rows if one not in narrow)]
-
-
-MADE_OF = (
-    "$N$ is any of the nine; $N_{n}$ that of the slope $g'=t^{n-1}$, and $N_{0}$ that of a flat punch pressed in by one"
-)
-SLOPES = {0: "flat punch", 1: "$g'=1$", 2: "$g'=t$", 4: "$g'=t^{3}$"}
-"""Of which the book has the numbers, by the power n of the profile; those of the sextic take a page."""
 
 
 def _left(components: str, named: Callable[[str], str]) -> str:

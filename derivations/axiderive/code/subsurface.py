@@ -70,9 +70,12 @@ def _said(table: Mapping[str, sp.Expr]) -> tuple[str, ...]:
 
 STRESS, (SUNK, OUTWARD), FRICTION = map(_said, (below.STRESS, below.DISPLACEMENT, below.FRICTION))
 INFINITE = "At the edge of a face, at a tip and at a kink the pressure, and with it zz, is infinite."
+SHEARED = "At the edge of a face, at a tip and at a kink it is infinite, and with it rz and tz."
 SEARCHED = "Infinite where the pressure is, on the surface. The point is known to about 1e-8 of the contact radius."
-SLIDES = "The traction mu p does not change the pressure. The whole stress is the `add` of this and of `stress`."
-STICKS = "The traction is mu times the difference of the pressures of radii a and c."
+SLIDES = (
+    f"The traction mu p does not change the pressure. {SHEARED} The whole stress is the `add` of this and of `stress`."
+)
+STICKS = f"The traction is mu times the difference of the pressures of radii a and c. {SHEARED}"
 
 
 @dataclass(frozen=True)

@@ -14,13 +14,12 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..book import front
 from ..entry import Entry
 from ..oracle.evaluate import evaluate
 from ..oracle.shape import number
 from ..profiles.pools import ROUND
 from ..rows import fields
-from ..rows.blocks import JOINT, texts_of
+from ..rows.blocks import texts_of
 from ..rows.fields import FieldRow
 from .claims import DIGITS, WORKING, Claim, Line, Stored, Values, named, value
 from .grammar import read
@@ -30,8 +29,8 @@ POINT: Values = {
     nt.R: sp.Rational(19, 5), nt.A: sp.Rational(11, 9), nt.h: sp.Rational(3, 8), nt.d: sp.Rational(5, 4),
 }  # fmt: skip
 """Below the contact, the edge of every face in contact."""
-INDICES = range(8)
-"""Of the letters: the formulas of t**3 take five orders above the first, and one below the general one."""
+INDICES = range(9)
+"""Of the letters: the third order of t**5 takes five orders above it."""
 
 
 def letters(radius: Any, r: Any, z: Any, order: int) -> dict[str, Any]:
@@ -87,11 +86,10 @@ def _rows(stored: Stored) -> Iterator[Line]:
         names = [read(one)[0].members[0].name for one in texts_of(tex)]
         without = [{letter: own for letter, own in known.items() if letter != name} for name in names]
         yield _several(title, tex, [[Claim(env, known[n], n)] for env, n in zip(without, names, strict=True)])
-    for n in front.SLOPES:
+    for n in fields.SLOPES:
         for line in fields.lines(n):
-            texts = [one.region.tex for one in line]
             place = f"slope {n}: {line[0].left}"
-            yield _several(place, JOINT.join(texts), [list(_of(one, n, stored)) for one in line])
+            yield _several(place, fields.beside(line), [list(_of(one, n, stored)) for one in line])
 
 
 def _of(one: FieldRow, n: int, stored: Stored) -> Iterator[Claim]:
@@ -123,10 +121,8 @@ def printed(n: int, suffix: str, known: Mapping[int, Mapping[str, Any]]) -> Any:
 def sums(stored: Stored) -> Iterator[Line]:
     """What profiles are made of, number by number."""
     known = {order: _at(order) for order in range(4)}
-    for name in ROUND.names:
+    for name in filter(lambda name: fields.parts(ROUND.load(name)), ROUND.names):
         own = fields.parts(ROUND.load(name))
-        if not own or not set(own) <= set(front.SLOPES):
-            continue
         claims = []
         for suffix, entry in stored(f"{name}.sub").items():
             parts = {f"N_{n}": printed(n, suffix, known) for n in own}

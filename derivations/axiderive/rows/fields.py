@@ -202,6 +202,11 @@ def lines(n: int) -> list[tuple[FieldRow, ...]]:
     return found
 
 
+def beside(line: tuple[FieldRow, ...]) -> str:
+    """The formulas of a line, side by side."""
+    return JOINT.join(one.region.tex for one in line)
+
+
 @cache
 def parts(profile: Profile) -> dict[int, sp.Expr]:
     """How much a profile has of every slope t**(n-1), and of a flat punch; empty if its slope is no polynomial."""
@@ -230,3 +235,11 @@ def total(own: Mapping[int, sp.Expr]) -> str:
 
 EVERY = r"N=\int_{0}^{a} g'(t) \, N_{0}(t)\,\mathrm{d}t+\bigl[d-g(a)\bigr] \, N_{0}(a)"
 """Any number of any profile, by that of a flat punch with a radius."""
+SLOPES = {0: "flat punch", 1: "$g'=1$", 2: "$g'=t$", 4: "$g'=t^{3}$", 6: "$g'=t^{5}$"}
+"""The slopes that profiles of the catalogue are made of, by the power n of the profile."""
+PRINTED = (0, 1, 2, 4)
+"""Those of the book; the numbers of the sextic would take a page, and stand on the web."""
+MADE_OF = (
+    "$N$ is any of the nine; $N_{n}$ that of the slope $g'=t^{n-1}$, and $N_{0}$ that of a flat punch pressed in by one"
+)
+"""What the letters of a sum say."""

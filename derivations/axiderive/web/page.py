@@ -15,9 +15,12 @@ from ..book.spread import problems_of
 from ..entry import Entry
 from ..figures.axes import SCREEN, drawn
 from ..figures.svg import Picture, svg
-from ..physics.systems import Problem
+from ..physics import subsurface
+from ..physics.systems import SYSTEMS, Problem
+from ..rows import fields
 from ..rows.approaches import Further
-from ..rows.row import Row
+from ..rows.blocks import Block
+from ..rows.row import Region, Row
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Evidence = Mapping[str, Any]
@@ -41,7 +44,8 @@ class Formula:
 def _formula(suffix: str, entry: Entry, problem: Problem, evidence: Evidence, module: Module) -> Formula:
     """One formula with its evidence in words and its call in Python."""
     functions, values = module
-    python = "\n\n".join([imported(problem), assigned(entry, values), called(problem, entry, functions)])
+    given = [assigned(entry, values)] if entry.quantity.function in values else []
+    python = "\n\n".join([imported(problem), *given, called(problem, entry, functions)])
     record = evidence.get("entries", {}).get(entry.suffix)
     if record is None:
         return Formula(suffix, False, "not verified in this edition", [], python)
@@ -109,7 +113,8 @@ def _addressed(rows: Sequence[Further], profile_id: str) -> list[tuple[str, Furt
 def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules: Mapping[str, str]) -> dict[str, Any]:
     """The model of the printed spread, with all rows of every block, what is known of their formulas, and figures."""
     problems = {problem.system.name: problem for problem in problems_of(model["name"])}
-    sections, pictures = [], figures(model)
+    sections: list[Section] = []
+    pictures = figures(model)
     for name, block in model["blocks"].items():
         shown: list[tuple[Row, list[Formula]]] = []
         if not block.words:
@@ -119,7 +124,43 @@ def page(model: Mapping[str, Any], derived: Derived, evidence: Evidence, modules
             shown = [(one, list(map(known, one.anchors, one.entries))) for one in model["rows"][name]]
         further = _addressed(block.approached, model["name"])
         sections.append((f"about.{name}", block, shown, further, pictures.get(name, ())))
+    sections += _below(model, derived, evidence, modules, pictures.get(BELOW.name, ()))
     return {**model, "sections": sections, "sketch": svg(model["picture"], UNIT) if model["picture"] else None}
+
+
+Section = tuple[str, Block, list[tuple[Row, list[Formula]]], list[tuple[str, Further]], Sequence[Picture]]
+"""Anchor, heading, rows with their formulas, rows without a key, pictures."""
+(BELOW,) = (system for system in SYSTEMS if system.physics is subsurface.PHYSICS)
+
+
+def _below(
+    model: Mapping[str, Any],
+    derived: Derived,
+    evidence: Evidence,
+    modules: Mapping[str, str],
+    pictures: Sequence[Picture],
+) -> list[Section]:
+    """The numbers below the surface: what those of a round profile are made of, with letters and formulas."""
+    problem = Problem(BELOW, model["name"])
+    if problem.key not in derived:
+        return []
+    first, *others = derived[problem.key].values()
+    own = fields.parts(problem.profile)
+    words = "edge in contact" if fields.touches_later(problem.profile) else ""
+    region = Region("", (fields.total(own) if own else fields.EVERY,))
+    row = Row(first, "formula", (region,), also=tuple(others), title=("Numbers of the profile", words))
+    # its functions give stresses, of which no number is one of the nine
+    module = signatures(modules[problem.module]), Calls()
+    known = partial(_formula, problem=problem, evidence=evidence.get(problem.key, {}), module=module)
+    further = [Further("letters", (first.key,), title, "", tex) for title, tex in fields.shorthands()]
+    further += [
+        Further("slope", (first.key,), f"$n={n}$", fields.SLOPES[n], fields.beside(line))
+        for n in own or (0,)
+        for line in fields.lines(n)
+    ]
+    block = Block(BELOW.heading, fields.MADE_OF, [], [])
+    shown = [(row, list(map(known, row.anchors, row.entries)))]
+    return [(f"about.{BELOW.name}", block, shown, _addressed(further, model["name"]), pictures)]
 
 
 UNIT = 84.0
@@ -129,5 +170,8 @@ UNIT = 84.0
 def figures(model: Mapping[str, Any]) -> dict[str, list[Picture]]:
     """The plots of a page by the system they stand with, in the order of the book."""
     found = [svg(drawn(axes, SCREEN)) for part in ("plots", "curves", "axes") for axes in model[part]]
-    found += [svg(model["stress"], 130.0)] if model["stress"] else []
-    return {model["first"]: found, "graded.normal": [svg(drawn(axes, SCREEN)) for axes in model["graded"]]}
+    return {
+        model["first"]: found,
+        "graded.normal": [svg(drawn(axes, SCREEN)) for axes in model["graded"]],
+        BELOW.name: [svg(model["stress"], 130.0)] if model["stress"] else [],
+    }

@@ -149,7 +149,7 @@ def superposed(r: Array, z: Array, pieces: Sequence[Piece]) -> Array:
     total = np.zeros((NUMBERS, r.size))
     for piece in pieces:
         shape = [np.broadcast_to(np.asarray(x, float), r.shape) for x in _arrays(piece)]
-        here = np.flatnonzero((shape[1] > shape[0]) & np.isfinite(r + z))
+        here = np.flatnonzero((shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0))
         if here.size:
             low, high, length, longest, power, sharp, *others = (x[here] for x in shape)
             own = Piece(piece.variable, low, high, piece.slope, tuple(others), length, longest, power)
