@@ -84,10 +84,11 @@ def test_what_stands_beside_a_formula_is_not_certified_if_it_is_another() -> Non
 
 
 @pytest.mark.parametrize(("name", "suffix"), [("cone", "S1"), ("cone", "W"), ("capped_cylinder", "W")])
-def test_a_region_too_many_or_too_few_is_not_certified(name: str, suffix: str) -> None:
+def test_a_region_too_many_too_few_or_another_is_not_certified(name: str, suffix: str) -> None:
     true = entries(name)
     cases = true[suffix].cases
-    for wrong in ((*cases, cases[-1]), cases[:-1]):
+    other = replace(cases[0], chain=(nt.r, *cases[0].chain))
+    for wrong in ((*cases, cases[-1]), cases[:-1], (other, *cases[1:])):
         false = replace(true[suffix], cases=wrong)
         assert not certify(ROUND.load(name), {**true, suffix: false}, suffix).proved
 
