@@ -83,6 +83,28 @@ def test_what_stands_beside_a_formula_is_not_certified_if_it_is_another() -> Non
     assert not certify(profile, {**true, "S1": replace(true["S1"], cases=true["S2"].cases)}, "D1").proved
 
 
+@pytest.mark.parametrize(("name", "suffix"), [("cone", "S1"), ("cone", "W"), ("capped_cylinder", "W")])
+def test_a_region_too_many_too_few_or_another_is_not_certified(name: str, suffix: str) -> None:
+    true = entries(name)
+    cases = true[suffix].cases
+    other = replace(cases[0], chain=(nt.r, *cases[0].chain))
+    for wrong in ((*cases, cases[-1]), cases[:-1], (other, *cases[1:])):
+        false = replace(true[suffix], cases=wrong)
+        assert not certify(ROUND.load(name), {**true, suffix: false}, suffix).proved
+
+
+@pytest.mark.parametrize("suffix", ["W", "S0", "D0"])
+def test_before_the_edge_is_reached_a_formula_must_not_name_it(suffix: str) -> None:
+    """The radius of the edge in the place of that of the contact: at equal radii both are the same formula."""
+    true = entries("capped_cylinder")
+    before = true[suffix].cases[0]
+    radius = before.chain[0]
+    false = with_formula(true[suffix], 0, before.expr.subs(radius, nt.a))
+    assert before.expr.has(radius)
+    assert not before.expr.has(nt.a)
+    assert not certify(ROUND.load("capped_cylinder"), {**true, suffix: false}, suffix).proved
+
+
 @pytest.mark.parametrize(("j", "m"), [(0, 0), (0, 3), (1, 0), (2, 1), (4, 3)])
 def test_moments_are_integrals_of_the_field_of_a_punch(j: int, m: int) -> None:
     values = {nt.r: sp.Rational(7, 10), nt.z: sp.Rational(2, 5), nt.a: sp.Rational(13, 10)}

@@ -14,7 +14,7 @@ import numpy as np
 
 import axicontact
 from axicontact._runtime.arrays.blocks import Program
-from axicontact._runtime.interface import largest
+from axicontact._runtime.interface import largest, ordinary
 from axicontact._runtime.plain import rule
 from axiderive.code.programs.blocks import Blocks
 from axiderive.code.programs.bodies import Twins
@@ -37,7 +37,7 @@ def plain(formula: Callable[..., Any]) -> Callable[..., float | None] | None:
     rules: dict[Lengths, str] = {}
     ranges = dict.fromkeys(names, (SMALL, LARGE))
     text = function("written", ranges, [], Lines(result, ranges, rules).text())
-    space = NAMES | {name: rule(lengths) for lengths, name in rules.items()}
+    space = NAMES | {"ordinary": ordinary} | {name: rule(lengths) for lengths, name in rules.items()}
     exec(text, space)
     return space["written"]
 

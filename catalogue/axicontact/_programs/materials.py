@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._runtime.interface import largest
+from .._runtime.interface import largest, ordinary
 from .._programs.bodies import materials as bodies
 
 C0 = np.array(1.0)
@@ -69,7 +69,7 @@ def graded_modulus(E_0, c_0, k, nu):
             value = bodies._graded_modulus(E_0, c_0, k, nu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(E_0) < 1000000000000.0 and (1e-12 < abs(c_0) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(nu) < 1000000000000.0):
+            if value != value and ordinary(E_0, c_0, k, nu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -82,7 +82,7 @@ def h_N(k, nu):
             value = bodies._h_N(k, nu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(k) < 1000000000000.0 and (1e-12 < abs(nu) < 1000000000000.0):
+            if value != value and ordinary(k, nu):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -84,6 +84,14 @@ class Kept:
         return result if isinstance(result, tuple) else float(result)
 
 
+NEAR, WIDE = 1e-12, 1e12
+
+
+def ordinary(*given: float) -> bool:
+    """Whether arguments leave the range nowhere: where a body over plain numbers has no value, there is none."""
+    return all([NEAR < abs(own) < WIDE for own in given])
+
+
 def largest(block: Array) -> float:
     """The largest value, infinity if one is not finite or has its sign set: the bits of doubles have their order."""
     bits = np.maximum.reduce(block.view(np.uint64))

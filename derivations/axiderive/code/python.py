@@ -91,7 +91,10 @@ def parameter_names(derived: Derived) -> set[str]:
     unbound = {coefficients, e}  # a sequence, and a place between the edges of the strip
     found = set()
     for key, entries in derived.items():
-        loaded = problem(key).system.physics.laws
+        physics = problem(key).system.physics
+        loaded = physics.laws
+        # fields below the surface take what the entries, their sums, do not hold
+        found |= {parameter_name(symbol) for symbol in physics.material}
         for entry in entries.values():
             # a depth or a load that is held is a keyword beside the time
             held = entry.quantity.arguments[1:] if loaded else ()

@@ -354,11 +354,13 @@ def stresses() -> list[Line]:
     draw = random.Random(37)
     s, d = [[draw.uniform(0.2, 2.0) for _ in range(4)] for _ in range(2)]
     known = {name: draw.uniform(0.2, 2.0) for name in ("r", "z", "W", "varphi")} | {"nu": 0.29, "E*": 1.7, "mu": 0.31}
-    eleven = [*s, *d, s[0] + d[0], s[0] - d[0] / 2, known["W"]]
+    # equilibrium, by which the functions take some of their sums
+    d[2] = 2 * known["z"] * s[1] / known["r"] - d[0]
+    twelve = [*s, *d, s[0] + d[0], s[0] - (d[0] + d[2]) / 2, known["r"] * (s[0] + s[2]) / 2, known["W"]]
     scale, nu = known["E*"] / math.pi, known["nu"]
-    pressed = fields.Stress(*fields.normal_stress(eleven, nu, scale))
-    sliding = fields.SlidingStress(*fields.frictional_stress(eleven, known["varphi"], nu, known["mu"] * scale))
-    moved = fields.Displacement(*fields.normal_displacement(eleven, known["r"], known["z"], nu))
+    pressed = fields.Stress(*fields.normal_stress(twelve, nu, scale))
+    sliding = fields.SlidingStress(*fields.frictional_stress(twelve, known["varphi"], nu, known["mu"] * scale))
+    moved = fields.Displacement(*fields.normal_displacement(twelve, known["z"], nu))
     names = {f"{letter}_{i}": value for letter, row in (("S", s), ("D", d)) for i, value in enumerate(row)}
     found = []
     for (title, _, rows), own in zip(front.stress_rows(), (pressed, moved, sliding), strict=True):

@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import capped_paraboloid as bodies
 
@@ -147,7 +147,7 @@ def displacement(r, a, R1, R2, b, E_star, dgamma):
             value = v179 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v24) if v178 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -321,7 +321,7 @@ def pressure(r, a, R1, R2, b, E_star, dgamma):
             value = v98 - v116
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -335,7 +335,7 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R1, R2, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(R1) < 1000000000000.0 and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(R1, R2, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -348,7 +348,7 @@ def radius_from_depth(d, R1, R2, b, E_star, dgamma):
             value = bodies._radius_from_depth(d, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -361,7 +361,7 @@ def radius_from_force(F, R1, R2, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R1, R2, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

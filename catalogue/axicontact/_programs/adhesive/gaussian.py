@@ -6,7 +6,7 @@ from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import gaussian as bodies
 
@@ -222,7 +222,7 @@ def displacement(r, a, h, s, E_star, dgamma):
             value = v146 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * v12 if v144 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -252,7 +252,7 @@ def force(a, h, s, E_star, dgamma):
             value = v81 - v6 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, h, s, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -294,7 +294,7 @@ def pressure(r, a, h, s, E_star, dgamma):
             value = v95 - v108
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -308,7 +308,7 @@ def pull_off_radius(h, s, E_star, dgamma, control):
             value = bodies._pull_off_radius(h, s, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(h) < 1000000000000.0 and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(h, s, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -321,7 +321,7 @@ def radius_from_depth(d, h, s, E_star, dgamma):
             value = bodies._radius_from_depth(d, h, s, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, h, s, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -334,7 +334,7 @@ def radius_from_force(F, h, s, E_star, dgamma):
             value = bodies._radius_from_force(F, h, s, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, h, s, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import hyperboloid as bodies
 
@@ -113,7 +113,7 @@ def displacement(r, a, theta, b, E_star, dgamma):
             value = v81 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v16) if v80 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -310,7 +310,7 @@ def pressure(r, a, theta, b, E_star, dgamma):
             value = v62 - v75
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -324,7 +324,7 @@ def pull_off_radius(theta, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(theta) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -337,7 +337,7 @@ def radius_from_depth(d, theta, b, E_star, dgamma):
             value = bodies._radius_from_depth(d, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -350,7 +350,7 @@ def radius_from_force(F, theta, b, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..._runtime.interface import ordinary
 from ..._programs.bodies.adhesive import polynomial as bodies
 
 
@@ -11,7 +12,7 @@ def depth(a, E_star, dgamma, A):
             value = bodies._depth(a, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def displacement(r, a, E_star, dgamma, A):
             value = bodies._displacement(r, a, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -37,7 +38,7 @@ def force(a, E_star, dgamma, A):
             value = bodies._force(a, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -50,7 +51,7 @@ def pressure(r, a, E_star, dgamma, A):
             value = bodies._pressure(r, a, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -63,7 +64,7 @@ def pull_off_radius(E_star, dgamma, A, control):
             value = bodies._pull_off_radius(A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(E_star) < 1000000000000.0 and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -76,7 +77,7 @@ def radius_from_depth(d, E_star, dgamma, A):
             value = bodies._radius_from_depth(d, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -89,7 +90,7 @@ def radius_from_force(F, E_star, dgamma, A):
             value = bodies._radius_from_force(F, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

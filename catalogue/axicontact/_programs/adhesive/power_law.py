@@ -6,7 +6,7 @@ from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import power_law as bodies
 
@@ -227,7 +227,7 @@ def displacement(r, a, A, n, E_star, dgamma):
             value = v129 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, sqrt((v76 if v76 > 0.0 or v76 != v76 else 0.0) * (r + a))) if v128 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -455,7 +455,7 @@ def pressure(r, a, A, n, E_star, dgamma):
             value = v143 - v161
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -469,7 +469,7 @@ def pull_off_depth(a, A, n, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -482,7 +482,7 @@ def pull_off_force(a, A, n, E_star, dgamma, control):
             value = bodies._pull_off_force(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -495,7 +495,7 @@ def pull_off_radius(A, n, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(A) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -508,7 +508,7 @@ def radius_from_depth(d, A, n, E_star, dgamma):
             value = bodies._radius_from_depth(d, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -521,7 +521,7 @@ def radius_from_force(F, A, n, E_star, dgamma):
             value = bodies._radius_from_force(F, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

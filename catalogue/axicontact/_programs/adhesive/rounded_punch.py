@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import rounded_punch as bodies
 
@@ -218,7 +218,7 @@ def displacement(r, a, R, b, E_star, dgamma):
             value = v135 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v22) if v132 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -434,7 +434,7 @@ def pressure(r, a, R, b, E_star, dgamma):
             value = v76 - v94
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -448,7 +448,7 @@ def pull_off_radius(R, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(R, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -461,7 +461,7 @@ def radius_from_depth(d, R, b, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, R, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -474,7 +474,7 @@ def radius_from_force(F, R, b, E_star, dgamma):
             value = bodies._radius_from_force(F, R, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

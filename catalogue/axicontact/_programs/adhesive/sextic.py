@@ -6,7 +6,7 @@ from math import atan2, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.adhesive import sextic as bodies
 
 C0 = np.array(6.0)
@@ -652,7 +652,7 @@ def pull_off_depth(a, A, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -665,7 +665,7 @@ def pull_off_force(a, A, E_star, dgamma, control):
             value = bodies._pull_off_force(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -678,7 +678,7 @@ def pull_off_radius(A, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(A) < 1000000000000.0 and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -691,7 +691,7 @@ def radius_from_depth(d, A, E_star, dgamma):
             value = bodies._radius_from_depth(d, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -704,7 +704,7 @@ def radius_from_force(F, A, E_star, dgamma):
             value = bodies._radius_from_force(F, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

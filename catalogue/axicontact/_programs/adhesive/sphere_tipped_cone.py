@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, exp, expm1, fsum, inf, log1p, nextafter, sin
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.adhesive import sphere_tipped_cone as bodies
 
@@ -246,7 +246,7 @@ def displacement(r, a, R, theta, E_star, dgamma):
             value = v203 - sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star) * (0.6366197723675814 * atan2(a, v92) if v202 else 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -290,7 +290,7 @@ def force(a, R, theta, E_star, dgamma):
             value = E_star * (v22 * v22 * v30 + R * R * v76) + v80 * v131 - v80 * a * (sqrt(a) * sqrt(6.283185307179586 * dgamma / E_star))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, R, theta, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -388,7 +388,7 @@ def pressure(r, a, R, theta, E_star, dgamma):
             value = v233 - v251
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta, E_star, dgamma):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -402,7 +402,7 @@ def pull_off_radius(R, theta, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -415,7 +415,7 @@ def radius_from_depth(d, R, theta, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -428,7 +428,7 @@ def radius_from_force(F, R, theta, E_star, dgamma):
             value = bodies._radius_from_force(F, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.adhesive import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -579,7 +579,7 @@ def displacement(r, a, R, h, wavelength, E_star, dgamma):
             value = bodies._displacement(r, a, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1330,7 +1330,7 @@ def pressure(r, a, R, h, wavelength, E_star, dgamma):
             value = bodies._pressure(r, a, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1343,7 +1343,7 @@ def pull_off_radius(R, h, wavelength, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, h, wavelength, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(R) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1356,7 +1356,7 @@ def radius_from_depth(d, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1369,7 +1369,7 @@ def radius_from_force(F, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_force(F, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..._runtime.interface import ordinary
 from ..._programs.bodies.loads import power as bodies
 
 
@@ -11,7 +12,7 @@ def displacement(r, a, p_0, s, E_star):
             value = bodies._displacement(r, a, p_0, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(p_0) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, p_0, s, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

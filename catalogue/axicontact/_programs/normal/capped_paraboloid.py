@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import capped_paraboloid as bodies
 
@@ -94,7 +94,7 @@ def depth_from_force(F, R1, R2, b, E_star):
             value = bodies._depth_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -144,7 +144,7 @@ def displacement(r, a, R1, R2, b):
                 value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v95 * (((((((((-0.7327347664453868 * v95 + -32.15553480435792) * v95 + -332.23363563146734) * v95 + -1070.7082873491413) * v95 + -85.27694715374247) * v95 + 5044.821368830373) * v95 + 8082.413158212496) * v95 + 3759.725330928701) * v95 + 0.26666666666720995) / ((((((((0.21387262524856868 * v95 + 32.12935731379798) * v95 + 746.8124983579742) * v95 + 6202.125133759036) * v95 + 23553.080984642995) * v95 + 44404.005348491315) * v95 + 40380.01430284195) * v95 + 14099.684276696918) * v95 + 1.0)))) + 0.6366197723675814 * v82
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b):
                     return value
                 return None
             v167 = 2.0 * R1
@@ -254,7 +254,7 @@ def force_from_depth(d, R1, R2, b, E_star):
             value = bodies._force_from_depth(d, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -399,7 +399,7 @@ def pressure(r, a, R1, R2, b, E_star):
                 value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v87
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star):
                     return value
                 return None
             return 0.0
@@ -484,7 +484,7 @@ def radius_from_depth(d, R1, R2, b):
             value = bodies._radius_from_depth(d, R1, R2, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -497,7 +497,7 @@ def radius_from_force(F, R1, R2, b, E_star):
             value = bodies._radius_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, pow, s
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(np.nan)
@@ -145,13 +145,13 @@ def depth_from_force(F, a, h, n, E_star):
                 value = F / (2.0 * E_star * a) - 1.7724538509055159 * h / v390 * v69
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(F, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -303,19 +303,19 @@ def displacement(r, d, a, h, n):
                     value = 2.0 * d * atan2(a, sqrt(v70 * (a + r))) / 3.141592653589793 + 2.0 * h / 1.7724538509055159 * (a / r * v116) * v69
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n):
                         return value
                     return None
                 value = d - (-h * pow(r / a, n) if r <= a else nan)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -452,13 +452,13 @@ def force(d, a, h, n, E_star):
                 value = 2.0 * E_star * a * (d + v393 / (n + 1.0) * v69)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(d, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -592,7 +592,7 @@ def minimum_depth(h, n, a=1.0):
             value = 1.7724538509055159 * h * ((v326 * (v326 + 1.0) / v332 if v326 < 1.0 else 1.0 - (v326 + 0.75) / v332) * sqrt(v328) * (1.0 + v345 * (((((((0.01524698625788054 * v345 + 0.5334320651111477) * v345 + 2.250488865813539) * v345 + 2.8612106440066865) * v345 + 1.3794681629043655) * v345 + 0.2596058532893223) * v345 + 0.015624999999999823) / ((((((3.278794792785737 * v345 + 49.328555418276075) * v345 + 167.28648538571198) * v345 + 195.37226190335065) * v345 + 90.69722535867314) * v345 + 16.763212110504565) * v345 + 1.0)))) / (n * v324 - 1.0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(h) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0):
+            if value != value and ordinary(h, n, a):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -726,7 +726,7 @@ def minimum_force(a, h, n, E_star):
             value = 3.5449077018110318 * E_star * n * h * (v326 + 1.0) * a * ((v328 * (v328 + 1.0) / v334 if v328 < 1.0 else 1.0 - (v328 + 0.75) / v334) * sqrt(v330) * (1.0 + v347 * (((((((0.01524698625788054 * v347 + 0.5334320651111477) * v347 + 2.250488865813539) * v347 + 2.8612106440066865) * v347 + 1.3794681629043655) * v347 + 0.2596058532893223) * v347 + 0.015624999999999823) / ((((((3.278794792785737 * v347 + 49.328555418276075) * v347 + 167.28648538571198) * v347 + 195.37226190335065) * v347 + 90.69722535867314) * v347 + 16.763212110504565) * v347 + 1.0)))) / ((n + 1.0) * (n * v326 - 1.0))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -894,19 +894,19 @@ def pressure(r, d, a, h, n, E_star):
                     value = E_star * (d / (3.141592653589793 * v74) + h * v70 / (1.7724538509055159 * v74) - n * h * v141 * v70 / (1.7724538509055159 * a))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
                         return value
                     return None
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -1108,7 +1108,7 @@ def zero_radius(a, n, h=1.0):
             value = a * v323
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
+            if value != value and ordinary(a, n, h):
                 return value
             return None
         except (ArithmeticError, ValueError):

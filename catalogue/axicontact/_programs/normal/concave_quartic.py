@@ -6,7 +6,7 @@ from math import atan2, exp, expm1, fsum, inf, isfinite, log, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(np.nan)
@@ -109,7 +109,7 @@ def displacement(r, d, a, h):
                     value = 0.6366197723675814 * (d * atan2(a, sqrt(v4 * (r + a))) + 8.0 * h / 3.0 * (a / r * v48))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h):
                         return value
                     return None
                 if r <= a:
@@ -121,7 +121,7 @@ def displacement(r, d, a, h):
                 value = d - v64
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h):
                     return value
                 return None
             return nan

@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import ellipsoid as bodies
 
@@ -100,7 +100,7 @@ def depth_from_force(F, h, b, E_star):
             value = bodies._depth_from_force(F, h, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, h, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -144,7 +144,7 @@ def displacement(r, a, h, b):
                     value = 0.6366197723675814 * v69
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, b):
                         return value
                     return None
                 v79 = r / b
@@ -296,7 +296,7 @@ def force_from_depth(d, h, b, E_star):
             value = bodies._force_from_depth(d, h, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, h, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -978,7 +978,7 @@ def radius_from_depth(d, h, b):
             value = bodies._radius_from_depth(d, h, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, h, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -991,7 +991,7 @@ def radius_from_force(F, h, b, E_star):
             value = bodies._radius_from_force(F, h, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, h, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import gaussian as bodies
 
@@ -176,7 +176,7 @@ def depth_from_force(F, h, s, E_star):
             value = bodies._depth_from_force(F, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, h, s, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -206,7 +206,7 @@ def displacement(r, a, h, s):
                     value = 0.6366197723675814 * (r * v84)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s):
                         return value
                     return None
                 if v91:
@@ -219,7 +219,7 @@ def displacement(r, a, h, s):
                 value = v133 - -h * expm1(-(r * r) / (s * s))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s):
                     return value
                 return None
             return nan
@@ -246,7 +246,7 @@ def force(a, h, s, E_star):
                 value = 2.0 * E_star * v74
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(a, h, s, E_star):
                     return value
                 return None
             return nan
@@ -261,7 +261,7 @@ def force_from_depth(d, h, s, E_star):
             value = bodies._force_from_depth(d, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, h, s, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -290,7 +290,7 @@ def mean_pressure(a, h, s, E_star):
                 value = v82 / (3.141592653589793 * (a * a))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(a, h, s, E_star):
                     return value
                 return None
             return 0.0
@@ -322,7 +322,7 @@ def pressure(r, a, h, s, E_star):
                     value = E_star / 3.141592653589793 * v84
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s, E_star):
                         return value
                     return None
                 return 0.0
@@ -384,7 +384,7 @@ def radius_from_depth(d, h, s):
             value = bodies._radius_from_depth(d, h, s)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0):
+            if value != value and ordinary(d, h, s):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -397,7 +397,7 @@ def radius_from_force(F, h, s, E_star):
             value = bodies._radius_from_force(F, h, s, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, h, s, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

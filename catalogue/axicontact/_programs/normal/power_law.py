@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, hypot, inf, isfinite, log, log1
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(0.5)
@@ -419,13 +419,13 @@ def displacement(r, a, A, n):
                 value = 2.0 * A / 1.7724538509055159 * v72 * v117 * v68
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n):
                     return value
                 return None
             value = 1.7724538509055159 * A * v72 * v68 - A * pow(r, n)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -1039,7 +1039,7 @@ def peak_pressure(a, A, n, E_star):
                 value = E_star * n * A * v195 / (1.7724538509055159 * v199) * (pow(a, n) / a if a > 0.0 else pow(a, v199)) * ((v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(a, A, n, E_star):
                     return value
                 return None
             return inf
@@ -1126,7 +1126,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
             value = a * v132
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(a, n, A, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -1175,7 +1175,7 @@ def pressure(r, a, A, n, E_star):
                 value = E_star * n * A / 1.7724538509055159 * (pow(a, n) / a if a > 0.0 else pow(a, v78)) * v138 * ((v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n, E_star):
                     return value
                 return None
             return 0.0

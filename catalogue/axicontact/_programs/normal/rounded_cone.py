@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_cone as bodies
 
@@ -104,7 +104,7 @@ def depth_from_force(F, theta, b, E_star):
             value = bodies._depth_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -150,7 +150,7 @@ def displacement(r, a, theta, b):
                 value = 2.0 * v61 / (3.141592653589793 * b) * (v4 * v4) * (v4 / r * (0.6666666666666666 + v90 * (((((((((-0.7327347664453868 * v90 + -32.15553480435792) * v90 + -332.23363563146734) * v90 + -1070.7082873491413) * v90 + -85.27694715374247) * v90 + 5044.821368830373) * v90 + 8082.413158212496) * v90 + 3759.725330928701) * v90 + 0.26666666666720995) / ((((((((0.21387262524856868 * v90 + 32.12935731379798) * v90 + 746.8124983579742) * v90 + 6202.125133759036) * v90 + 23553.080984642995) * v90 + 44404.005348491315) * v90 + 40380.01430284195) * v90 + 14099.684276696918) * v90 + 1.0)))) + 0.6366197723675814 * v76
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b):
                     return value
                 return None
             if a < b:
@@ -272,7 +272,7 @@ def force_from_depth(d, theta, b, E_star):
             value = bodies._force_from_depth(d, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -415,7 +415,7 @@ def pressure(r, a, theta, b, E_star):
                 value = (2.0 * E_star * v13 / (3.141592653589793 * b) * sqrt((v5 - r) * (v5 + r)) if r < v5 else 0.0) + E_star / 3.141592653589793 * v82
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star):
                     return value
                 return None
             return 0.0
@@ -494,7 +494,7 @@ def radius_from_depth(d, theta, b):
             value = bodies._radius_from_depth(d, theta, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, theta, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -507,7 +507,7 @@ def radius_from_force(F, theta, b, E_star):
             value = bodies._radius_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

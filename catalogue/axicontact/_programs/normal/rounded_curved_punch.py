@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_curved_punch as bodies
 
@@ -188,7 +188,7 @@ def depth_from_force(F, R1, R2, b, E_star):
             value = bodies._depth_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -233,7 +233,7 @@ def displacement(r, a, R1, R2, b):
                 value = 2.0 * (v5 * v5) / (3.141592653589793 * R1) * (v5 / r * (0.6666666666666666 + v91 * (((((((((-0.7327347664453868 * v91 + -32.15553480435792) * v91 + -332.23363563146734) * v91 + -1070.7082873491413) * v91 + -85.27694715374247) * v91 + 5044.821368830373) * v91 + 8082.413158212496) * v91 + 3759.725330928701) * v91 + 0.26666666666720995) / ((((((((0.21387262524856868 * v91 + 32.12935731379798) * v91 + 746.8124983579742) * v91 + 6202.125133759036) * v91 + 23553.080984642995) * v91 + 44404.005348491315) * v91 + 40380.01430284195) * v91 + 14099.684276696918) * v91 + 1.0)))) + 0.6366197723675814 * v78
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b):
                     return value
                 return None
             if a < b:
@@ -250,7 +250,7 @@ def displacement(r, a, R1, R2, b):
             value = v202 - (v206 if r < b else v206 + v6 * v6 / (2.0 * R2))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -440,7 +440,7 @@ def force_from_depth(d, R1, R2, b, E_star):
             value = bodies._force_from_depth(d, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -658,7 +658,7 @@ def pressure(r, a, R1, R2, b, E_star):
                 value = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v6 - r) * (v6 + r)) if r < v6 else 0.0) + E_star / 3.141592653589793 * v83
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star):
                     return value
                 return None
             return 0.0
@@ -740,7 +740,7 @@ def radius_from_depth(d, R1, R2, b):
             value = bodies._radius_from_depth(d, R1, R2, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -753,7 +753,7 @@ def radius_from_force(F, R1, R2, b, E_star):
             value = bodies._radius_from_force(F, R1, R2, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

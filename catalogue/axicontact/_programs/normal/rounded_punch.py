@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import rounded_punch as bodies
 
@@ -202,7 +202,7 @@ def depth_from_force(F, R, b, E_star):
             value = bodies._depth_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -245,7 +245,7 @@ def displacement(r, a, R, b):
                     value = 0.6366197723675814 * v73
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b):
                         return value
                     return None
                 v77 = v11 / b
@@ -257,7 +257,7 @@ def displacement(r, a, R, b):
                 value = v62 * a * v121 - (0.0 if r < b else v4 * v4 / (2.0 * R))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b):
                     return value
                 return None
             return nan
@@ -411,7 +411,7 @@ def force_from_depth(d, R, b, E_star):
             value = bodies._force_from_depth(d, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -595,7 +595,7 @@ def peak_pressure(a, R, b, E_star):
                     value = E_star / 3.141592653589793 * v175
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if value != value and ordinary(a, R, b, E_star):
                         return value
                     return None
                 return a
@@ -886,7 +886,7 @@ def pressure(r, a, R, b, E_star):
                     value = E_star / 3.141592653589793 * v67
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star):
                         return value
                     return None
                 return 0.0
@@ -960,7 +960,7 @@ def radius_from_depth(d, R, b):
             value = bodies._radius_from_depth(d, R, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, R, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -973,7 +973,7 @@ def radius_from_force(F, R, b, E_star):
             value = bodies._radius_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, log1p, nan, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import sphere as bodies
 
@@ -96,7 +96,7 @@ def depth_from_force(F, R, E_star):
             value = bodies._depth_from_force(F, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -140,7 +140,7 @@ def displacement(r, a, R):
                     value = 0.6366197723675814 * v66
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R):
                         return value
                     return None
                 return a * (log1p(2.0 * a / (R - a)) / 2.0) - r * r / (sqrt(v47 * v39) + R)
@@ -289,7 +289,7 @@ def force_from_depth(d, R, E_star):
             value = bodies._force_from_depth(d, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -957,7 +957,7 @@ def radius_from_depth(d, R):
             value = bodies._radius_from_depth(d, R)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0):
+            if value != value and ordinary(d, R):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -970,7 +970,7 @@ def radius_from_force(F, R, E_star):
             value = bodies._radius_from_force(F, R, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

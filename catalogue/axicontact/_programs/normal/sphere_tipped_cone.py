@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, exp, expm1, fsum, inf, log1p, nextafter, sin
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import sphere_tipped_cone as bodies
 
@@ -153,7 +153,7 @@ def depth_from_force(F, R, theta, E_star):
             value = bodies._depth_from_force(F, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, theta, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -232,7 +232,7 @@ def displacement(r, a, R, theta):
                 value = 0.6366197723675814 * (v70 + v156)
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta):
                     return value
                 return None
             v162 = R - a
@@ -245,7 +245,7 @@ def displacement(r, a, R, theta):
             value = v187 - (r * r / (sqrt(v51 * v43) + R) if r < v5 else v5 * (v75 / v126 + v5 / v131))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -288,7 +288,7 @@ def force(a, R, theta, E_star):
             value = E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(a, R, theta, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -302,7 +302,7 @@ def force_from_depth(d, R, theta, E_star):
             value = bodies._force_from_depth(d, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R, theta, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -345,7 +345,7 @@ def mean_pressure(a, R, theta, E_star):
                 value = (E_star * (v22 * v22 * v30 + R * R * v76) + 2.0 * E_star * v131) / (3.141592653589793 * (a * a))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(a, R, theta, E_star):
                     return value
                 return None
             return 0.0
@@ -431,7 +431,7 @@ def pressure(r, a, R, theta, E_star):
                 value = v150 + v25 * v228
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta, E_star):
                     return value
                 return None
             return 0.0
@@ -532,7 +532,7 @@ def radius_from_depth(d, R, theta):
             value = bodies._radius_from_depth(d, R, theta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0):
+            if value != value and ordinary(d, R, theta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -545,7 +545,7 @@ def radius_from_force(F, R, theta, E_star):
             value = bodies._radius_from_force(F, R, theta, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, theta, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

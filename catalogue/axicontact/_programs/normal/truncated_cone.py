@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import truncated_cone as bodies
 
@@ -69,7 +69,7 @@ def depth_from_force(F, theta, b, E_star):
             value = bodies._depth_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -113,7 +113,7 @@ def displacement(r, a, theta, b):
                     value = 0.6366197723675814 * v73
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b):
                         return value
                     return None
                 return v60 * a * atan(sqrt(v11 * v13) / b) - (0.0 if r < b else v60 * v4)
@@ -185,7 +185,7 @@ def force_from_depth(d, theta, b, E_star):
             value = bodies._force_from_depth(d, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -289,7 +289,7 @@ def pressure(r, a, theta, b, E_star):
                     value = E_star / 3.141592653589793 * v68
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star):
                         return value
                     return None
                 return 0.0
@@ -360,7 +360,7 @@ def radius_from_depth(d, theta, b):
             value = bodies._radius_from_depth(d, theta, b)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+            if value != value and ordinary(d, theta, b):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -373,7 +373,7 @@ def radius_from_force(F, theta, b, E_star):
             value = bodies._radius_from_force(F, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

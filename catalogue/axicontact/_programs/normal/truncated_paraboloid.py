@@ -6,7 +6,7 @@ from math import asinh, atan2, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.normal import truncated_paraboloid as bodies
 
@@ -66,7 +66,7 @@ def depth_from_force(F, R, b, E_star):
             value = bodies._depth_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -110,7 +110,7 @@ def displacement(r, a, R, b):
                     value = 0.6366197723675814 * v73
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b):
                         return value
                     return None
                 return a * sqrt(v11 * v13) / R - (0.0 if r < b else v4 * v7 / (2.0 * R))
@@ -181,7 +181,7 @@ def force_from_depth(d, R, b, E_star):
             value = bodies._force_from_depth(d, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -290,7 +290,7 @@ def pressure(r, a, R, b, E_star):
                     value = E_star / 3.141592653589793 * v67
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star):
                         return value
                     return None
                 return 0.0
@@ -427,7 +427,7 @@ def radius_from_force(F, R, b, E_star):
             value = bodies._radius_from_force(F, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.normal import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -568,7 +568,7 @@ def depth_from_force(F, R, h, wavelength, E_star):
             value = bodies._depth_from_force(F, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, h, wavelength, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -581,7 +581,7 @@ def displacement(r, a, R, h, wavelength):
             value = bodies._displacement(r, a, R, h, wavelength)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, h, wavelength):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1314,7 +1314,7 @@ def force_from_depth(d, R, h, wavelength, E_star):
             value = bodies._force_from_depth(d, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(d, R, h, wavelength, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -2064,7 +2064,7 @@ def pressure(r, a, R, h, wavelength, E_star):
             value = bodies._pressure(r, a, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, h, wavelength, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -2130,7 +2130,7 @@ def radius_from_depth(d, R, h, wavelength):
             value = bodies._radius_from_depth(d, R, h, wavelength)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0):
+            if value != value and ordinary(d, R, h, wavelength):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -2143,7 +2143,7 @@ def radius_from_force(F, R, h, wavelength, E_star):
             value = bodies._radius_from_force(F, R, h, wavelength, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(F, R, h, wavelength, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import exp, expm1, fsum, inf, isfinite, log, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(np.nan)
@@ -168,19 +168,19 @@ def depth(L, P, a, h, n, E_star):
                     value = 2.0 * P * log1p((v6 + sqrt(v6 * (a + L))) / a) / (3.141592653589793 * E_star) - h * L * (v127 / L) / (1.7724538509055159 * ((v21 * (v21 + 1.0) / v28 if v21 < 1.0 else 1.0 - (v21 + 0.75) / v28) * sqrt(v23) * (1.0 + v41 * (((((((0.01524698625788054 * v41 + 0.5334320651111477) * v41 + 2.250488865813539) * v41 + 2.8612106440066865) * v41 + 1.3794681629043655) * v41 + 0.2596058532893223) * v41 + 0.015624999999999823) / ((((((3.278794792785737 * v41 + 49.328555418276075) * v41 + 167.28648538571198) * v41 + 195.37226190335065) * v41 + 90.69722535867314) * v41 + 16.763212110504565) * v41 + 1.0)))))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if value != value and ordinary(L, P, a, h, n, E_star):
                         return value
                     return None
                 value = nan
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(L, P, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(L, P, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -314,7 +314,7 @@ def minimum_load(h, n, E_star, a=1.0):
             value = 1.7724538509055159 * E_star * n * h / (2.0 * (n * v387 - 1.0) * ((v6 * (v6 + 1.0) / v12 if v6 < 1.0 else 1.0 - (v6 + 0.75) / v12) * sqrt(v8) * (1.0 + v26 * (((((((0.01524698625788054 * v26 + 0.5334320651111477) * v26 + 2.250488865813539) * v26 + 2.8612106440066865) * v26 + 1.3794681629043655) * v26 + 0.2596058532893223) * v26 + 0.015624999999999823) / ((((((3.278794792785737 * v26 + 49.328555418276075) * v26 + 167.28648538571198) * v26 + 195.37226190335065) * v26 + 90.69722535867314) * v26 + 16.763212110504565) * v26 + 1.0)))))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(h) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0):
+            if value != value and ordinary(h, n, E_star, a):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -485,19 +485,19 @@ def pressure(x, P, a, h, n, E_star):
                     value = P / (3.141592653589793 * v9) + E_star * n * h * (1.0 / v9 - n * v138 / a) / (3.5449077018110318 * ((v16 * (v16 + 1.0) / v23 if v16 < 1.0 else 1.0 - (v16 + 0.75) / v23) * sqrt(v18) * (1.0 + v36 * (((((((0.01524698625788054 * v36 + 0.5334320651111477) * v36 + 2.250488865813539) * v36 + 2.8612106440066865) * v36 + 1.3794681629043655) * v36 + 0.2596058532893223) * v36 + 0.015624999999999823) / ((((((3.278794792785737 * v36 + 49.328555418276075) * v36 + 167.28648538571198) * v36 + 195.37226190335065) * v36 + 90.69722535867314) * v36 + 16.763212110504565) * v36 + 1.0)))))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                         return value
                     return None
                 value = 0.0
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -716,25 +716,25 @@ def slope(x, P, a, h, n, E_star):
                         value = -2.0 * P / (3.141592653589793 * E_star * v9) + n * h * (v124 / x - 1.0 / v9) / (1.7724538509055159 * ((v19 * (v19 + 1.0) / v26 if v19 < 1.0 else 1.0 - (v19 + 0.75) / v26) * sqrt(v21) * (1.0 + v39 * (((((((0.01524698625788054 * v39 + 0.5334320651111477) * v39 + 2.250488865813539) * v39 + 2.8612106440066865) * v39 + 1.3794681629043655) * v39 + 0.2596058532893223) * v39 + 0.015624999999999823) / ((((((3.278794792785737 * v39 + 49.328555418276075) * v39 + 167.28648538571198) * v39 + 195.37226190335065) * v39 + 90.69722535867314) * v39 + 16.763212110504565) * v39 + 1.0)))))
                         if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                             return value
-                        if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                        if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                             return value
                         return None
                     value = 0.0
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                         return value
                     return None
                 value = -(-n * h * (pow(x, n) / x if x > 0.0 else pow(x, n - 1.0)) / pow(a, n))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                     return value
                 return None
             value = nan
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(P) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if (value != value or (value == 0.0 and x > a)) and ordinary(x, P, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -864,7 +864,7 @@ def zero_distance(a, n, h=1.0):
             value = a * v323
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0):
+            if value != value and ordinary(a, n, h):
                 return value
             return None
         except (ArithmeticError, ValueError):

@@ -6,7 +6,7 @@ from math import exp, expm1, fsum, inf, isfinite, log, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(2.0)
@@ -69,7 +69,7 @@ def depth(L, a, A, n):
                     value = A * pow(a, n) * (L * (v118 / L) + n * log1p((v69 + sqrt(v69 * (a + L))) / a)) / (1.7724538509055159 * ((v7 * (v7 + 1.0) / v14 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v14) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                    if value != value and ordinary(L, a, A, n):
                         return value
                     return None
                 return 0.0
@@ -459,7 +459,7 @@ def pressure(x, a, A, n, E_star):
                 value = E_star * (n * n) * A * (pow(a, n) / a if a > 0.0 else pow(a, v77)) * v137 / (3.5449077018110318 * ((v8 * (v8 + 1.0) / v15 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v15) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, A, n, E_star):
                     return value
                 return None
             return 0.0
@@ -535,13 +535,13 @@ def slope(x, a, A, n):
                 value = -n * A * pow(a, n) * (v117 / x) / (1.7724538509055159 * ((v7 * (v7 + 1.0) / v14 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v14) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))))
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, A, n):
                     return value
                 return None
             value = -(n * A * (pow(x, n) / x if x > 0.0 else pow(x, n - 1.0)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0):
+            if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, A, n):
                 return value
             return None
         except (ArithmeticError, ValueError):

@@ -6,7 +6,7 @@ from math import asinh, atan, exp, expm1, fsum, inf, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.plane import rounded_punch as bodies
 
@@ -56,7 +56,7 @@ def depth(L, a, R, b):
                         value = 0.6366197723675814 * v76
                         if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                             return value
-                        if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                        if value != value and ordinary(L, a, R, b):
                             return value
                         return None
                     if v34:
@@ -75,7 +75,7 @@ def half_width_from_load(P, R, b, E_star):
             value = bodies._half_width_from_load(P, R, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(P) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(P, R, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -103,7 +103,7 @@ def load(a, R, b, E_star):
                 value = E_star * v43
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if value != value and ordinary(a, R, b, E_star):
                     return value
                 return None
             return E_star / (2.0 * R) * (a * a * atan(v11) - b * v10)
@@ -147,7 +147,7 @@ def pressure(x, a, R, b, E_star):
                     value = E_star / 3.141592653589793 * v65
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, R, b, E_star):
                         return value
                     return None
                 return 0.0
@@ -246,7 +246,7 @@ def slope(x, a, R, b):
                     value = -0.6366197723675814 * v71
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
-                    if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                    if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, R, b):
                         return value
                     return None
                 return -((x - b) / R if x > b else 0.0)

@@ -6,7 +6,7 @@ from math import asinh, atan, exp, expm1, fsum, inf, log1p, nan, nextafter, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.plane import rounded_wedge as bodies
 
@@ -64,7 +64,7 @@ def depth(L, a, theta, b):
                         value = v12 * (v4 * v4) * (L / (v8 + L) + log1p((v5 + v8) / v4)) + 0.6366197723675814 * v94
                         if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                             return value
-                        if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                        if value != value and ordinary(L, a, theta, b):
                             return value
                         return None
                     if v52:
@@ -83,7 +83,7 @@ def half_width_from_load(P, theta, b, E_star):
             value = bodies._half_width_from_load(P, theta, b, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(P) < 1000000000000.0 and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+            if value != value and ordinary(P, theta, b, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -215,7 +215,7 @@ def pressure(x, a, theta, b, E_star):
                 value = (E_star * v10 / (2.0 * b) * sqrt((v5 - x) * (v5 + x)) if x < v5 else 0.0) + E_star / 3.141592653589793 * v76
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, theta, b, E_star):
                     return value
                 return None
             return 0.0
@@ -327,7 +327,7 @@ def slope(x, a, theta, b):
                 value = -v10 * (v4 * v4) / (b * (sqrt((x - v4) * (v4 + x)) + x)) - 0.6366197723675814 * v84
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
-                if (value != value or (value == 0.0 and x > a)) and 1e-12 < abs(x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                if (value != value or (value == 0.0 and x > a)) and ordinary(x, a, theta, b):
                     return value
                 return None
             return -(v10 if x > b else v78 * x)

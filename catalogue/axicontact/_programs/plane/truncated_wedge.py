@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 
 C0 = np.array(2.0)
@@ -64,7 +64,7 @@ def depth(L, a, theta, b):
                             value = 0.6366197723675814 * v82
                             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                                 return value
-                            if value != value and 1e-12 < abs(L) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0):
+                            if value != value and ordinary(L, a, theta, b):
                                 return value
                             return None
                         if v37:

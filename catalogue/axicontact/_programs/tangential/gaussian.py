@@ -6,7 +6,7 @@ from math import cosh, fsum, inf, log1p, nan, pow, sinh, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import gaussian as bodies
 
@@ -185,7 +185,7 @@ def stick_radius(F_x, a, h, s, E_star, mu):
             value = bodies._stick_radius(F_x, a, h, s, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, h, s, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -249,7 +249,7 @@ def tangential_displacement(a, c, h, s, E_star, G_star, mu):
             value = mu * (E_star / G_star) * v203
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, h, s, E_star, G_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -328,7 +328,7 @@ def tangential_force(a, c, h, s, E_star, mu):
             value = mu * v218
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, h, s, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -416,7 +416,7 @@ def traction(r, a, c, h, s, E_star, mu):
             value = mu * v232
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, h, s, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cosh, exp, expm1, fsum, inf, log1p, pow, si
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import hyperboloid as bodies
 
@@ -64,7 +64,7 @@ def stick_radius(F_x, a, theta, b, E_star, mu):
             value = bodies._stick_radius(F_x, a, theta, b, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, theta, b, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -112,7 +112,7 @@ def tangential_displacement(a, c, theta, b, E_star, G_star, mu):
             value = mu * (E_star / G_star) * v68
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, theta, b, E_star, G_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -175,7 +175,7 @@ def tangential_force(a, c, theta, b, E_star, mu):
             value = mu * v152
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, theta, b, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -256,7 +256,7 @@ def traction(r, a, c, theta, b, E_star, mu):
             value = mu * v142
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, theta, b, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):

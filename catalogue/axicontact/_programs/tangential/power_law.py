@@ -6,7 +6,7 @@ from math import expm1, inf, log1p, nan, pow, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.tangential import power_law as bodies
 
 C0 = np.array(0.5)
@@ -1093,7 +1093,7 @@ def traction(r, a, c, A, n, E_star, mu):
             value = bodies._traction(r, a, c, A, n, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, A, n, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import asinh, atan, atan2, cosh, exp, expm1, fsum, inf, log1p, nan, ne
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import rounded_punch as bodies
 
@@ -165,7 +165,7 @@ def stick_radius(F_x, a, R, b, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, b, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, R, b, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -231,7 +231,7 @@ def tangential_displacement(a, c, R, b, E_star, G_star, mu):
             value = mu * (E_star / G_star) * v159
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, b, E_star, G_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -303,7 +303,7 @@ def tangential_force(a, c, R, b, E_star, mu):
             value = mu * v170
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, b, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -419,7 +419,7 @@ def traction(r, a, c, R, b, E_star, mu):
             value = mu * v184
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, R, b, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):

@@ -6,7 +6,7 @@ from math import asinh, atan2, cos, cosh, exp, expm1, fsum, inf, log1p, pow, sin
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import sphere_tipped_cone as bodies
 
@@ -161,7 +161,7 @@ def stick_radius(F_x, a, R, theta, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, theta, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, R, theta, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -267,7 +267,7 @@ def tangential_displacement(a, c, R, theta, E_star, G_star, mu):
             value = mu * (E_star / G_star) * v229
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, theta, E_star, G_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -406,7 +406,7 @@ def tangential_force(a, c, R, theta, E_star, mu):
             value = mu * v375
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, theta, E_star, mu):
                 return value
             return None
         except (ArithmeticError, ValueError):

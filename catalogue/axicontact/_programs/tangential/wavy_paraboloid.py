@@ -6,7 +6,7 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.tangential import wavy_paraboloid as bodies
 
 C0 = np.array(4.0)
@@ -504,7 +504,7 @@ def stick_radius(F_x, a, R, h, wavelength, E_star, mu):
             value = bodies._stick_radius(F_x, a, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, R, h, wavelength, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -517,7 +517,7 @@ def tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu):
             value = bodies._tangential_displacement(a, c, R, h, wavelength, E_star, G_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(G_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, h, wavelength, E_star, G_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -530,7 +530,7 @@ def tangential_force(a, c, R, h, wavelength, E_star, mu):
             value = bodies._tangential_force(a, c, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, h, wavelength, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -543,7 +543,7 @@ def traction(r, a, c, R, h, wavelength, E_star, mu):
             value = bodies._traction(r, a, c, R, h, wavelength, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(wavelength) < 1000000000000.0) and (1e-12 < abs(E_star) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, R, h, wavelength, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

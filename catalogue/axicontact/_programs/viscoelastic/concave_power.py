@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import exp, expm1, fsum, inf, log, log1p, nan, pow, sin, sqrt
 
+from ..._runtime.interface import ordinary
 from ..._runtime.plain import rule
 
 RULE_0 = rule(((3.0, 32), (20.0, 64), (inf, 128)))
@@ -137,7 +138,7 @@ def step_force_kelvin_voigt(t, d, a, h, n, E, eta):
             value = (E if t > 0.0 else inf) * (2.0 * a * (d + v398 / (n + 1.0) * v75) if v398 * v75 / (n * v394 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+            if value != value and ordinary(t, d, a, h, n, E, eta):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -273,7 +274,7 @@ def step_force_maxwell(t, d, a, h, n, E, tau):
             value = E * exp(-t / tau) * (2.0 * a * (d + v399 / (n + 1.0) * v75) if v399 * v75 / (n * v395 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, d, a, h, n, E, tau):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -410,7 +411,7 @@ def step_force_power_creep(t, d, a, h, n, E, alpha, t_0):
             value = E * pow(t_0 / t, alpha) * sin(v12) / v12 * (2.0 * a * (d + v404 / (n + 1.0) * v80) if v404 * v80 / (n * v400 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+            if value != value and ordinary(t, d, a, h, n, E, alpha, t_0):
                 return value
             return None
         except (ArithmeticError, ValueError):
@@ -546,7 +547,7 @@ def step_force_standard_solid(t, d, a, h, n, E_inf, E_1, tau):
             value = (E_inf + E_1 * exp(-t / tau)) * (2.0 * a * (d + v401 / (n + 1.0) * v77) if v401 * v77 / (n * v397 - 1.0) * 0.999999999999999 <= d else nan)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, d, a, h, n, E_inf, E_1, tau):
                 return value
             return None
         except (ArithmeticError, ValueError):

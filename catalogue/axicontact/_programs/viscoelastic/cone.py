@@ -6,7 +6,7 @@ from math import exp, expm1, inf, pow, sin, sqrt, tan
 
 import numpy as np
 
-from ..._runtime.interface import largest
+from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import cone as bodies
 
 C0 = np.array(0.0)
@@ -92,7 +92,7 @@ def ramp_force_maxwell(t, v, theta, E, tau):
             value = bodies._ramp_force_maxwell(t, v, theta, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, v, theta, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -105,7 +105,7 @@ def ramp_force_power_creep(t, v, theta, E, alpha, t_0):
             value = bodies._ramp_force_power_creep(t, v, theta, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+            if value != value and ordinary(t, v, theta, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -118,7 +118,7 @@ def ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau):
             value = bodies._ramp_force_standard_solid(t, v, theta, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(v) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, v, theta, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

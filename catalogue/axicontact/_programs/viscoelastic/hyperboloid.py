@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..._runtime.interface import ordinary
 from ..._programs.bodies.viscoelastic import hyperboloid as bodies
 
 
@@ -11,7 +12,7 @@ def step_force_kelvin_voigt(t, d, theta, b, E, eta):
             value = bodies._step_force_kelvin_voigt(t, d, theta, b, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+            if value != value and ordinary(t, d, theta, b, E, eta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def step_force_maxwell(t, d, theta, b, E, tau):
             value = bodies._step_force_maxwell(t, d, theta, b, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, d, theta, b, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -37,7 +38,7 @@ def step_force_power_creep(t, d, theta, b, E, alpha, t_0):
             value = bodies._step_force_power_creep(t, d, theta, b, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+            if value != value and ordinary(t, d, theta, b, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -50,7 +51,7 @@ def step_force_standard_solid(t, d, theta, b, E_inf, E_1, tau):
             value = bodies._step_force_standard_solid(t, d, theta, b, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, d, theta, b, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -63,7 +64,7 @@ def step_load_radius_kelvin_voigt(t, F, theta, b, E, eta):
             value = bodies._step_load_radius_kelvin_voigt(t, F, theta, b, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(eta) < 1000000000000.0):
+            if value != value and ordinary(t, F, theta, b, E, eta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -76,7 +77,7 @@ def step_load_radius_maxwell(t, F, theta, b, E, tau):
             value = bodies._step_load_radius_maxwell(t, F, theta, b, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, F, theta, b, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -89,7 +90,7 @@ def step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0):
             value = bodies._step_load_radius_power_creep(t, F, theta, b, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E) < 1000000000000.0) and (1e-12 < abs(alpha) < 1000000000000.0) and (1e-12 < abs(t_0) < 1000000000000.0):
+            if value != value and ordinary(t, F, theta, b, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -102,7 +103,7 @@ def step_load_radius_standard_solid(t, F, theta, b, E_inf, E_1, tau):
             value = bodies._step_load_radius_standard_solid(t, F, theta, b, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(t) < 1000000000000.0 and (1e-12 < abs(F) < 1000000000000.0) and (1e-12 < abs(theta) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(E_inf) < 1000000000000.0) and (1e-12 < abs(E_1) < 1000000000000.0) and (1e-12 < abs(tau) < 1000000000000.0):
+            if value != value and ordinary(t, F, theta, b, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -5,18 +5,15 @@ Of a profile with a break it is sought on either side of that.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ..integrals import difference_root
 from ..interface import Array, Kept
 from ..inverse import LOST, ROUNDING, Curve, inverse
-from ..physics.unknowns import Unknown, beyond_edge, power_of, radius_itself, root_of, up_to
+from ..physics.unknowns import CLOSE, Load, Unknown, at_break, beyond_edge, power_of, radius_itself, root_of, up_to
 from ..shapes.across import Rooted, inverse_across
 from .growth import gaussian_rate
 
-Load = Callable[..., Array]
 SLACK = 1e-6
 """So that the bracket of a root spans all doubles but where the load is met to a thousandth: no exponent is assumed."""
 STEEPEST = 1e8
@@ -158,8 +155,8 @@ def gaussian_reach(s: Array, k: Array) -> Array:
     return s * low
 
 
-CLOSE, NEAREST = 1e-4, 1e-12
-"""The t at which the terms of a load beyond a break are read, and one at which a is b."""
+NEAREST = 1e-12
+"""The t at which a is b."""
 
 
 def radius_across(
@@ -180,7 +177,7 @@ def radius_across(
     if end is None and least is None:
         return inverse_across(_with_rate(load, rate, needs), value, b + np.zeros_like(value), tip)
     # where a steep tip ends, a unit of the radius is thousands of the load, and what is beyond begins at its own
-    base, *close = _at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
+    base, *close = at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
     base = base + np.zeros_like(value)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
@@ -196,14 +193,6 @@ def radius_across(
         ),
         radius,
     )
-
-
-@Kept
-def _at_break(of: tuple[Load, Load], b: Array, first: Array, *needs: Array) -> tuple[Array, Array, Array]:
-    """The load at a break, and that at CLOSE beyond it with its derivative by ln a."""
-    load, rate = of
-    a, root = b * (1.0 + CLOSE * CLOSE) ** 0.5, b * CLOSE
-    return load(b, first, *needs), load(a, root, *needs), a * rate(a, root, *needs)
 
 
 def _with_rate(load: Load, rate: Load, needs: tuple[Array, ...]) -> Rooted:

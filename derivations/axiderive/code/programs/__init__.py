@@ -21,7 +21,7 @@ from ..module import PACKAGE, PLACE
 from .blocks import Blocks
 from .bodies import CALLED, OF_MATH, Twins
 from .graph import Lengths, Node, needed, trace
-from .plain import LARGE, SMALL, TRUSTED, Lines, function, is_sum, settled
+from .plain import LARGE, ORDINARY, SMALL, TRUSTED, Lines, function, is_sum, settled
 from .sharing import Shared
 
 FOLDER = "_programs"
@@ -250,7 +250,8 @@ class _Module:
         lines = [f'"""Programs of {PACKAGE}.{self.path}."""', "", "from __future__ import annotations", ""]
         lines += [f"from math import {', '.join(math_names)}", ""] if math_names else []
         lines += ["import numpy as np", ""] if self.records else []
-        lines += [f"from {level}{PLACE}.interface import largest"] if self.records else []
+        used = [name for name, asked in (("largest", self.records), (ORDINARY, f"{ORDINARY}(" in text)) if asked]
+        lines += [f"from {level}{PLACE}.interface import {', '.join(used)}"] if used else []
         lines += [f"from {level}{PLACE}.plain import rule"] if self.rules else []
         if self.bodies:
             folder, _, name = f"bodies.{self.path}".rpartition(".")

@@ -17,8 +17,8 @@ SMALL, LARGE = 1e-30, 1e30
 LEAST, GREATEST = 1e-200, 1e200
 """A result between these is trusted where the bounds of a formula do not show that nothing left the range."""
 TRUSTED = (f"if value > {LEAST} and value < {GREATEST} or {LEAST} < -value < {GREATEST}:", "    return value")
-NEAR, WIDE = 1e-12, 1e12
-"""Arguments between these leave the range nowhere: where a body has no value, there is none."""
+ORDINARY = "ordinary"
+"""The function of the run time that says of arguments that they leave the range nowhere."""
 OPERATORS = {
     "add": "+", "subtract": "-", "multiply": "*", "divide": "/", "less": "<", "less_equal": "<=", "greater": ">",
     "greater_equal": ">=", "equal": "==", "not_equal": "!=", "bitwise_and": "and", "bitwise_or": "or",
@@ -74,8 +74,7 @@ def settled(arguments: Iterable[str]) -> list[str]:
     """The lines for a result that is no number, or nothing outside the contact, where no argument is far out."""
     known = [*arguments]
     outside = [f" or value == 0.0 and {own} > a" for own in ("r", "x") if {own, "a"}.issubset(known)]
-    ordinary = [f"{NEAR} < abs({own}) < {WIDE}" for own in known]
-    return [f"if ({''.join(['value != value', *outside])}) and {' and '.join(ordinary)}:", "    return value"]
+    return [f"if ({''.join(['value != value', *outside])}) and {ORDINARY}({', '.join(known)}):", "    return value"]
 
 
 class Lines:

@@ -121,6 +121,9 @@ class Subsurface:
             if case.chain in after:
                 wanted, found, words = expr.subs(C, face.coefficient), case.expr, "the formula of the fixed face"
             else:
+                if case.expr.has(a):
+                    message = f"{suffix} names the edge {a}, which this contact has not reached: it is a formula in {d}"
+                    raise NotProvedError(message)
                 wanted = derive(face.unbounded)[suffix].cases[0].expr
                 found, words = case.expr.subs(d, face.compact.depth_of((a,))), "that of the unbounded profile at first"
                 steps += Subsurface(face.compact, derive(face.unbounded)).shown(suffix)

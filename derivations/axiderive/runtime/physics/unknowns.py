@@ -8,8 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ..integrals import difference_root
-from ..interface import Array
+from ..interface import Array, Kept
 
+Load = Callable[..., Array]
+CLOSE = 1e-4
+"""The t at which the terms of a load beyond a break are read."""
 SHARP, SETTLED, STEPS = 0.3, 1e-9, 12
 """First powers below SHARP are joined to the last as a graded load does; steps of the join that count as settled."""
 CLOSEST = 18.3
@@ -121,3 +124,11 @@ def _root_of_product(x: Array, first: Array | float, last: Array | float) -> tup
     # the rounding of the logarithm is felt in its exponential
     missed = x / _product(t, first, last) - 1.0
     return t * np.where(np.abs(missed) < 1e-6 * slope, 1.0 + missed / slope, 1.0), slope
+
+
+@Kept
+def at_break(of: tuple[Load, Load], b: Array, first: Array, *needs: Array) -> tuple[Array, Array, Array]:
+    """The load at a break, and that at CLOSE beyond it with its derivative by ln a."""
+    load, rate = of
+    a, root = b * (1.0 + CLOSE * CLOSE) ** 0.5, b * CLOSE
+    return load(b, first, *needs), load(a, root, *needs), a * rate(a, root, *needs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...._runtime.interface import ordinary
 from ...._programs.bodies._runtime.graded import waves as bodies
 
 
@@ -11,7 +12,7 @@ def steepest_waves(k):
             value = bodies.steepest_waves(k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(k) < 1000000000000.0:
+            if value != value and ordinary(k):
                 return value
         except (ArithmeticError, ValueError):
             pass

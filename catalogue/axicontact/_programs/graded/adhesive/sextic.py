@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...._runtime.interface import ordinary
 from ...._programs.bodies.graded.adhesive import sextic as bodies
 
 
@@ -11,7 +12,7 @@ def depth(a, A, H, k, dgamma):
             value = bodies._depth(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def displacement(r, a, A, H, k, dgamma):
             value = bodies._displacement(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -37,7 +38,7 @@ def force(a, A, H, k, dgamma):
             value = bodies._force(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -50,7 +51,7 @@ def pressure(r, a, A, H, k, dgamma):
             value = bodies._pressure(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -63,7 +64,7 @@ def pull_off_depth(a, A, H, k, dgamma, control):
             value = bodies._pull_off_depth(a, A, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -76,7 +77,7 @@ def pull_off_force(a, A, H, k, dgamma, control):
             value = bodies._pull_off_force(a, A, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -89,7 +90,7 @@ def pull_off_radius(A, H, k, dgamma, control):
             value = bodies._pull_off_radius(A, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(A) < 1000000000000.0 and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -102,7 +103,7 @@ def radius_from_depth(d, A, H, k, dgamma):
             value = bodies._radius_from_depth(d, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(d, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -115,7 +116,7 @@ def radius_from_force(F, A, H, k, dgamma):
             value = bodies._radius_from_force(F, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(dgamma) < 1000000000000.0):
+            if value != value and ordinary(F, A, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...._runtime.interface import ordinary
 from ...._programs.bodies.graded.normal import capped_cylinder as bodies
 
 
@@ -11,7 +12,7 @@ def depth_from_force(F, a, R, H, k):
             value = bodies._depth_from_force(F, a, R, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, a, R, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def displacement(r, d, a, R, k):
             value = bodies._displacement(r, d, a, R, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, R, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -37,7 +38,7 @@ def force(d, a, R, H, k):
             value = bodies._force(d, a, R, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, a, R, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -50,7 +51,7 @@ def pressure(r, d, a, R, H, k):
             value = bodies._pressure(r, d, a, R, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, R, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -63,7 +64,7 @@ def stiffness(d, a, R, H, k):
             value = bodies._stiffness(d, a, R, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, a, R, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import inf, nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.normal import concave_paraboloid as bodies
 
 C0 = np.array(-2.0)
@@ -26,7 +26,7 @@ def depth_from_force(F, a, h, H, k):
             value = bodies._depth_from_force(F, a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, a, h, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -39,7 +39,7 @@ def displacement(r, d, a, h, k):
             value = bodies._displacement(r, d, a, h, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -52,7 +52,7 @@ def force(d, a, h, H, k):
             value = bodies._force(d, a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, a, h, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -90,7 +90,7 @@ def minimum_force(a, h, H, k):
             value = bodies._minimum_force(a, h, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, h, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

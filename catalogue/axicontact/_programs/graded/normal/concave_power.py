@@ -6,7 +6,7 @@ from math import exp, expm1, fsum, inf, log, log1p, pow, sin
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._runtime.plain import rule
 from ...._programs.bodies.graded.normal import concave_power as bodies
 
@@ -22,7 +22,7 @@ def depth_from_force(F, a, h, n, H, k):
             value = bodies._depth_from_force(F, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, a, h, n, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -35,7 +35,7 @@ def displacement(r, d, a, h, n, k):
             value = bodies._displacement(r, d, a, h, n, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -48,7 +48,7 @@ def force(d, a, h, n, H, k):
             value = bodies._force(d, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, a, h, n, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -61,7 +61,7 @@ def minimum_depth(a, h, n, k):
             value = bodies._minimum_depth(a, h, n, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, h, n, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -74,7 +74,7 @@ def minimum_force(a, h, n, H, k):
             value = bodies._minimum_force(a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, h, n, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -87,7 +87,7 @@ def pressure(r, d, a, h, n, H, k):
             value = bodies._pressure(r, d, a, h, n, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -258,7 +258,7 @@ def zero_radius(a, h, n, k):
             value = a * v361 + 0.0 * h
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(n) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, h, n, k):
                 return value
             return None
         except (ArithmeticError, ValueError):

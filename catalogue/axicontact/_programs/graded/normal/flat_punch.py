@@ -6,7 +6,7 @@ from math import inf, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.normal import flat_punch as bodies
 
 C0 = np.array(2.0)
@@ -76,7 +76,7 @@ def displacement(r, d, a, k):
             value = bodies._displacement(r, d, a, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(d) < 1000000000000.0) and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

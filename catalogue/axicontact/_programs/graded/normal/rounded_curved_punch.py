@@ -6,7 +6,7 @@ from math import pow
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.normal import rounded_curved_punch as bodies
 
 C0 = np.array(0.0)
@@ -20,7 +20,7 @@ def depth(a, R1, R2, b, k):
             value = bodies._depth(a, R1, R2, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, R1, R2, b, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -33,7 +33,7 @@ def depth_from_force(F, R1, R2, b, H, k):
             value = bodies._depth_from_force(F, R1, R2, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -46,7 +46,7 @@ def displacement(r, a, R1, R2, b, k):
             value = bodies._displacement(r, a, R1, R2, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -59,7 +59,7 @@ def force(a, R1, R2, b, H, k):
             value = bodies._force(a, R1, R2, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, R1, R2, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -72,7 +72,7 @@ def force_from_depth(d, R1, R2, b, H, k):
             value = bodies._force_from_depth(d, R1, R2, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -85,7 +85,7 @@ def mean_pressure(a, R1, R2, b, H, k):
             value = bodies._mean_pressure(a, R1, R2, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, R1, R2, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -98,7 +98,7 @@ def radius_from_depth(d, R1, R2, b, k):
             value = bodies._radius_from_depth(d, R1, R2, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, R1, R2, b, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -111,7 +111,7 @@ def radius_from_force(F, R1, R2, b, H, k):
             value = bodies._radius_from_force(F, R1, R2, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R1) < 1000000000000.0) and (1e-12 < abs(R2) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, R1, R2, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -6,7 +6,7 @@ from math import pow
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.normal import sextic as bodies
 
 C0 = np.array(0.0)
@@ -20,7 +20,7 @@ def depth(a, A, k):
             value = bodies._depth(a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, A, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -33,7 +33,7 @@ def depth_from_force(F, A, H, k):
             value = bodies._depth_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -46,7 +46,7 @@ def displacement(r, a, A, k):
             value = bodies._displacement(r, a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -59,7 +59,7 @@ def force(a, A, H, k):
             value = bodies._force(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -72,7 +72,7 @@ def force_from_depth(d, A, H, k):
             value = bodies._force_from_depth(d, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -85,7 +85,7 @@ def mean_pressure(a, A, H, k):
             value = bodies._mean_pressure(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -98,7 +98,7 @@ def pressure(r, a, A, H, k):
             value = bodies._pressure(r, a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -111,7 +111,7 @@ def radius_from_depth(d, A, k):
             value = bodies._radius_from_depth(d, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, A, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -124,7 +124,7 @@ def radius_from_force(F, A, H, k):
             value = bodies._radius_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, A, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

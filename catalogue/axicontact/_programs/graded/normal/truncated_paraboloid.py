@@ -6,7 +6,7 @@ from math import nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.normal import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
@@ -111,7 +111,7 @@ def depth_from_force(F, R, b, H, k):
             value = bodies._depth_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -124,7 +124,7 @@ def displacement(r, a, R, b, k):
             value = bodies._displacement(r, a, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -263,7 +263,7 @@ def force_from_depth(d, R, b, H, k):
             value = bodies._force_from_depth(d, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, R, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -410,7 +410,7 @@ def pressure(r, a, R, b, H, k):
             value = bodies._pressure(r, a, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -423,7 +423,7 @@ def radius_from_depth(d, R, b, k):
             value = bodies._radius_from_depth(d, R, b, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(d) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(d, R, b, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -436,7 +436,7 @@ def radius_from_force(F, R, b, H, k):
             value = bodies._radius_from_force(F, R, b, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F) < 1000000000000.0 and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0):
+            if value != value and ordinary(F, R, b, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

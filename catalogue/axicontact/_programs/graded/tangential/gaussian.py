@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...._runtime.interface import ordinary
 from ...._programs.bodies.graded.tangential import gaussian as bodies
 
 
@@ -11,7 +12,7 @@ def full_slip_displacement(a, h, s, H, H_x, k, mu):
             value = bodies._full_slip_displacement(a, h, s, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(H_x) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, h, s, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def stick_radius(F_x, a, h, s, H, k, mu):
             value = bodies._stick_radius(F_x, a, h, s, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(h) < 1000000000000.0) and (1e-12 < abs(s) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, h, s, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

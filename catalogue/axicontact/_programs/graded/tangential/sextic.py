@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...._runtime.interface import ordinary
 from ...._programs.bodies.graded.tangential import sextic as bodies
 
 
@@ -11,7 +12,7 @@ def full_slip_displacement(a, A, H, H_x, k, mu):
             value = bodies._full_slip_displacement(a, A, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(H_x) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, A, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -24,7 +25,7 @@ def stick_radius(F_x, a, A, H, k, mu):
             value = bodies._stick_radius(F_x, a, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, A, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -37,7 +38,7 @@ def tangential_displacement(a, c, A, H, H_x, k, mu):
             value = bodies._tangential_displacement(a, c, A, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(H_x) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, A, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -50,7 +51,7 @@ def tangential_force(a, c, A, H, k, mu):
             value = bodies._tangential_force(a, c, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, A, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -63,7 +64,7 @@ def traction(r, a, c, A, H, k, mu):
             value = bodies._traction(r, a, c, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and 1e-12 < abs(r) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(A) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, A, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

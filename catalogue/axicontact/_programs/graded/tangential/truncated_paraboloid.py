@@ -6,7 +6,7 @@ from math import nan, pow, sqrt
 
 import numpy as np
 
-from ...._runtime.interface import largest
+from ...._runtime.interface import largest, ordinary
 from ...._programs.bodies.graded.tangential import truncated_paraboloid as bodies
 
 C0 = np.array(0.0)
@@ -116,7 +116,7 @@ def stick_radius(F_x, a, R, b, H, k, mu):
             value = bodies._stick_radius(F_x, a, R, b, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(F_x) < 1000000000000.0 and (1e-12 < abs(a) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(F_x, a, R, b, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -129,7 +129,7 @@ def tangential_displacement(a, c, R, b, H, H_x, k, mu):
             value = bodies._tangential_displacement(a, c, R, b, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(H_x) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, b, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -142,7 +142,7 @@ def tangential_force(a, c, R, b, H, k, mu):
             value = bodies._tangential_force(a, c, R, b, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and 1e-12 < abs(a) < 1000000000000.0 and (1e-12 < abs(c) < 1000000000000.0) and (1e-12 < abs(R) < 1000000000000.0) and (1e-12 < abs(b) < 1000000000000.0) and (1e-12 < abs(H) < 1000000000000.0) and (1e-12 < abs(k) < 1000000000000.0) and (1e-12 < abs(mu) < 1000000000000.0):
+            if value != value and ordinary(a, c, R, b, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

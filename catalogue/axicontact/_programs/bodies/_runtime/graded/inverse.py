@@ -7,7 +7,7 @@ from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
 from ....._programs.bodies._runtime.physics.unknowns import beyond_edge, power_of, radius_itself, root_of, up_to
 from ....._programs.bodies._runtime.shapes.across import inverse_across
-from ....._runtime.graded.inverse import _at_break
+from ....._runtime.physics.unknowns import at_break
 from ....._runtime.plain import MATH as np
 
 CLOSE = 0.0001
@@ -138,7 +138,7 @@ def radius_across(load, rate, value, b, needs, tip, least=None, end=None):
     value = value + np.zeros(1)
     if end is None and least is None:
         return inverse_across(_with_rate(load, rate, needs), value, b + np.zeros_like(value), tip)
-    base, *close = _at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
+    base, *close = at_break((load, rate), b, 0.0 * b if end is None else NEAREST * b, *needs)
     base = base + np.zeros_like(value)
     above = value > base
     below = radius_itself() if end is None else up_to(end, needs[-1])
