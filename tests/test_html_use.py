@@ -177,7 +177,7 @@ def test_the_focus_is_seen_wherever_tab_leads(opened: tuple[Chromium, str]) -> N
     browser.open(f"{root}/loads.hertzian.html")
     look = "[document.activeElement.tagName, getComputedStyle(document.activeElement).outlineStyle]"
     seen = []
-    for _ in range(20):
+    for _ in range(40):
         browser.press("Tab")
         seen.append(browser.value(look))
     assert {"A", "INPUT", "BUTTON", "SUMMARY"} <= {tag for tag, _ in seen}

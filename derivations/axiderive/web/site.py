@@ -24,6 +24,7 @@ from ..figures.svg import Picture, svg
 from ..physics.systems import PRINTED, SYSTEMS, pool_of
 from ..print.words import escaped, prose
 from ..profiles.pools import ROUND
+from .calculator import scripts
 from .page import Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
 from .words import formula, plain, slug, words
@@ -71,9 +72,10 @@ def html_sources(
     site = Site(frozenset(ids), keys, equations, bool(studies))
     front = book.model(list(models.values()), chapter11, studies)
     measured = {panel.key for panel in front["studies"]["error"].panels} if front["studies"]["error"] else set()
-    files = {}
+    calculators = scripts(ids, derived, modules)
+    files = {f"assets/{name}.js": own.text for name, own in calculators.items()}
     for i in ids:
-        shown = page(models[i], derived, evidence, modules)
+        shown = page(models[i], derived, evidence, modules) | {"calculator": i in calculators}
         timed = [key for key in shown["keys"] if key in measured]
         files[f"{i}.html"] = site.render("page", shown | {"timed": timed, "has_shape": has_shape(shown)}, i)
     kinds = [(title, [_cells(member["name"], models) for member in members]) for title, _, members in front["kinds"]]
@@ -275,6 +277,7 @@ def assets() -> dict[str, str]:
         "assets/katex-license.txt": (vendored / "LICENSE").read_text(encoding="utf-8"),
         "assets/site.css": (own / "site.css").read_text(encoding="utf-8"),
         "assets/site.js": (own / "site.js").read_text(encoding="utf-8"),
+        "assets/calculator.js": (own / "calculator.js").read_text(encoding="utf-8"),
     }
 
 

@@ -1,0 +1,165 @@
+"""The calculator of a page: its programs as JavaScript, and what the script of the site has to know to ask for numbers.
+
+The fields are the arguments of the functions of a profile; depth, force and radius follow from any one of them.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .. import notation as nt
+from ..book.spread import problems_of
+from ..entry import Entry
+from ..languages.javascript import Script
+from ..languages.reach import NoProgramError, Package
+from ..letters import name_of
+from ..physics.systems import Problem, pool_of
+from ..worked.cases import CASES, Case
+
+Derived = Mapping[str, Mapping[str, Entry]]
+STATE = ("F", "P", "d", "a")
+"""What a contact is given by, first what a calculator asks for if nothing is said."""
+ALONE = {
+    "E_star": 3.3e6,
+    "p_0": 1e6,
+    "a": 1e-3,
+    "sigma": 0.5,
+    "F": 10.0,
+    "mu": 0.3,
+    "dgamma": 0.05,
+    "L": 0.05,
+    "e": 2e-4,
+}
+"""Values to begin with where no worked example has any."""
+
+
+SAID = {"E": "Young's modulus of an elastic body under a rigid one, in place of E*", "nu": "its Poisson ratio"}
+SIGNS = {"E": "E"}
+LAST = ("E_star", "E", "nu", "G_star", "mu", "dgamma", "r", "x", "c", "F_x", "L")
+"""Behind the lengths of the profile: the material, and where a field is asked for."""
+
+
+@dataclass(frozen=True)
+class Calculator:
+    """The text of the script of a profile, and the rows that it fills in."""
+
+    text: str
+    rows: frozenset[str]
+
+
+def calculator(profile_id: str, derived: Derived, package: Package) -> Calculator | None:
+    """The calculator of a profile on the homogeneous half-space; None where nothing can be calculated."""
+    script = Script(package)
+    formulas: dict[str, dict[str, object]] = {}
+    lines, needed = [], dict[str, nt.Notation]()
+    problems = [problem for problem in problems_of(profile_id) if _instant(problem) and problem.key in derived]
+    for problem in problems:
+        module = problem.module.removeprefix("axicontact/").removesuffix(".py").replace("/", ".")
+        for suffix, entry in derived[problem.key].items():
+            quantity = entry.quantity
+            row = entry.key.removeprefix(f"{profile_id}.")
+            if quantity.member or quantity.control:
+                continue
+            try:
+                name = script.add(module, quantity.function)
+            except NoProgramError:
+                continue
+            order = [own.arg for own in package.program(module, quantity.function)[1].args.args]
+            records = {name_of(s): nt.describe(s) for s in (*quantity.arguments, *entry.parameters)}
+            needed |= {letter: records.get(letter) or nt.describe(letter) for letter in order}
+            formulas[row] = {
+                "gives": name_of(quantity.symbol),
+                "needs": order,
+                "unit": nt.describe(quantity.symbol).unit,
+                "place": quantity.place,
+                "suffix": suffix if problem is problems[0] else "",
+            }
+            lines.append(f"  {json.dumps(row)}: (v) => {name}({', '.join(f'v.{one}' for one in order)}),")
+    if not formulas:
+        return None
+    given = CASES.get(profile_id)
+    own = {name_of(symbol) for symbol in problems[0].profile.parameters}
+    state = [one for one in STATE if one in needed and one not in own]
+    if "E_star" in needed:
+        needed |= {"E": nt.describe("young_1"), "nu": nt.describe("nu")}
+    fields = [
+        _field(letter, record, given) for letter, record in sorted(needed.items(), key=_first) if letter not in state
+    ]
+    data = {
+        "fields": fields,
+        "state": [_field(one, needed[one], given) for one in state],
+        "formulas": formulas,
+        "place": "x" if pool_of(profile_id).prefix == "plane" else "r",
+    }
+    text = "\n".join([
+        "(() => {", script.text(), "const formulas = {", *lines, "};",
+        f"window.calculator = {{ ...{json.dumps(data, ensure_ascii=False, indent=1)}, evaluate: formulas }};",
+        "})();", "",
+    ])  # fmt: skip
+    return Calculator(text, frozenset(formulas))
+
+
+def _first(field: tuple[str, nt.Notation]) -> int:
+    return LAST.index(field[0]) if field[0] in LAST else -1
+
+
+def _instant(problem: Problem) -> bool:
+    """Whether its functions are of lengths and loads alone, on the homogeneous half-space."""
+    return not (problem.system.medium.graded or problem.system.physics.laws) and problem.system.physics.printed
+
+
+def _field(letter: str, record: nt.Notation, case: Case | None) -> dict[str, object]:
+    """A field of the form: its letter, what it is, where it may lie, and a value to begin with."""
+    low, high, closed = _ends(record.domain)
+    return {
+        "name": letter,
+        "tex": SIGNS.get(letter, record.latex),
+        "meaning": SAID.get(letter, record.meaning.partition(",")[0]),
+        "unit": record.unit,
+        "rule": record.domain.replace(record.name, letter),
+        "low": low,
+        "high": high,
+        "closed": closed,
+        "value": _beginning(letter, case),
+    }
+
+
+def _ends(domain: str) -> tuple[float | None, float | None, str]:
+    """The interval of a domain in words, and which of its ends belong to it; an end at another letter is left out."""
+    if between := re.fullmatch(r"(\S+) (<=?) \w+ (<=?) (\S+)", domain):
+        low, first, second, high = between.groups()
+        return _number(low), _number(high), "low" * (first == "<=") + "high" * (second == "<=")
+    above = re.fullmatch(r"\w+ (>=?) (\S+)", domain)
+    return (_number(above[2]), None, "low" * (above[1] == ">=")) if above else (None, None, "")
+
+
+def _number(text: str) -> float | None:
+    end = sp.sympify(text)
+    return float(end) if end.is_number else None
+
+
+def _beginning(letter: str, case: Case | None) -> float | str:
+    given: Mapping[str, object] = case.parameters if case else {}
+    if letter in given:
+        return float(str(given[letter]))
+    if letter == "A" and "A_1" in given:
+        return ", ".join(str(value) for value in given.values())
+    if case and letter in ("F", "P"):
+        return case.load
+    if case and letter in ("E_star", "nu", "mu", "dgamma"):
+        material = case.material
+        found = {"E_star": float(material.modulus), "nu": float(material.poisson), "mu": float(material.friction)}
+        return {**found, "dgamma": material.separation or ALONE["dgamma"]}[letter]
+    return ALONE.get(letter, "")
+
+
+def scripts(ids: Sequence[str], derived: Derived, modules: Mapping[str, str]) -> dict[str, Calculator]:
+    """The calculators by profile."""
+    package = Package(modules)
+    found = {name: calculator(name, derived, package) for name in ids}
+    return {name: own for name, own in found.items() if own is not None}

@@ -1,0 +1,144 @@
+"""The calculator of a page as a reader uses it: numbers of the package, units, the address, what is wrong."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from chromium import Chromium, needs_browser
+
+from axicontact.normal import cone, flat_punch
+from axicontact.tangential import cone as slipping
+
+pytestmark = needs_browser
+PHONE = 360
+
+
+@pytest.fixture(scope="module")
+def opened(site: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Chromium, str]]:
+    folder = tmp_path_factory.mktemp("site")
+    for path, text in site.items():
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
+    with Chromium(folder) as browser:
+        yield browser, Path(folder).as_uri()
+
+
+SHOWN = """Object.fromEntries([...document.querySelectorAll("output")].map(
+  (one) => [one.parentElement.querySelector(".key").getAttribute("href").slice(1), one.textContent]))"""
+UNITS = {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9, "m": 1.0, "mN": 1e-3, "N": 1.0, "kN": 1e3, "µN": 1e-6, "kPa": 1e3}
+UNITS |= {"MPa": 1e6, "GPa": 1e9, "Pa": 1.0, "kN/m": 1e3, "MN/m": 1e6, "N/m": 1.0}
+
+
+def number(text: str) -> float:
+    value, unit = text.split(" at ")[0].split(" ")
+    return float(value) * UNITS[unit]
+
+
+def typed(browser: Chromium, name: str, text: str) -> None:
+    """What a reader does to a field, found by the words that a screen reader says."""
+    browser.value(f"""(() => {{
+      const input = document.querySelector('#calculator input[aria-label^={json.dumps(name)}]');
+      input.value = {json.dumps(text)};
+      input.dispatchEvent(new Event("input", {{ bubbles: true }}));
+    }})()""")
+
+
+def faults(browser: Chromium) -> list[str]:
+    found: list[str] = browser.value("[...document.querySelectorAll('#calculator em')].map((one) => one.textContent)")
+    return [one for one in found if one]
+
+
+ADDRESS = "cone.html?d=1um&theta=70.3+half&E=3GPa&nu=0.4&mu=0.3"
+
+
+def test_the_numbers_are_those_of_the_package(opened: tuple[Chromium, str]) -> None:
+    """Depth, half-angle, Young's modulus and Poisson's ratio from the address."""
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}")
+    found = browser.value(SHOWN)
+    angle, modulus = math.radians(90.0 - 70.3), 3e9 / (1.0 - 0.4**2)
+    a = cone.radius_from_depth(1e-6, theta=angle)
+    assert number(found["ad"]) == pytest.approx(a, rel=1e-4)
+    assert number(found["F"]) == pytest.approx(cone.force(a, theta=angle, E_star=modulus), rel=1e-4)
+    assert number(found["pm"]) == pytest.approx(cone.mean_pressure(a, theta=angle, E_star=modulus), rel=1e-4)
+    assert number(found["p"]) == pytest.approx(cone.pressure(0.5 * a, a, theta=angle, E_star=modulus), rel=1e-4)
+    assert number(found["w"]) == pytest.approx(cone.displacement(2.0 * a, a, theta=angle), rel=1e-4)
+    F = cone.force(a, theta=angle, E_star=modulus)
+    c = slipping.stick_radius(0.15 * F, a, theta=angle, E_star=modulus, mu=0.3)
+    assert number(found["tan.c"]) == pytest.approx(c, rel=1e-4)
+    assert found["w"].endswith(" at r = 3.556 µm")
+    assert browser.said() == []
+    assert browser.asked() <= {"file", "data"}
+
+
+def test_a_field_changes_the_numbers_the_curves_and_the_address(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}")
+    assert browser.value("location.search").startswith("?d=1um&"), "a page that is only read keeps its address"
+    curves = "[...document.querySelectorAll('.drawn polyline')].map((one) => one.getAttribute('points'))"
+    tables = "[...document.querySelectorAll('.drawn a')].map((one) => decodeURIComponent(one.href))"
+    before, first = browser.value(curves), browser.value(SHOWN)
+    assert len(before) == 3
+    typed(browser, "indentation depth", "2 µm")
+    after = browser.value(SHOWN)
+    assert number(after["ad"]) == pytest.approx(2.0 * number(first["ad"]), rel=1e-4)
+    assert number(after["F"]) == pytest.approx(4.0 * number(first["F"]), rel=1e-4)
+    assert "d=2+%C2%B5m" in browser.value("location.search")
+    load = browser.value(tables)[-1].splitlines()
+    assert load[0].endswith('"d in m","F in N"')
+    depth, force = map(float, load[-1].split(","))
+    assert force / number(after["F"]) == pytest.approx((depth / 2e-6) ** 2, rel=1e-3)
+    typed(browser, "effective (plane-strain) modulus", "1 MPa")
+    assert browser.value("document.querySelector('#calculator input[aria-label^=Young]').value") == ""
+    assert number(browser.value(SHOWN)["pm"]) == pytest.approx(0.5e6 * math.tan(math.radians(19.7)), rel=1e-4)
+
+
+def test_any_of_depth_force_and_radius_is_the_given_one(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}")
+    before = browser.value(SHOWN)
+    for name in ("F", "a", "d"):
+        browser.value(f"""(() => {{
+          const choice = document.querySelector("#calculator select");
+          choice.value = {json.dumps(name)};
+          choice.dispatchEvent(new Event("change"));
+        }})()""")
+        found = browser.value(SHOWN)
+        assert {key: number(found[key]) for key in ("d", "F", "aF")} == pytest.approx(
+            {key: number(before[key]) for key in ("d", "F", "aF")}, rel=2e-4
+        )
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("indentation depth", "1 GPa", "GPa is no unit of d; use m, km, mm, cm, µm, um, nm"),
+        ("indentation depth", "deep", "deep is no number; write"),
+        ("indentation depth", "-1 um", "-1 um is outside d > 0"),
+        ("inclination", "100 deg", "100 deg is outside 0 < theta < pi/2"),
+        ("coefficient of friction", "0.3 m", "m is no unit of mu; use no unit"),
+    ],
+)
+def test_what_is_wrong_is_said_beside_the_field(opened: tuple[Chromium, str], name: str, text: str, told: str) -> None:
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}")
+    typed(browser, name, text)
+    (found,) = faults(browser)
+    assert found.startswith(told)
+    shown: dict[str, Any] = browser.value(SHOWN)
+    assert set(shown.values()) == {""}
+    assert browser.value("document.querySelectorAll('.drawn svg').length") == 0
+
+
+def test_a_fixed_edge_and_a_telephone(opened: tuple[Chromium, str]) -> None:
+    browser, root = opened
+    browser.open(f"{root}/flat_punch.html?F=1+kN&a=2+mm&E_star=100+GPa", PHONE)
+    found = browser.value(SHOWN)
+    assert number(found["dF"]) == pytest.approx(flat_punch.depth_from_force(1e3, a=2e-3, E_star=1e11), rel=1e-4)
+    assert browser.value("document.documentElement.scrollWidth") <= PHONE
+    assert browser.said() == []

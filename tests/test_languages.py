@@ -1,0 +1,121 @@
+"""Programs in other languages give the numbers of the package."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import math
+import shutil
+import subprocess
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from test_agreement import FIELDS, NUMBERS, size
+from test_interface import PARAMETERS
+
+from axiderive.languages.javascript import Script
+from axiderive.languages.reach import NoProgramError, Package
+
+CATALOGUE = Path(__file__).parent.parent / "catalogue"
+NODE = shutil.which("node")
+GROUPS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
+FEW = {"cone", "rounded_punch", "sphere_tipped_cone", "gaussian", "polynomial", "concave_power", "wedge", "hertzian"}
+"""Profiles of the plain run: closed forms, rules, iterations, coefficients, a fixed edge."""
+MORE = {
+    **{"v": 0.3, "E": 1.4, "tau": 0.7, "eta": 0.6, "E_inf": 0.5, "E_1": 0.9, "alpha": 0.4, "t_0": 0.8, "t": 1.2},
+    **{"P": 0.8, "x": 0.4, "r": 0.5, "L": 5.0, "e": 0.1, "p_0": 1.7, "s": 0.6, "b": 0.3, "theta": 0.3, "R": 2.0},
+    **{"A": 0.7, "n": 2.6, "h": 0.2, "a": 0.9},
+}
+RARE, MOST = 2e-3, 8.0
+"""The share of values that may differ by more than 4 units of the last place, and what none may exceed.
+
+The functions of `math` differ in the last place, and a power of the time, or a difference of two parts, makes more of
+that.
+"""
+
+
+@pytest.fixture(scope="module")
+def package() -> Package:
+    return Package({
+        path.relative_to(CATALOGUE).as_posix(): path.read_text(encoding="utf-8")
+        for path in (CATALOGUE / "axicontact").rglob("*.py")
+    })  # fmt: skip
+
+
+def drawn(name: str, function: Callable[..., Any], dice: np.random.Generator) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Fields about those of an example, the stick zone inside the contact, and the parameters by name."""
+    known = MORE | NUMBERS | FIELDS | PARAMETERS.get(name, {})
+    kinds = inspect.signature(function).parameters.values()
+    named = {one.name: known[one.name] for one in kinds if one.kind is one.KEYWORD_ONLY}
+    fields = {one.name: known[one.name] * dice.uniform(0.75, 1.2) for one in kinds if one.name not in named}
+    if {"a", "c"} <= fields.keys():
+        fields["c"] = min(fields["c"], 0.95 * fields["a"])
+    return fields, named
+
+
+def in_javascript(package: Package, group: str, name: str, count: int) -> list[tuple[str, float, float, float]]:
+    """Of drawn arguments: the function, its value here and in JavaScript, and the size that errors are measured by."""
+    module, script, jobs = import_module(f"axicontact.{group}.{name}"), Script(package), []
+    dice, found = np.random.default_rng(5), []
+    for own in module.__all__:
+        try:
+            program = script.add(f"{group}.{name}", own)
+        except NoProgramError:
+            continue
+        order = [one.arg for one in package.program(f"{group}.{name}", own)[1].args.args]
+        function = getattr(module, own)
+        if inspect.signature(function).return_annotation == "PeakPressure":
+            continue
+        for _ in range(count):
+            fields, named = drawn(name, function, dice)
+            here = float(function(*fields.values(), **named))
+            parted = float(np.max(size(f"{name}.{own}", group, list(fields), named, *fields.values())))
+            found.append((f"{group}.{name}.{own}", here, max(abs(here), parted)))
+            given = fields | named
+            jobs.append([program, [given[one] for one in order]])
+    calls = json.dumps(jobs)
+    names = ", ".join(sorted({program for program, _ in jobs}))
+    text = f"""{script.text()}
+const known = {{ {names} }};
+for (const [name, given] of {calls}) console.log(String(known[name](...given)));
+"""
+    done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=120)
+    there = [math.nan if line == "NaN" else float(line.replace("Infinity", "inf")) for line in done.stdout.split()]
+    assert len(there) == len(found)
+    return [(own, here, value, scale) for (own, here, scale), value in zip(found, there, strict=True)]
+
+
+@pytest.mark.skipif(NODE is None, reason="no node: apt-get install nodejs")
+@pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
+def test_javascript_gives_the_numbers_of_the_package(package: Package, group: str, count: int) -> None:
+    names = [own for own in import_module(f"axicontact.{group}").__all__ if count > 8 or own in FEW]
+    rows, beyond, total = [], 0, 0
+    for name in names:
+        for own, here, there, scale in in_javascript(package, group, name, count):
+            total += 1
+            if here == there or (math.isnan(here) and math.isnan(there)):
+                continue
+            error = abs(here - there) / np.spacing(scale)
+            beyond += not error <= 4.0
+            if not error <= MOST:
+                rows.append(f"{own}: {there!r} for {here!r}, {error:.3g} units")
+    assert total >= count
+    assert not rows, "\n".join(rows)
+    assert beyond <= RARE * total + 1, f"{beyond} of {total} values differ by more than 4 units"
+
+
+def test_what_has_no_program_is_refused(package: Package) -> None:
+    """And leaves the file as it was."""
+    script = Script(package)
+    script.add("normal.cone", "force")
+    before = script.text()
+    with pytest.raises(NoProgramError, match=r"adhesive\.cone\.pull_off has no program"):
+        script.add("adhesive.cone", "pull_off")
+    with pytest.raises(NoProgramError, match="no counterpart"):
+        script.add("adhesive.gaussian", "radius_from_depth")
+    assert script.text() == before
