@@ -1,0 +1,384 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    const power = x < 140.0 ? 1.0 : 2.0;
+    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const force = (d, a, h, E_star) => {
+  if (((((4.0 * h) / 3.0) * 0.999999999999999) <= d)) {
+    return (((2.0 * E_star) * a) * (d + ((8.0 * h) / 15.0)));
+  }
+  return NaN;
+};
+
+const _minimum_depth = (h) => {
+  return ((4 * h) / 3);
+};
+
+const _pressure = (r, d, a, h, E_star) => {
+  let complete, face, result, root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  face = ((((4 * h) * Math.pow(((2 * r) - a), 2)) * Math.pow((a + (2 * r)), 2)) / (9 * Math.pow(a, 4)));
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = math.where(((r <= a) & (d > 0.0)), (((E_star / Math.PI) * ((d - _minimum_depth(h)) + face)) / root), 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const pressure = (r, d, a, h, E_star) => {
+  let v10, v12, v13, v16, v19, v25, value;
+  v10 = (4.0 * h);
+  v25 = (v10 / 3.0);
+  if (((v25 * 0.999999999999999) <= d)) {
+    if (((r <= a) && (d > 0.0))) {
+      v12 = (2.0 * r);
+      v13 = (v12 - a);
+      v16 = (a + v12);
+      v19 = (a * a);
+      value = (((E_star / 3.141592653589793) * ((d - v25) + (((v10 * (v13 * v13)) * (v16 * v16)) / (9.0 * (v19 * v19))))) / Math.sqrt(((a - r) * (a + r))));
+      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
+        return value;
+      }
+      return _pressure(r, d, a, h, E_star);
+    }
+    return 0.0;
+  }
+  return NaN;
+};
+
+const stiffness = (a, E_star, h = 1.0) => {
+  return ((2.0 * E_star) * a);
+};
+
+const depth_from_force = (F, a, h, E_star) => {
+  if (((((((56.0 * E_star) * h) / 15.0) * a) * 0.999999999999999) <= F)) {
+    return ((F / ((2.0 * E_star) * a)) - ((8.0 * h) / 15.0));
+  }
+  return NaN;
+};
+
+const zero_radius = (a, h = 1.0) => {
+  return (a / 2.0);
+};
+
+const minimum_depth = (h, a = 1.0) => {
+  return ((4.0 * h) / 3.0);
+};
+
+const minimum_force = (a, h, E_star) => {
+  return ((((56.0 * E_star) * h) / 15.0) * a);
+};
+
+const formulas = {
+  "F": (v) => force(v.d, v.a, v.h, v.E_star),
+  "p": (v) => pressure(v.r, v.d, v.a, v.h, v.E_star),
+  "k": (v) => stiffness(v.a, v.E_star, v.h),
+  "dF": (v) => depth_from_force(v.F, v.a, v.h, v.E_star),
+  "rz": (v) => zero_radius(v.a, v.h),
+  "dmin": (v) => minimum_depth(v.h, v.a),
+  "Fmin": (v) => minimum_force(v.a, v.h, v.E_star),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "a",
+   "tex": "a",
+   "meaning": "contact radius",
+   "unit": "m",
+   "rule": "a > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 0.002
+  },
+  {
+   "name": "h",
+   "tex": "h",
+   "meaning": "height or depth of the profile",
+   "unit": "m",
+   "rule": "h > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 2e-06
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 115384615384.61539
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": 0.3
+  },
+  {
+   "name": "r",
+   "tex": "r",
+   "meaning": "distance from the axis",
+   "unit": "m",
+   "rule": "r >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
+  }
+ ],
+ "state": [
+  {
+   "name": "F",
+   "tex": "F_{\\mathrm N}",
+   "meaning": "normal force",
+   "unit": "N",
+   "rule": "F > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 5000.0
+  },
+  {
+   "name": "d",
+   "tex": "d",
+   "meaning": "indentation depth of the point r = 0",
+   "unit": "m",
+   "rule": "d > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  }
+ ],
+ "formulas": {
+  "F": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F"
+  },
+  "p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p"
+  },
+  "k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "E_star",
+    "h"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k"
+  },
+  "dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF"
+  },
+  "rz": {
+   "gives": "r_zero",
+   "needs": [
+    "a",
+    "h"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "rz"
+  },
+  "dmin": {
+   "gives": "d",
+   "needs": [
+    "h",
+    "a"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dmin"
+  },
+  "Fmin": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fmin"
+  }
+ },
+ "place": "r"
+}, evaluate: formulas };
+})();

@@ -1,0 +1,273 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    const power = x < 140.0 ? 1.0 : 2.0;
+    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _displacement = (r, a, p_0, E_star) => {
+  let inside, outside;
+  outside = (((p_0 / E_star) * a) * beside(r, a, OUTSIDE_2));
+  inside = ((((Math.PI * p_0) / (2 * E_star)) * a) * (1 - (Math.pow(r, 2) / (2 * Math.pow(a, 2)))));
+  return math.where((r > a), outside, inside);
+};
+
+const displacement = (r, a, p_0, E_star) => {
+  let v11, v13, value;
+  if ((r > a)) {
+    v11 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
+    v13 = (v11 * v11);
+    value = (((p_0 / E_star) * a) * ((a / r) * (0.6666666666666666 + (v13 * ((((((((((((((((((-0.7327347664453868) * v13) + (-32.15553480435792)) * v13) + (-332.23363563146734)) * v13) + (-1070.7082873491413)) * v13) + (-85.27694715374247)) * v13) + 5044.821368830373) * v13) + 8082.413158212496) * v13) + 3759.725330928701) * v13) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v13) + 32.12935731379798) * v13) + 746.8124983579742) * v13) + 6202.125133759036) * v13) + 23553.080984642995) * v13) + 44404.005348491315) * v13) + 40380.01430284195) * v13) + 14099.684276696918) * v13) + 1.0))))));
+    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
+      return value;
+    }
+    return _displacement(r, a, p_0, E_star);
+  }
+  return ((((3.141592653589793 * p_0) / (2.0 * E_star)) * a) * (1.0 - ((r * r) / (2.0 * (a * a)))));
+};
+
+const formulas = {
+  "w": (v) => displacement(v.r, v.a, v.p_0, v.E_star),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "a",
+   "tex": "a",
+   "meaning": "contact radius",
+   "unit": "m",
+   "rule": "a > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 0.001
+  },
+  {
+   "name": "p_0",
+   "tex": "p_0",
+   "meaning": "scale of a prescribed pressure",
+   "unit": "Pa",
+   "rule": "p_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3300000.0
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": ""
+  },
+  {
+   "name": "r",
+   "tex": "r",
+   "meaning": "distance from the axis",
+   "unit": "m",
+   "rule": "r >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
+  }
+ ],
+ "state": [],
+ "formulas": {
+  "w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "p_0",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "w"
+  }
+ },
+ "place": "r"
+}, evaluate: formulas };
+})();

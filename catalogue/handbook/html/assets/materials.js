@@ -1,0 +1,316 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    const power = x < 140.0 ? 1.0 : 2.0;
+    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const effective_modulus = (E_1, nu_1, E_2, nu_2) => {
+  return (1.0 / ((((1.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((1.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+};
+
+const effective_shear_modulus = (E_1, nu_1, E_2, nu_2) => {
+  return (2.0 / ((((2.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((2.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+};
+
+const gamma = (x) => {
+  return math.vectorize(math.gamma)(x);
+};
+
+const _h_N = (k, nu) => {
+  let beta, cosine, gammas, punch;
+  beta = Math.sqrt((((1.0 + k) * ((1.0 - nu) - (k * nu))) / (1.0 - nu)));
+  gammas = (gamma((((3.0 + k) + beta) / 2.0)) * gamma((((3.0 + k) - beta) / 2.0)));
+  cosine = Math.sin(((Math.PI * (1.0 - Math.abs(k))) / 2.0));
+  punch = (Math.pow(((1.0 + k) * gamma((1.0 + (k / 2.0)))), 2) * cosine);
+  return (punch / ((beta * Math.sin(((Math.PI * beta) / 2.0))) * gammas));
+};
+
+const _graded_modulus = (E_0, c_0, k, nu) => {
+  return ((_h_N(k, nu) * E_0) / (((1.0 - nu) * (1.0 + nu)) * Math.pow(c_0, k)));
+};
+
+const graded_modulus = (E_0, c_0, k, nu) => {
+  return _graded_modulus(E_0, c_0, k, nu);
+};
+
+const h_N = (k, nu) => {
+  return _h_N(k, nu);
+};
+
+const formulas = {
+  "E_star": (v) => effective_modulus(v.E_1, v.nu_1, v.E_2, v.nu_2),
+  "G_star": (v) => effective_shear_modulus(v.E_1, v.nu_1, v.E_2, v.nu_2),
+  "H": (v) => graded_modulus(v.E_0, v.c_0, v.k, v.nu),
+  "h_N": (v) => h_N(v.k, v.nu),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "E_1",
+   "tex": "E_1",
+   "meaning": "Young's modulus of the first body",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu_1",
+   "tex": "\\nu_1",
+   "meaning": "Poisson ratio of the first body",
+   "unit": "1",
+   "rule": "-1 < nu_1 <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": ""
+  },
+  {
+   "name": "E_2",
+   "tex": "E_2",
+   "meaning": "Young's modulus of the second body",
+   "unit": "Pa",
+   "rule": "E_2 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu_2",
+   "tex": "\\nu_2",
+   "meaning": "Poisson ratio of the second body",
+   "unit": "1",
+   "rule": "-1 < nu_2 <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": ""
+  },
+  {
+   "name": "E_0",
+   "tex": "E_0",
+   "meaning": "Young's modulus at the depth of reference",
+   "unit": "Pa",
+   "rule": "E_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "c_0",
+   "tex": "c_0",
+   "meaning": "depth of reference of the graded half-space",
+   "unit": "m",
+   "rule": "c_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "k",
+   "tex": "k",
+   "meaning": "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
+   "unit": "1",
+   "rule": "-1 < k < 1",
+   "low": -1.0,
+   "high": 1.0,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": ""
+  }
+ ],
+ "state": [],
+ "formulas": {
+  "E_star": {
+   "gives": "E_star",
+   "needs": [
+    "E_1",
+    "nu_1",
+    "E_2",
+    "nu_2"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "E_star"
+  },
+  "G_star": {
+   "gives": "G_star",
+   "needs": [
+    "E_1",
+    "nu_1",
+    "E_2",
+    "nu_2"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "G_star"
+  },
+  "H": {
+   "gives": "H",
+   "needs": [
+    "E_0",
+    "c_0",
+    "k",
+    "nu"
+   ],
+   "unit": "Pa m^(-k)",
+   "place": "",
+   "suffix": "H"
+  },
+  "h_N": {
+   "gives": "h_N",
+   "needs": [
+    "k",
+    "nu"
+   ],
+   "unit": "1",
+   "place": "",
+   "suffix": "h_N"
+  }
+ },
+ "place": "r"
+}, evaluate: formulas };
+})();

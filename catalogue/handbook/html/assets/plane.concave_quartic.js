@@ -1,0 +1,398 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    const power = x < 140.0 ? 1.0 : 2.0;
+    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const _minimum_load = (h, E_star) => {
+  return ((((3 * Math.PI) * E_star) * h) / 8);
+};
+
+const _pressure = (x, P, a, h, E_star) => {
+  let carried, complete, face, result, root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  face = (((((Math.PI * E_star) * h) * Math.pow(((2 * x) - a), 2)) * Math.pow((a + (2 * x)), 2)) / (8 * Math.pow(a, 4)));
+  carried = ((P - _minimum_load(h, E_star)) + face);
+  value = (carried / (Math.PI * root));
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where(((x <= a) & (P > 0.0)), value, 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const pressure = (x, P, a, h, E_star) => {
+  let v13, v14, v17, v21, v29, value;
+  v29 = (((9.42477796076938 * E_star) * h) / 8.0);
+  if (((v29 * 0.999999999999999) <= P)) {
+    if (((x <= a) && (P > 0.0))) {
+      v13 = (2.0 * x);
+      v14 = (v13 - a);
+      v17 = (a + v13);
+      v21 = (a * a);
+      value = (((P - v29) + (((((3.141592653589793 * E_star) * h) * (v14 * v14)) * (v17 * v17)) / (8.0 * (v21 * v21)))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
+      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
+        return value;
+      }
+      return _pressure(x, P, a, h, E_star);
+    }
+    return 0.0;
+  }
+  return NaN;
+};
+
+const _profile_slope = (x, a, h) => {
+  return ((((-4) * h) * Math.pow(x, 3)) / Math.pow(a, 4));
+};
+
+const _slope = (x, P, a, h, E_star) => {
+  let complete, conjugate, face, outside, result, root, strip, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  strip = (((-2) * P) / ((Math.PI * E_star) * root));
+  conjugate = ((((8 * Math.pow(root, 4)) + ((8 * Math.pow(x, 3)) * root)) + (3 * Math.pow(a, 4))) + ((12 * Math.pow(a, 2)) * Math.pow(root, 2)));
+  face = (((h * Math.pow(a, 2)) * (Math.pow(a, 2) + (8 * Math.pow(x, 2)))) / ((2 * conjugate) * root));
+  value = (strip - face);
+  outside = math.where((P > 0.0), value, 0.0);
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((x >= a), outside, (-_profile_slope(x, a, h)));
+  return math.where(complete, result, NaN);
+};
+
+const slope = (x, P, a, h, E_star) => {
+  let v17, v22, v23, v27, v28, v8, value;
+  if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
+    v22 = (x * x);
+    v23 = (x * v22);
+    v27 = (a * a);
+    v28 = (v27 * v27);
+    if ((x >= a)) {
+      if ((P > 0.0)) {
+        v8 = Math.sqrt(((x - a) * (a + x)));
+        v17 = (v8 * v8);
+        value = ((((-2.0) * P) / ((3.141592653589793 * E_star) * v8)) - (((h * v27) * (v27 + (8.0 * v22))) / ((2.0 * ((((8.0 * (v17 * v17)) + ((8.0 * v23) * v8)) + (3.0 * v28)) + ((12.0 * v27) * v17))) * v8)));
+        if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
+          return value;
+        }
+        return _slope(x, P, a, h, E_star);
+      }
+      return 0.0;
+    }
+    return (-((((-4.0) * h) * v23) / v28));
+  }
+  return NaN;
+};
+
+const depth = (L, P, a, h, E_star) => {
+  let v18, v21, v5, v8;
+  if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
+    if ((a <= L)) {
+      v5 = (L - a);
+      v8 = Math.sqrt((v5 * (a + L)));
+      v18 = (a * a);
+      v21 = (L * L);
+      return ((((2.0 * P) * Math.log1p(((v5 + v8) / a))) / (3.141592653589793 * E_star)) - (((h * L) * (v18 + (3.0 * v21))) / (2.0 * (((v18 * v8) + (2.0 * (L * v21))) + ((2.0 * v21) * v8)))));
+    }
+    return NaN;
+  }
+  return NaN;
+};
+
+const zero_distance = (a, h = 1.0) => {
+  return (a / 2.0);
+};
+
+const minimum_load = (h, E_star, a = 1.0) => {
+  return (((9.42477796076938 * E_star) * h) / 8.0);
+};
+
+const formulas = {
+  "p": (v) => pressure(v.x, v.P, v.a, v.h, v.E_star),
+  "s": (v) => slope(v.x, v.P, v.a, v.h, v.E_star),
+  "d": (v) => depth(v.L, v.P, v.a, v.h, v.E_star),
+  "xz": (v) => zero_distance(v.a, v.h),
+  "Pmin": (v) => minimum_load(v.h, v.E_star, v.a),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "a",
+   "tex": "a",
+   "meaning": "contact radius",
+   "unit": "m",
+   "rule": "a > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 0.002
+  },
+  {
+   "name": "h",
+   "tex": "h",
+   "meaning": "height or depth of the profile",
+   "unit": "m",
+   "rule": "h > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1e-06
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 115384615384.61539
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": 0.3
+  },
+  {
+   "name": "x",
+   "tex": "x",
+   "meaning": "distance from the middle of a plane contact; lower limit of a primitive",
+   "unit": "m",
+   "rule": "",
+   "low": null,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "L",
+   "tex": "L",
+   "meaning": "distance of the reference point from the middle of the contact",
+   "unit": "m",
+   "rule": "L > a",
+   "low": null,
+   "high": null,
+   "closed": "",
+   "value": 0.05
+  }
+ ],
+ "state": [
+  {
+   "name": "P",
+   "tex": "P",
+   "meaning": "line load",
+   "unit": "N/m",
+   "rule": "P > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  }
+ ],
+ "formulas": {
+  "p": {
+   "gives": "p",
+   "needs": [
+    "x",
+    "P",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p"
+  },
+  "s": {
+   "gives": "slope",
+   "needs": [
+    "x",
+    "P",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "1",
+   "place": "outside",
+   "suffix": "s"
+  },
+  "d": {
+   "gives": "d",
+   "needs": [
+    "L",
+    "P",
+    "a",
+    "h",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d"
+  },
+  "xz": {
+   "gives": "x_zero",
+   "needs": [
+    "a",
+    "h"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "xz"
+  },
+  "Pmin": {
+   "gives": "P",
+   "needs": [
+    "h",
+    "E_star",
+    "a"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "Pmin"
+  }
+ },
+ "place": "x"
+}, evaluate: formulas };
+})();

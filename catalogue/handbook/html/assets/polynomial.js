@@ -1,0 +1,1016 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    const power = x < 140.0 ? 1.0 : 2.0;
+    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
+
+const depth_over_height = (j) => {
+  let ratio;
+  ratio = (math.prod(math.range(j, 0, (-2))) / math.prod(math.range((j - 1), 0, (-2))));
+  return ((j % 2) ? (ratio * (Math.PI / 2.0)) : ratio);
+};
+
+const _depth = (a, A) => {
+  return math.sum([...math.enumerate(A, 1)].map(([j, A_j]) => ((depth_over_height(j) * Math.pow(a, j)) * A_j)));
+};
+
+const depth = (a, A) => {
+  return _depth(a, A);
+};
+
+const _force = (a, A, E_star) => {
+  let terms;
+  terms = [...math.enumerate(A, 1)].map(([j, A_j]) => ((((j * depth_over_height(j)) / (j + 1)) * Math.pow(a, (j + 1))) * A_j));
+  return ((2 * E_star) * math.sum(terms));
+};
+
+const force = (a, E_star, A) => {
+  return _force(a, A, E_star);
+};
+
+const _log_ratio = (x, y) => {
+  let v3;
+  v3 = ((x - y) / y);
+  if (Number.isFinite(v3)) {
+    return math.log1p(v3);
+  }
+  return (math.log(x) - math.log(y));
+};
+
+const RULE_0 = math.rule([[16.0, 64], [Infinity, 128]]);
+
+const _fallen_pressure = (depth, n) => {
+  let node, v10, v12, v13, v18, v20, v22, v27, v3, v30, v32, v41, v42, v5, weight;
+  if ((depth > 0.0)) {
+    v3 = (n > 1.0);
+    v5 = Math.abs((n - 1.0));
+    v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
+    v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
+    v13 = math.sqrt(depth);
+    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v22 = (2.0 * v13);
+    v27 = (-v5);
+    v42 = [];
+    for ([node, weight] of RULE_0((v18 / 1.0))) {
+      v20 = (node * v18);
+      if (v3) {
+        v30 = (v13 - v20);
+        v32 = (((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0);
+      } else {
+        v32 = v20;
+      }
+      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v42.push((weight * v41));
+    }
+    v42 = (math.fsum(v42) * v18);
+    return v42;
+  }
+  return 0.0;
+};
+
+const power_pressure = (r, a, n) => {
+  let centre, largest;
+  centre = ((n > 1.0) ? (1.0 / Math.abs((n - 1.0))) : Infinity);
+  largest = ((n > 1.0) ? 1.0 : (Math.pow((r / a), n) * (a / r)));
+  return ((r > 0.0) ? (largest * _fallen_pressure(_log_ratio(a, r), n)) : centre);
+};
+
+const _pressure = (r, a, A, E_star) => {
+  let terms;
+  terms = [...math.enumerate(A, 1)].filter(([j, A_j]) => A_j).map(([j, A_j]) => ((((j * depth_over_height(j)) * Math.pow(a, (j - 1))) * power_pressure(r, a, j)) * A_j));
+  return ((r < a) ? ((E_star / Math.PI) * math.sum(terms)) : 0.0);
+};
+
+const pressure = (r, a, E_star, A) => {
+  return _pressure(r, a, A, E_star);
+};
+
+const _DECAY = 42.0;
+
+const _span = (r, a, n) => {
+  let fall, start;
+  start = Math.sqrt(_log_ratio(r, a));
+  fall = (_DECAY / (n + 1.0));
+  return [start, (fall / (Math.sqrt(((start * start) + fall)) + start))];
+};
+
+const NODES = 64;
+
+const power_displacement = (r, a, n) => {
+  let integrand, reach, start;
+  [start, reach] = _span(r, a, n);
+  integrand = (step) => {
+    let fall, ratio, s;
+    s = (start + step);
+    fall = (step * ((2.0 * start) + step));
+    ratio = ((a / r) * Math.exp((-fall)));
+    return (((Math.atan2(ratio, Math.sqrt((-Math.expm1((((-2.0) * s) * s))))) * Math.exp(((-n) * fall))) * 2.0) * s);
+  };
+  return ((a > 0.0) ? (n * math.integral(integrand, reach, NODES)) : 0.0);
+};
+
+const _profile = (r, A) => {
+  return math.sum([...math.enumerate(A, 1)].map(([j, A_j]) => (Math.pow(r, j) * A_j)));
+};
+
+const _displacement = (r, a, A) => {
+  let inside, outside, terms;
+  terms = [...math.enumerate(A, 1)].map(([j, A_j]) => (((depth_over_height(j) * Math.pow(a, j)) * power_displacement(r, a, j)) * A_j));
+  outside = ((2 * math.sum(terms)) / Math.PI);
+  inside = (_depth(a, A) - _profile(r, A));
+  return ((r > a) ? outside : inside);
+};
+
+const displacement = (r, a, A) => {
+  return _displacement(r, a, A);
+};
+
+const stiffness = (a, E_star) => {
+  return ((2.0 * E_star) * a);
+};
+
+const _mean_pressure = (a, A, E_star) => {
+  let terms;
+  terms = [...math.enumerate(A, 1)].map(([j, A_j]) => ((((j * depth_over_height(j)) / (j + 1)) * Math.pow(a, (j - 1))) * A_j));
+  return (((2 * E_star) / Math.PI) * math.sum(terms));
+};
+
+const mean_pressure = (a, E_star, A) => {
+  return _mean_pressure(a, A, E_star);
+};
+
+const _slope = (a, A) => {
+  return math.sum([...math.enumerate(A, 1)].map(([j, A_j]) => (((j * depth_over_height(j)) * Math.pow(a, (j - 1))) * A_j)));
+};
+
+const _missed = (value, y) => {
+  let v3, v6;
+  v3 = ((value - y) / y);
+  v6 = (Math.abs(v3) < 0.5);
+  if (v6) {
+    return math.log1p((v6 ? v3 : 0.0));
+  }
+  return math.log((value / y));
+};
+
+const ROUNDING = 1.1102230246251565e-16;
+
+const ITERATIONS = 120;
+
+const SETTLED = 1e-09;
+
+const PATIENCE = 8;
+
+const _safe = (position, step, error, exponents, low, high, late) => {
+  let aimed, ends, first, from_, last, least, met, middle, most, signs, to, within;
+  [least, most] = exponents;
+  error = math.minimum(math.maximum(error, (-1500.0)), 1500.0);
+  ends = [(position + (error / most)), (position + ((error * Math.pow(2.0, Math.max(late, 0))) / math.maximum(least, 1e-300)))];
+  [first, last] = [(math.minimum(...ends) - 1e-09), (math.maximum(...ends) + 1e-09)];
+  aimed = math.minimum(math.maximum((position + step), first), last);
+  [from_, to] = [math.maximum(first, low), math.minimum(last, high)];
+  met = Number.isFinite((high - low));
+  signs = ((from_ > to) | (met & (late >= 0)));
+  middle = (((signs ? low : from_) / 2.0) + ((signs ? high : to) / 2.0));
+  if ((late >= 0)) {
+    aimed = (met ? (position + step) : aimed);
+  }
+  within = (((low <= aimed) & (aimed <= high)) & ((late < 0) || ((late % 2) === 0)));
+  return ((within ? aimed : middle) - position);
+};
+
+const _step = (step, before, slope_before, error, slope) => {
+  let v10, v14, v23, v5, v9;
+  v5 = (error / slope);
+  v9 = ((before === error) ? Infinity : (before - error));
+  v10 = (step / v9);
+  v14 = (((1.0 / slope) - v10) / v9);
+  v23 = ((error * error) * (v14 + (((v14 - ((v10 - (1.0 / slope_before)) / v9)) / v9) * before)));
+  return (v5 + ((Math.abs(v23) < (0.5 * Math.abs(v5))) ? v23 : 0.0));
+};
+
+const _last_step = (t, value, y, slope) => {
+  let v7;
+  v7 = ((t * ((value - y) / y)) / slope);
+  if ((Math.abs(v7) < (0.001 * t))) {
+    return v7;
+  }
+  return 0.0;
+};
+
+const POLISHING = 3;
+
+const inverse = (curve, value, start, exponents, largest = Infinity, share = null, smooth = false, noise = null) => {
+  let _, before, change, close, error, high, iteration, left, low, moved, position, root, slope, slope_before, solvable, step, t, y;
+  if (false) {
+    return start.root(curve, value, largest, exponents);
+  }
+  t = math.minimum(start, largest);
+  position = Math.log(t);
+  [y, slope] = curve(t);
+  error = _missed(value, y);
+  [low, high] = [math.full(position, (-Infinity)), math.full(position, Math.log(largest))];
+  step = (error / slope);
+  close = ((noise == null) ? (ROUNDING * value) : noise);
+  solvable = (((value > 0.0) & (value < Infinity)) & (y === y));
+  for (iteration of math.range(ITERATIONS)) {
+    left = (solvable & math.logical_not((Math.abs(error) <= (SETTLED * math.minimum(slope, 1.0)))));
+    left = (left & math.logical_not((Math.abs((value - y)) <= close)));
+    if ((share != null)) {
+      moved = math.maximum(share(t), share(math.minimum((t * Math.exp(math.minimum(step, 700.0))), largest)));
+      left = (left & math.logical_not(((Math.abs(error) * moved) <= ((4.0 * ROUNDING) * slope))));
+    }
+    if ((!Boolean(left))) {
+      break;
+    }
+    low = ((error > 0.0) ? math.maximum(low, position) : low);
+    high = ((error < 0.0) ? math.minimum(high, position) : high);
+    step = _safe(position, step, error, exponents, low, high, (iteration - PATIENCE));
+    position = (left ? (position + step) : position);
+    t = (left ? Math.exp(position) : t);
+    [before, slope_before] = [error, slope];
+    [y, slope] = curve(t);
+    y = ((y === y) ? y : Infinity);
+    error = _missed(value, y);
+    step = _step(step, before, slope_before, error, slope);
+  }
+  change = _last_step(t, value, y, slope);
+  t = (t + change);
+  if ((!smooth)) {
+    for (_ of math.range(POLISHING)) {
+      if ((!Boolean((Math.abs(change) > (1e-14 * t))))) {
+        break;
+      }
+      change = _last_step(t, value, ...curve(t));
+      t = (t + change);
+    }
+  }
+  root = ((value >= 0.0) ? math.minimum(t, largest) : NaN);
+  return ((value === 0.0) ? 0.0 : ((value === Infinity) ? Infinity : root));
+};
+
+const _radius_from_depth = (d, A) => {
+  let alone, curve, start, terms;
+  curve = (a) => {
+    let value;
+    value = _depth(a, A);
+    return [value, ((a * _slope(a, A)) / value)];
+  };
+  alone = [...math.enumerate(A, 1)].map(([j, A_j]) => ((d / depth_over_height(j)) / A_j));
+  terms = [...math.enumerate(alone, 1)].map(([j, share]) => (Math.log(share) / j));
+  start = Math.exp(math.reduce(math.minimum, terms));
+  return inverse(curve, d, start, [1.0, math.length(A)], undefined, undefined, true);
+};
+
+const radius_from_depth = (d, A) => {
+  return _radius_from_depth(d, A);
+};
+
+const _radius_from_force = (F, A, E_star) => {
+  let alone, curve, start, terms;
+  curve = (a) => {
+    let value;
+    value = _force(a, A, E_star);
+    return [value, ((((2 * E_star) * Math.pow(a, 2)) * _slope(a, A)) / value)];
+  };
+  alone = [...math.enumerate(A, 1)].map(([j, A_j]) => ((((j + 1) / (((2 * E_star) * j) * depth_over_height(j))) * F) / A_j));
+  terms = [...math.enumerate(alone, 1)].map(([j, share]) => (Math.log(share) / (j + 1)));
+  start = Math.exp(math.reduce(math.minimum, terms));
+  return inverse(curve, F, start, [2.0, (math.length(A) + 1.0)], undefined, undefined, true);
+};
+
+const radius_from_force = (F, E_star, A) => {
+  return _radius_from_force(F, A, E_star);
+};
+
+const _force_from_depth = (d, A, E_star) => {
+  let a, change;
+  a = _radius_from_depth(d, A);
+  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth(a, A))) : 0.0);
+  return (_force(a, A, E_star) + change);
+};
+
+const force_from_depth = (d, E_star, A) => {
+  return _force_from_depth(d, A, E_star);
+};
+
+const _depth_from_force = (F, A, E_star) => {
+  let a, change;
+  a = _radius_from_force(F, A, E_star);
+  change = (((a > 0.0) & (a < Infinity)) ? ((F - _force(a, A, E_star)) / ((2 * E_star) * a)) : 0.0);
+  return (_depth(a, A) + change);
+};
+
+const depth_from_force = (F, E_star, A) => {
+  return _depth_from_force(F, A, E_star);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const _depth_of_polynomial = (a, A, E_star, dgamma) => {
+  return (_depth(a, A) - hess_retraction(a, E_star, dgamma));
+};
+
+const depth_of_polynomial = (a, E_star, dgamma, A) => {
+  return _depth_of_polynomial(a, A, E_star, dgamma);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _force_of_polynomial = (a, A, E_star, dgamma) => {
+  return (_force(a, A, E_star) - pull(a, E_star, dgamma));
+};
+
+const force_of_polynomial = (a, E_star, dgamma, A) => {
+  return _force_of_polynomial(a, A, E_star, dgamma);
+};
+
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
+  if ((r <= a)) {
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
+    }
+    return 0.0;
+  }
+  return 0.0;
+};
+
+const _pressure_of_polynomial = (r, a, A, E_star, dgamma) => {
+  return (_pressure(r, a, A, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const pressure_of_polynomial = (r, a, E_star, dgamma, A) => {
+  return _pressure_of_polynomial(r, a, A, E_star, dgamma);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_of_polynomial = (r, a, A, E_star, dgamma) => {
+  return (_displacement(r, a, A) - lift(r, a, E_star, dgamma));
+};
+
+const displacement_of_polynomial = (r, a, E_star, dgamma, A) => {
+  return _displacement_of_polynomial(r, a, A, E_star, dgamma);
+};
+
+const gained_share = (c, a, n) => {
+  return (-Math.expm1(((-n) * ((a > c) ? math.log1p(((a - c) / c)) : 0.0))));
+};
+
+const _tangential_force = (a, c, A, E_star, mu) => {
+  let gains;
+  gains = [...math.enumerate(A, 1)].map(([j, A_j]) => (_force(a, [...math.repeated([0.0], (j - 1)), ...[A_j]], E_star) * gained_share(c, a, (j + 1))));
+  return (mu * math.sum(gains));
+};
+
+const tangential_force = (a, c, E_star, mu, A) => {
+  return _tangential_force(a, c, A, E_star, mu);
+};
+
+const log_ratio = (a, c) => {
+  if ((a > c)) {
+    return math.log1p(((a - c) / c));
+  }
+  return 0.0;
+};
+
+const DECAY = 42.0;
+
+const _weight = (s) => {
+  if ((s > 0.0)) {
+    return ((2.0 * s) / math.sqrt((-Math.expm1((((-2.0) * s) * s)))));
+  }
+  return 1.4142135623730951;
+};
+
+const NODES_of_slip = 64;
+
+const arc_gain = (r, c, a) => {
+  let v13, v17, v20, v3, v7;
+  v3 = (a - c);
+  v13 = (c - r);
+  v17 = math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (c + r)));
+  if ((a > c)) {
+    v7 = (a - r);
+    v20 = ((v3 * (a + c)) / (math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (a + r))) + v17));
+  } else {
+    v20 = 0.0;
+  }
+  return math.log1p(((v3 + v20) / (c + v17)));
+};
+
+const power_gain = (r, c, a, n) => {
+  let centre, cut, depth, end, growth, inner, integrand, largest, outer, rate, reach, side, start, steep, within;
+  [growth, depth] = [log_ratio(a, c), log_ratio(a, r)];
+  [outer, inner] = [Math.sqrt(depth), Math.sqrt(log_ratio(c, r))];
+  [steep, rate] = [(n > 1.0), Math.abs((n - 1.0))];
+  end = (DECAY / math.maximum(rate, 0.001));
+  start = (steep ? outer : inner);
+  side = (1.0 - (2.0 * steep));
+  cut = Math.sqrt(math.maximum(((start * start) + (side * end)), 0.0));
+  reach = ((growth > end) ? (end / (start + cut)) : (growth / (outer + inner)));
+  integrand = (step) => {
+    let fall;
+    fall = (step * ((2.0 * start) + (side * step)));
+    return (Math.exp(((-rate) * fall)) * _weight(math.maximum((start + (side * step)), 0.0)));
+  };
+  largest = (steep ? 1.0 : (Math.pow((c / a), n) * (a / c)));
+  within = ((reach > 0.0) ? math.integral(integrand, reach, NODES_of_slip) : 0.0);
+  centre = ((-Math.expm1(((-rate) * growth))) / ((rate > 0.0) ? rate : 1.0));
+  return ((rate > 0.0) ? (largest * ((r > 0.0) ? within : centre)) : arc_gain(r, c, a));
+};
+
+const _traction = (r, a, c, A, E_star, mu) => {
+  let gains, sliding;
+  sliding = _pressure(r, a, A, E_star);
+  gains = [...math.enumerate(A, 1)].map(([j, A_j]) => (_slope(a, [...math.repeated([0.0], (j - 1)), ...[A_j]]) * power_gain(r, c, a, j)));
+  return (mu * ((r < c) ? ((E_star / Math.PI) * math.sum(gains)) : sliding));
+};
+
+const traction = (r, a, c, E_star, mu, A) => {
+  return _traction(r, a, c, A, E_star, mu);
+};
+
+const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
+  let gains;
+  gains = [...math.enumerate(A, 1)].map(([j, A_j]) => (_depth(a, [...math.repeated([0.0], (j - 1)), ...[A_j]]) * gained_share(c, a, j)));
+  return ((mu * (E_star / G_star)) * math.sum(gains));
+};
+
+const tangential_displacement = (a, c, E_star, G_star, mu, A) => {
+  return _tangential_displacement(a, c, A, E_star, G_star, mu);
+};
+
+const stick_force = (F, F_x, mu) => {
+  let v10, v4;
+  v4 = (F - (F_x / mu));
+  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
+  if ((v10 >= 0.0)) {
+    return v10;
+  }
+  return NaN;
+};
+
+const _stick_radius = (F_x, a, A, E_star, mu) => {
+  let F;
+  F = stick_force(_force(a, A, E_star), F_x, mu);
+  return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force(F, A, E_star));
+};
+
+const stick_radius = (F_x, a, E_star, mu, A) => {
+  return _stick_radius(F_x, a, A, E_star, mu);
+};
+
+const _full_slip_displacement = (a, A, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth(a, A));
+};
+
+const full_slip_displacement = (a, E_star, G_star, mu, A) => {
+  return _full_slip_displacement(a, A, E_star, G_star, mu);
+};
+
+const formulas = {
+  "d": (v) => depth(v.a, v.A),
+  "F": (v) => force(v.a, v.E_star, v.A),
+  "p": (v) => pressure(v.r, v.a, v.E_star, v.A),
+  "w": (v) => displacement(v.r, v.a, v.A),
+  "k": (v) => stiffness(v.a, v.E_star),
+  "pm": (v) => mean_pressure(v.a, v.E_star, v.A),
+  "ad": (v) => radius_from_depth(v.d, v.A),
+  "aF": (v) => radius_from_force(v.F, v.E_star, v.A),
+  "Fd": (v) => force_from_depth(v.d, v.E_star, v.A),
+  "dF": (v) => depth_from_force(v.F, v.E_star, v.A),
+  "adh.d": (v) => depth_of_polynomial(v.a, v.E_star, v.dgamma, v.A),
+  "adh.F": (v) => force_of_polynomial(v.a, v.E_star, v.dgamma, v.A),
+  "adh.p": (v) => pressure_of_polynomial(v.r, v.a, v.E_star, v.dgamma, v.A),
+  "adh.w": (v) => displacement_of_polynomial(v.r, v.a, v.E_star, v.dgamma, v.A),
+  "tan.F": (v) => tangential_force(v.a, v.c, v.E_star, v.mu, v.A),
+  "tan.tau": (v) => traction(v.r, v.a, v.c, v.E_star, v.mu, v.A),
+  "tan.u": (v) => tangential_displacement(v.a, v.c, v.E_star, v.G_star, v.mu, v.A),
+  "tan.c": (v) => stick_radius(v.F_x, v.a, v.E_star, v.mu, v.A),
+  "tan.us": (v) => full_slip_displacement(v.a, v.E_star, v.G_star, v.mu, v.A),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "A",
+   "tex": "A",
+   "meaning": "coefficient of a power-law profile",
+   "unit": "m^(1-n)",
+   "rule": "A > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": "0.01, 20, 2e4"
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 115384615384.61539
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": 0.3
+  },
+  {
+   "name": "G_star",
+   "tex": "G^{*}",
+   "meaning": "effective shear modulus",
+   "unit": "Pa",
+   "rule": "G_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "mu",
+   "tex": "\\mu",
+   "meaning": "coefficient of friction",
+   "unit": "1",
+   "rule": "mu >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 0.3
+  },
+  {
+   "name": "dgamma",
+   "tex": "\\Delta\\gamma",
+   "meaning": "work of separation per unit area",
+   "unit": "N/m",
+   "rule": "dgamma >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 0.05
+  },
+  {
+   "name": "r",
+   "tex": "r",
+   "meaning": "distance from the axis",
+   "unit": "m",
+   "rule": "r >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
+  },
+  {
+   "name": "c",
+   "tex": "c",
+   "meaning": "radius of the stick zone",
+   "unit": "m",
+   "rule": "0 <= c <= a",
+   "low": 0.0,
+   "high": null,
+   "closed": "lowhigh",
+   "value": ""
+  },
+  {
+   "name": "F_x",
+   "tex": "F_x",
+   "meaning": "tangential force",
+   "unit": "N",
+   "rule": "",
+   "low": null,
+   "high": null,
+   "closed": "",
+   "value": ""
+  }
+ ],
+ "state": [
+  {
+   "name": "F",
+   "tex": "F_{\\mathrm N}",
+   "meaning": "normal force",
+   "unit": "N",
+   "rule": "F > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 100.0
+  },
+  {
+   "name": "d",
+   "tex": "d",
+   "meaning": "indentation depth of the point r = 0",
+   "unit": "m",
+   "rule": "d > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "a",
+   "tex": "a",
+   "meaning": "contact radius",
+   "unit": "m",
+   "rule": "a > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 0.001
+  }
+ ],
+ "formulas": {
+  "d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "d"
+  },
+  "F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "E_star",
+    "A"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "F"
+  },
+  "p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "E_star",
+    "A"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p"
+  },
+  "w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "A"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w"
+  },
+  "k": {
+   "gives": "stiffness",
+   "needs": [
+    "a",
+    "E_star"
+   ],
+   "unit": "N/m",
+   "place": "",
+   "suffix": "k"
+  },
+  "pm": {
+   "gives": "p_mean",
+   "needs": [
+    "a",
+    "E_star",
+    "A"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "pm"
+  },
+  "ad": {
+   "gives": "a",
+   "needs": [
+    "d",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "ad"
+  },
+  "aF": {
+   "gives": "a",
+   "needs": [
+    "F",
+    "E_star",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "aF"
+  },
+  "Fd": {
+   "gives": "F",
+   "needs": [
+    "d",
+    "E_star",
+    "A"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": "Fd"
+  },
+  "dF": {
+   "gives": "d",
+   "needs": [
+    "F",
+    "E_star",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "dF"
+  },
+  "adh.d": {
+   "gives": "d",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
+  "adh.F": {
+   "gives": "F",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma",
+    "A"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": ""
+  },
+  "adh.p": {
+   "gives": "p",
+   "needs": [
+    "r",
+    "a",
+    "E_star",
+    "dgamma",
+    "A"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": ""
+  },
+  "adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "E_star",
+    "dgamma",
+    "A"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": ""
+  },
+  "tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "E_star",
+    "mu",
+    "A"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": ""
+  },
+  "tan.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "E_star",
+    "mu",
+    "A"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": ""
+  },
+  "tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "E_star",
+    "G_star",
+    "mu",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
+  "tan.c": {
+   "gives": "c",
+   "needs": [
+    "F_x",
+    "a",
+    "E_star",
+    "mu",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
+  "tan.us": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "E_star",
+    "G_star",
+    "mu",
+    "A"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
+  }
+ },
+ "place": "r"
+}, evaluate: formulas };
+})();
