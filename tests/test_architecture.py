@@ -14,20 +14,8 @@ import axiderive
 ENGINE = Path(axiderive.__file__).parent
 ROOMS = (
     *("exits", "notation", "letters", "entry", "profiles", "abel", "physics", "oracle", "proof", "checks"),
-    *(
-        "stable",
-        "code",
-        "languages",
-        "store",
-        "print",
-        "rows",
-        "figures",
-        "worked",
-        "book",
-        "web",
-        "readback",
-        "verifier",
-    ),
+    *("stable", "code", "languages", "store", "print", "rows", "figures", "worked", "book", "web"),
+    *("readback", "verifier"),
     *("chapter11", "build", "expression", "scene", "study", "commands", "cli"),
 )
 """From the vocabulary to the command line: a room imports only what stands before it."""

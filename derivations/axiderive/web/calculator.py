@@ -94,7 +94,7 @@ def calculator(profile_id: str, derived: Derived, package: Package) -> Calculato
         "fields": fields,
         "state": [_field(one, needed[one], given) for one in state],
         "formulas": formulas,
-        "place": "x" if pool_of(profile_id).prefix == "plane" else "r",
+        "place": pool_of(profile_id).place.name,
     }
     text = "\n".join([
         "(() => {", script.text(), "const formulas = {", *lines, "};",
