@@ -73,6 +73,7 @@ def test_show_of_a_profile_has_all_its_formulas(capsys):
         (["show", "zzzzzz"], "unknown profile or key 'zzzzzz'; see axicontact list"),
         (["check", "paraboloyd"], "unknown profile or key 'paraboloyd'; did you mean 'paraboloid'?"),
         (["build", "--only", "cone,spere"], "unknown profile 'spere'; did you mean 'sphere'?"),
+        (["build", "--only", "spere", "--only", "cone"], "unknown profile 'spere'; did you mean 'sphere'?"),
     ],
 )
 def test_unknown_names_end_with_code_2_and_the_nearest_name(arguments, message, capsys):

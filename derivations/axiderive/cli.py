@@ -60,7 +60,7 @@ def _parser() -> argparse.ArgumentParser:
 
     build = commands.add_parser("build", help="derive, prove, check and write the catalogue")
     build.set_defaults(run=_build)
-    build.add_argument("--only", type=_names, default=[], metavar="A,B", help="these profiles only")
+    build.add_argument("--only", type=_names, action="extend", default=[], metavar="A,B", help="these profiles only")
     _parallel(build)
     build.add_argument("--out", type=Path, metavar="DIR", help="folder of the catalogue (catalogue/ of the checkout)")
     build.add_argument("--no-pdf", action="store_true", help="leave the handbook as LaTeX")
