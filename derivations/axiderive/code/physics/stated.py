@@ -45,7 +45,7 @@ def rules(writer: Writer) -> None:
 
 
 def _private(entry: Entry) -> str:
-    return "_".join(filter(None, ("", entry.quantity.function, entry.quantity.member)))
+    return f"_{entry.quantity.function}" + (f"_{entry.quantity.member}" if entry.quantity.member else "")
 
 
 def _ordered(low: str, high: str, reason: str) -> list[str]:
