@@ -10,6 +10,7 @@ from importlib import import_module
 from types import ModuleType
 
 import pytest
+from chromium import Chromium
 from hypothesis import HealthCheck, settings
 
 # SymPy keeps all its results, as in a build; it asks for this when it is imported
@@ -130,3 +131,14 @@ def site() -> dict[str, str]:
     return html_sources(
         {k: stored(k) for k in own}, {k: evidence(k) for k in own}, chapter, modules=modules, studies=studies
     )
+
+
+@pytest.fixture(scope="module")
+def opened(site: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Chromium, str]]:
+    """A browser, and the address of the folder with that edition."""
+    folder = tmp_path_factory.mktemp("site")
+    for path, text in site.items():
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
+    with Chromium(folder) as browser:
+        yield browser, folder.as_uri()

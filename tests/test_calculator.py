@@ -4,28 +4,17 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
 from chromium import Chromium, needs_browser
 
+from axicontact import materials
 from axicontact.normal import cone, flat_punch
 from axicontact.tangential import cone as slipping
 
 pytestmark = needs_browser
 PHONE = 360
-
-
-@pytest.fixture(scope="module")
-def opened(site: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Chromium, str]]:
-    folder = tmp_path_factory.mktemp("site")
-    for path, text in site.items():
-        (folder / path).parent.mkdir(exist_ok=True)
-        (folder / path).write_text(text, encoding="utf-8")
-    with Chromium(folder) as browser:
-        yield browser, Path(folder).as_uri()
 
 
 SHOWN = """Object.fromEntries([...document.querySelectorAll("output")].map(
@@ -71,6 +60,9 @@ def test_the_numbers_are_those_of_the_package(opened: tuple[Chromium, str]) -> N
     F = cone.force(a, theta=angle, E_star=modulus)
     c = slipping.stick_radius(0.15 * F, a, theta=angle, E_star=modulus, mu=0.3)
     assert number(found["tan.c"]) == pytest.approx(c, rel=1e-4)
+    shear = materials.effective_shear_modulus(3e9, 0.4, math.inf, 0.3)
+    slid = slipping.full_slip_displacement(a, theta=angle, E_star=modulus, G_star=shear, mu=0.3)
+    assert number(found["tan.us"]) == pytest.approx(slid, rel=1e-4)
     assert found["w"].endswith(" at r = 3.556 µm")
     assert browser.said() == []
     assert browser.asked() <= {"file", "data"}

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
-from pathlib import Path
 from urllib.parse import unquote
 
 import pytest
@@ -56,16 +54,6 @@ TYPOS = {
     "cone dawson": "cone dawson",  # nothing is misspelt
 }
 """What is typed and found nowhere, and what is searched for instead."""
-
-
-@pytest.fixture(scope="module")
-def opened(site: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Chromium, str]]:
-    folder = tmp_path_factory.mktemp("site")
-    for path, text in site.items():
-        (folder / path).parent.mkdir(exist_ok=True)
-        (folder / path).write_text(text, encoding="utf-8")
-    with Chromium(folder) as browser:
-        yield browser, Path(folder).as_uri()
 
 
 SOON_TOLD = """new Promise((done) => {

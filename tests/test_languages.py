@@ -17,7 +17,7 @@ import pytest
 from test_agreement import FIELDS, NUMBERS, size
 from test_interface import PARAMETERS
 
-from axiderive.languages.javascript import Script
+from axiderive.languages.javascript import HELPERS, Script
 from axiderive.languages.reach import NoProgramError, Package
 
 CATALOGUE = Path(__file__).parent.parent / "catalogue"
@@ -116,6 +116,26 @@ def test_javascript_gives_the_numbers_of_the_package(package: Package, group: st
     assert total >= count
     assert not rows, "\n".join(rows)
     assert beyond <= RARE * total + 1, f"{beyond} of {total} values differ by more than 4 units"
+
+
+@pytest.mark.skipif(NODE is None, reason="no node 18 or later: apt-get install nodejs")
+@pytest.mark.parametrize("name", ["gamma", "lgamma", "fsum", "frexp", "nextafter"])
+def test_what_javascript_lacks_is_that_of_python(name: str) -> None:
+    dice = np.random.default_rng(2)
+    own = {"gamma": dice.uniform(0.6, 160.0, 200), "lgamma": dice.uniform(100.0, 1e4, 200)}
+    drawn_ones = own.get(name, 10.0 ** dice.uniform(-300.0, 300.0, 200) * dice.choice([-1.0, 1.0], 200)).tolist()
+    calls = {
+        "fsum": [[drawn_ones[start : start + 20]] for start in range(0, 200, 20)],
+        "nextafter": [[x, x * factor] for x, factor in zip(drawn_ones, (0.5, 2.0) * 100, strict=True)],
+    }.get(name, [[x] for x in drawn_ones])
+    text = f"{HELPERS.read_text()}\nconsole.log(JSON.stringify({json.dumps(calls)}.map((x) => math.{name}(...x))));"
+    done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=60)
+    there = np.array(json.loads(done.stdout), float)
+    here = np.array([getattr(math, name)(*given) for given in calls], float)
+    assert (
+        np.abs(here - there)
+        <= (4.0 if name == "gamma" else 2.0 if name == "lgamma" else 0.0) * np.spacing(np.abs(here))
+    ).all()
 
 
 def test_what_has_no_program_is_refused(package: Package) -> None:

@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
+from ..code.programs import FOLDER
 from ..code.programs.bodies import BODIES
 from .reach import PLAIN, Module, Name, NoProgramError, Package
 
@@ -112,7 +113,7 @@ class Script:
         """What a name of a module, or an attribute of it, is called here; what it is bound to is taken along."""
         found = self.package.resolved(module.name, name)
         if name == "bodies" and attribute:
-            own = module.name.removeprefix("_programs.")
+            own = module.name.removeprefix(f"{FOLDER}.")
             homes = [self.package.module(f"{place}{own}") for place in (f"{BODIES}.", "")]
             return self.named(next(home for home in homes if home and attribute in home.bound), attribute)
         if found is None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -25,35 +24,18 @@ Derived = Mapping[str, Mapping[str, Entry]]
 STATE = ("F", "P", "d", "a")
 """What a contact is given by, first what a calculator asks for if nothing is said."""
 ALONE = {
-    "E_star": 3.3e6,
-    "p_0": 1e6,
-    "a": 1e-3,
-    "sigma": 0.5,
-    "F": 10.0,
-    "mu": 0.3,
-    "dgamma": 0.05,
-    "L": 0.05,
-    "e": 2e-4,
+    **{"E_star": 3.3e6, "p_0": 1e6, "a": 1e-3, "sigma": 0.5, "F": 10.0},
+    **{"mu": 0.3, "dgamma": 0.05, "L": 0.05, "e": 2e-4},
 }
 """Values to begin with where no worked example has any."""
-
-
 SAID = {"E": "Young's modulus of an elastic body under a rigid one, in place of E*", "nu": "its Poisson ratio"}
 SIGNS = {"E": "E"}
 LAST = ("E_star", "E", "nu", "G_star", "mu", "dgamma", "r", "x", "c", "F_x", "L")
 """Behind the lengths of the profile: the material, and where a field is asked for."""
 
 
-@dataclass(frozen=True)
-class Calculator:
-    """The text of the script of a profile, and the rows that it fills in."""
-
-    text: str
-    rows: frozenset[str]
-
-
-def calculator(profile_id: str, derived: Derived, package: Package) -> Calculator | None:
-    """The calculator of a profile on the homogeneous half-space; None where nothing can be calculated."""
+def calculator(profile_id: str, derived: Derived, package: Package) -> str | None:
+    """The script of the calculator of a profile on the homogeneous half-space; None where nothing can be calculated."""
     script = Script(package)
     formulas: dict[str, dict[str, object]] = {}
     lines, needed = [], dict[str, nt.Notation]()
@@ -96,12 +78,11 @@ def calculator(profile_id: str, derived: Derived, package: Package) -> Calculato
         "formulas": formulas,
         "place": pool_of(profile_id).place.name,
     }
-    text = "\n".join([
+    return "\n".join([
         "(() => {", script.text(), "const formulas = {", *lines, "};",
         f"window.calculator = {{ ...{json.dumps(data, ensure_ascii=False, indent=1)}, evaluate: formulas }};",
         "})();", "",
     ])  # fmt: skip
-    return Calculator(text, frozenset(formulas))
 
 
 def _first(field: tuple[str, nt.Notation]) -> int:
@@ -158,8 +139,8 @@ def _beginning(letter: str, case: Case | None) -> float | str:
     return ALONE.get(letter, "")
 
 
-def scripts(ids: Sequence[str], derived: Derived, modules: Mapping[str, str]) -> dict[str, Calculator]:
-    """The calculators by profile."""
+def scripts(ids: Sequence[str], derived: Derived, modules: Mapping[str, str]) -> dict[str, str]:
+    """The scripts of the calculators by profile."""
     package = Package(modules)
     found = {name: calculator(name, derived, package) for name in ids}
     return {name: own for name, own in found.items() if own is not None}

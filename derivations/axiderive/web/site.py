@@ -73,7 +73,7 @@ def html_sources(
     front = book.model(list(models.values()), chapter11, studies)
     measured = {panel.key for panel in front["studies"]["error"].panels} if front["studies"]["error"] else set()
     calculators = scripts(ids, derived, modules)
-    files = {f"assets/{name}.js": own.text for name, own in calculators.items()}
+    files = {f"assets/{name}.js": text for name, text in calculators.items()}
     for i in ids:
         shown = page(models[i], derived, evidence, modules) | {"calculator": i in calculators}
         timed = [key for key in shown["keys"] if key in measured]
