@@ -57,8 +57,9 @@ const math = {
     const y = x + (G - 0.5);
     const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
     const share = lanczos(x) / Math.exp(y);
-    const power = x < 140.0 ? 1.0 : 2.0;
-    return (share + lost * share) * Math.pow(Math.pow(y, (x - 0.5) / power), power);
+    if (x < 140.0) return (share + lost * share) * Math.pow(y, x - 0.5);
+    const half = Math.pow(y, (x - 0.5) / 2.0);
+    return (share + lost * share) * half * half;
   },
   lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
   frexp: (x) => {
