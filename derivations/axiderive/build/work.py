@@ -269,8 +269,8 @@ def _verified(
 
 @remember
 def installed(package: str) -> str:
-    """The version of a package, for the keys of the cache."""
+    """The version of a package but for its last number, for the keys of the cache: a mended one gives the same."""
     try:
-        return version(package)
+        return ".".join(version(package).split(".")[:2])
     except PackageNotFoundError:
         return "missing"
