@@ -23,11 +23,12 @@ Strip: TypeAlias = tuple[Any, ...]
 """What `in_groups` makes an integral of."""
 PANELS = 4096
 """Panels beyond which a rule is no longer refined: this many waves in the contact."""
-STRIPS = tuple((float(np.pi / np.sinh(np.log(1e19) / (2.0 * count))), count) for count in (8, 16, 24, 32, 64))
+STRIPS = ((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64))
 """Lengths of an interval and the nodes that leave 1e-19 there, for singularities at a distance pi/2.
 
-Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bernstein's ellipse);
-poles of the integrands near that distance cost a factor of up to 1e3.
+Gauss-Legendre converges as rho**(-2 count) with rho - 1/rho = 2 pi/length (Bernstein's ellipse); the lengths are cut
+after three places, since their last bits depend on the processor.
+Poles of the integrands near that distance cost a factor of up to 1e3.
 Beyond the last length there are panels of it.
 """
 FEW = 512

@@ -12,7 +12,7 @@ from ..._programs.bodies.adhesive import truncated_cone as bodies
 
 C0 = np.array(6.283185307179586)
 C1 = np.array(2.0)
-RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def depth(a, theta, b, E_star, dgamma):

@@ -11,7 +11,7 @@ from ..._runtime.plain import rule
 from ..._programs.bodies.tangential import capped_paraboloid as bodies
 
 C0 = np.array(2.0)
-RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def full_slip_displacement(a, R1, R2, b, E_star, G_star, mu):

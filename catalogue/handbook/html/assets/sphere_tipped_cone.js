@@ -120,7 +120,7 @@ const ABOVE = [
 const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
-const STRIPS = [8, 16, 24, 32, 64].map((count) => [Math.PI / Math.sinh(Math.log(1e19) / (2.0 * count)), count]);
+const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -430,7 +430,7 @@ const radius_from_depth = (d, R, theta) => {
   return _radius_from_depth(d, R, theta);
 };
 
-const RULE_0_of_sphere_tipped_cone = math.rule([[0.4097463988641303, 8], [1.7123381635707111, 16], [3.012135102255693, 24], [4.256467450182103, 32], [9.015036632031958, 64]]);
+const RULE_0_of_sphere_tipped_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _force_at = (a, reach, R, theta, E_star) => {
   let node, v101, v109, v110, v118, v119, v14, v17, v22, v28, v6, v63, v7, v71, v73, v78, v81, v82, v91, v92, v95, v97, weight;

@@ -7,7 +7,7 @@ from math import asinh, atan, exp, expm1, fsum, inf
 from ...._programs.bodies._runtime.inverse import inverse
 from ...._runtime.plain import sqrt, rule, MATH as np
 
-RULE_0 = rule(((0.4097463988641303, 8), (1.7123381635707111, 16), (3.012135102255693, 24), (4.256467450182103, 32), (9.015036632031958, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _growth_beyond(t, root, R, b):
