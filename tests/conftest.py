@@ -27,7 +27,7 @@ from axiderive.physics.medium import GRADED, HOMOGENEOUS, Medium
 from axiderive.physics.systems import Problem, problem
 from axiderive.profiles.pools import POOLS
 from axiderive.profiles.profile import Profile
-from axiderive.scene.linker import sources
+from axiderive.scene.linker import library
 from axiderive.web import html_sources
 
 # a run says the same of the same commit, on a machine that is busy too, which draws slowly;
@@ -59,7 +59,7 @@ WEB = ("cone", "flat_punch", "plane.eccentric_punch", "loads.hertzian", "materia
 def kernels_of_the_catalogue() -> Iterator[None]:
     """To fit them anew takes six seconds; one test compares them, see `test_runtime`."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in (tables, python, sources):
+        for module in (tables, python, library):
             patch.setattr(module, "kernels_source", kernels)
         yield
 

@@ -12,7 +12,7 @@ import pytest
 
 from axiderive.scene import reading, text
 from axiderive.scene.compose import Result, composed
-from axiderive.scene.linker import sources
+from axiderive.scene.linker import library
 from axiderive.scene.text import SceneError
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -45,17 +45,17 @@ def run_plainly(result: Result, folder: Path) -> str:
 
 def exchanged(monkeypatch: pytest.MonkeyPatch, path: str, right: str, wrong: str) -> None:
     """Another line in a stored module of the catalogue, by the path of its file."""
-    stored = sources.stored
+    text = library.catalogue_text
 
     def changed(own: str) -> str | None:
-        found = stored(own)
+        found = text(own)
         if own != path:
             return found
         assert found is not None
         assert right in found
         return found.replace(right, wrong)
 
-    monkeypatch.setattr(sources, "stored", changed)
+    monkeypatch.setattr(library, "catalogue_text", changed)
 
 
 def titles(page: bytes) -> list[str]:

@@ -8,7 +8,7 @@ import re
 import pytest
 from scenes import NO_PDF, composed_from, exchanged, problems
 
-from axiderive.scene.linker import module, sources
+from axiderive.scene.linker import library, module
 
 SHOE = 'profile = "eccentric_punch"\n[parameters]\na = 0.02\n{}[medium]\nE_star = 3e9\n[physics]\nplane = true\n'
 
@@ -109,12 +109,12 @@ def test_a_load_seen_from_the_wrong_side_does_not_pass(monkeypatch):
 )
 def test_a_wrong_pull_off_does_not_pass_alone(profile, right, wrong, monkeypatch):
     """Also where no force and no depth is wanted that the state could be compared with."""
-    module = sources.Module
+    module = library.Module
 
     def changed(name: str, text: str) -> object:
         return module(name, text.replace(right, wrong) if name.startswith("adhesive.") else text)
 
-    monkeypatch.setattr(sources, "Module", changed)
+    monkeypatch.setattr(library, "Module", changed)
     source = f'profile = "{profile}"\n[physics]\nadhesive = true\n[want]\nquantities = ["pull_off"]\n'
     with pytest.raises(ArithmeticError, match="pull_off"):
         composed_from(source + NO_PDF)

@@ -34,7 +34,7 @@ from ..expression.names import ExpressionError
 from ..expression.profile import OwnProfile, own_profile
 from ..scene import interface, text
 from ..scene.compose import Result, composed, manifest
-from ..scene.linker.sources import graded_refusal
+from ..scene.linker.library import graded_refusal
 from ..scene.page import typeset
 from ..scene.reading import Scene, read
 from ..store.cache import Cache, digest

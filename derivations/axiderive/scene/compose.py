@@ -16,7 +16,7 @@ from ..exits import USAGE, CommandError
 from . import evidence, interface
 from .contact import Contact
 from .evidence import Run, measured, test_text
-from .linker import module, sources
+from .linker import library, module
 from .linker.library import Module, definition
 from .linker.linking import OWN, Wanted
 from .page import page_sources
@@ -76,7 +76,7 @@ class _Composition:
             self.profile, self.entries = self.answer.profile, self.answer.entries
         else:
             self.profile = request.subject
-            self.entries = sources.stored_entries(self.profile, request.kind)
+            self.entries = library.stored_entries(self.profile, request.kind)
         self._require_reach()
         self.contact = Contact(self.profile, self.entries, self.request)
 
@@ -128,7 +128,7 @@ class _Composition:
     def _module(self) -> tuple[str, list[Wanted]]:
         """The text of the module, and what it has for others."""
         request, kind = self.request, self.request.kind
-        modules: dict[str, Module] = sources.Library(self.entries, self.answer.module if self.answer else "")
+        modules: dict[str, Module] = library.Library(self.entries, self.answer.module if self.answer else "")
         texts = [module.order(self.profile, interface.between(self.profile, kind), kind, request.values)]
         wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
         modules[OWN] = Module(OWN, "\n\n".join(texts))

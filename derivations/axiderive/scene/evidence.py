@@ -15,7 +15,7 @@ from ..exits import FAILED, CommandError
 from ..profiles.profile import Profile
 from . import interface
 from .contact import DIGITS, Contact
-from .linker import sources
+from .linker import library
 from .reading import Scene
 from .references import State, Value, detached
 
@@ -91,7 +91,7 @@ def _states(
 def stored(request: Scene, profile: Profile, answer: Answer | None) -> Mapping[str, Any]:
     """What the handbook prints beside the formulas: of the catalogue as it is stored, else of the answer."""
     if answer is None:
-        kept = sources.evidence(request.kind.system.pool.id(profile.name))
+        kept = library.evidence(request.kind.system.pool.id(profile.name))
         return kept["evidence"] if kept else {}
     return {"entries": {suffix: _found(answer, suffix) for suffix in answer.entries}}
 

@@ -26,7 +26,7 @@ from ..rows.laws import rows as law_rows
 from ..rows.ranges import chain_of, condition, regions
 from ..rows.row import Row, ordered
 from . import interface
-from .linker import sources
+from .linker import library
 from .reading import Scene
 
 MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
@@ -71,7 +71,7 @@ def page_sources(
     """LaTeX by path: a main file, the preamble and the page, which the catalogue has already for its own profiles."""
     name = request.kind.system.pool.id(profile.name)
     path = f"profiles/{name}.tex"
-    preamble = None if request.own else sources.stored("../handbook/preamble.tex")
+    preamble = None if request.own else library.catalogue_text("../handbook/preamble.tex")
     if preamble is None:
         closed = "d" not in entries or entries["d"].status == "closed"
         claim = CLAIMS["closed" if closed else "integral"]
@@ -157,7 +157,7 @@ def _sections(profile: Profile, kind: interface.Kind) -> str:
     below: dict[str, Entry] = {}
     for system in dict.fromkeys((kind.system.base or kind.plain, kind.system)):
         own = Problem(system, profile.name)
-        record = sources.evidence(own.key) or {}
+        record = library.evidence(own.key) or {}
         entries = read_entries(own, record.get("entries", {}))
         rows = law_rows(entries, below) if system.physics.laws else ordered(entries)
         lines += [rf"\sect{{{system.heading}}}", *_rows(rows, record.get("evidence", {}))]

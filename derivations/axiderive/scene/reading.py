@@ -21,7 +21,7 @@ from ..physics.viscoelastic import LAWS, Law
 from ..profiles.pools import PRESSURES, ROUND, STRIPS
 from ..profiles.profile import Profile
 from . import interface
-from .linker.sources import graded_refusal
+from .linker.library import graded_refusal
 from .medium import KEYS as MEDIUM
 from .medium import frozen, given, kind_of, medium_values
 from .text import SceneText, near
