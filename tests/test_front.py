@@ -11,8 +11,7 @@ import sympy as sp
 from stored_book import HANDBOOK, PROFILES, stored
 
 from axiderive import notation as nt
-from axiderive.book import book, front_rules, guide, handbook, references, word_index
-from axiderive.figures.chart import QUESTIONS, chart
+from axiderive.book import back, book, front, guide, handbook, texts
 from axiderive.oracle.evaluate import evaluate
 from axiderive.physics.systems import pool_of
 from axiderive.profiles import load
@@ -91,16 +90,16 @@ def test_a_punch_that_sticks_is_stiffer_unless_the_half_space_is_incompressible(
 
 
 def test_every_reference_is_cited_and_every_citation_has_its_reference() -> None:
-    labels = {references.label(work): work for work in references.WORKS}
+    labels = {back.label(work): work for work in back.WORKS}
     cited = set(re.findall(r"\\hyperref\[(ref:\w+)\]", text()))
     assert cited <= set(labels)
     of_profiles = {work for name in PROFILES for work in next(iter(stored(name).values())).profile.sources}
-    assert {labels[label] for label in cited} | of_profiles == set(references.WORKS)
+    assert {labels[label] for label in cited} | of_profiles == set(back.WORKS)
     assert r"\work" not in text()
 
 
 def test_a_doi_is_one() -> None:
-    for work in references.WORKS.values():
+    for work in back.WORKS.values():
         assert not work.doi or re.fullmatch(r"10\.\d{4,5}/[\w.()/-]+", work.doi), work
         assert not work.place.endswith("."), work
         assert re.search(r"\((18|19|20)\d\d\)", work.place), work
@@ -132,10 +131,10 @@ def test_the_plane_contact_of_a_shape_stands_behind_its_entry() -> None:
 
 
 def test_every_profile_is_an_answer_once() -> None:
-    answers = [name for _, _, own in QUESTIONS for name, _ in own]
+    answers = [name for own in texts.sections("chart").values() for name, _ in texts.rows(own)]
     assert sorted(answers) == sorted(name for name in PROFILES if name != "materials")
     known = [{"name": "cone", "number": "1.1", "title": "Cone", "shape": {}}]
-    (only,) = chart(known)
+    (only,) = front.chart(known)
     assert only["question"] == "Pointed"
     assert [one["name"] for line in only["lines"] for one in line] == ["cone"]
 
@@ -146,16 +145,16 @@ def test_words_lead_to_places_that_there_are() -> None:
         "back": [("", title, f"part:{label}") for title, label in book.BACK],
     }
     summaries = [{"name": name, "keys": [e.key for e in stored(name).values()]} for name in ("cone", "paraboloid")]
-    found = dict(word_index.word_index(summaries, contents, book.WITHIN))
+    found = dict(back.word_index(summaries, contents, book.WITHIN))
     assert found["Berkovich indenter"] == ["part:conventions", "sec:cone"]
     assert found["run time"] == ["part:study"]
     assert "wedge" not in found
     known = {*PROFILES, *(f"part:{label}" for _, label in (*book.FRONT, *book.BACK)), *book.WITHIN}
-    for word, names in word_index.WORDS.items():
+    for word, names in back.WORDS.items():
         places = [name for name in names.split() if name not in known]
         assert all(place.rpartition(".")[2] in stored(place.rpartition(".")[0]) for place in places), word
-    assert 140 <= len(word_index.WORDS) <= 200
-    assert list(word_index.WORDS) == sorted(word_index.WORDS, key=lambda word: word.replace("ß", "ss").lower())
+    assert 140 <= len(back.WORDS) <= 200
+    assert list(back.WORDS) == sorted(back.WORDS, key=lambda word: word.replace("ß", "ss").lower())
 
 
 def test_every_place_of_the_book_has_a_label() -> None:
@@ -165,7 +164,7 @@ def test_every_place_of_the_book_has_a_label() -> None:
 
 def test_rules_of_both_half_spaces_stand_on_facing_pages() -> None:
     left, right = ([one for _, _, lines in page for line in lines for one in line]
-                   for page in (front_rules.homogeneous(), front_rules.graded()))  # fmt: skip
+                   for page in (front.homogeneous(), front.graded()))  # fmt: skip
     graded = {one.key for one in right}
     both = [one for one in left if one.system in ("adhesive", "tangential")]
     assert {f"fgm.{one.key}" for one in both} <= graded

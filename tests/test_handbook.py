@@ -13,10 +13,10 @@ from typing import Any
 import mpmath as mp
 import pytest
 
+from axiderive.book.back import WORKS, label
 from axiderive.book.evidence import coverage
 from axiderive.book.handbook import handbook_sources
 from axiderive.book.page import spaced
-from axiderive.book.references import WORKS, label
 from axiderive.build import pdf
 from axiderive.entry import Entry
 from axiderive.figures.sketch import DEEPEST, RADIUS, sketch

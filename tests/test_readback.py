@@ -19,7 +19,7 @@ from stored_book import (
     stored,
 )
 
-from axiderive.book import front, front_rules
+from axiderive.book import front
 from axiderive.book.handbook import behind
 from axiderive.book.page import derivation
 from axiderive.physics.systems import problem
@@ -108,7 +108,7 @@ def test_every_formula_in_front_was_read_back() -> None:
     compared = {reading.tex for reading in front_readings()}
     compared |= {f"{one['name']}={one['definition']}" for one in front.master_rows()}
     assert {one.tex for one in found} <= compared
-    assert [one.suffix for one in found if one.suffix] == [one.key for one in front_rules.rule_rows()]
+    assert [one.suffix for one in found if one.suffix] == [one.key for one in front.rule_rows()]
 
 
 def test_the_source_is_searched_to_its_end() -> None:

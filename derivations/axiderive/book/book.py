@@ -8,17 +8,14 @@ from collections.abc import Set as AbstractSet
 from typing import Any
 
 from .. import __version__
-from ..figures.chart import chart
 from ..figures.contours import SHADES
 from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
 from ..store.cache import digest
-from . import front, front_rules, guide, notation_table, references, study
+from . import back, front, guide, notation_table, study
 from .evidence import NONE, power_of_ten
-from .notation_table import symbol_index
 from .study.tables import CELLS, spread
-from .word_index import word_index
 
 ENTRIES = {
     "Compact contact": (
@@ -135,21 +132,21 @@ def model(
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
-        "rules": (front_rules.homogeneous(), front_rules.graded()),
-        "chart": chart(pages),
+        "rules": (front.homogeneous(), front.graded()),
+        "chart": front.chart(pages),
         "chapter11": chapter11 and _chapter(chapter11),
         "studies": drawn,
         "spread": spread(drawn, studies or {}),
         "ratios": [ratio for _, ratio in CELLS],
         "works": [
-            (references.label(short), escaped(" ".join(work[:2])), work.doi)
-            for short, work in sorted(references.WORKS.items(), key=lambda one: references.sorted_as(one[0]))
+            (back.label(short), escaped(" ".join(work[:2])), work.doi)
+            for short, work in sorted(back.WORKS.items(), key=lambda one: back.sorted_as(one[0]))
         ],
         "stresses": [*front.stress_rows(), front.number_rows()[0]],
         "numbers": front.number_rows()[1],
         "tones": [f"${level:g}$" for level in SHADES],
-        "symbol_index": symbol_index(pages),
-        "word_index": word_index(pages, contents, WITHIN),
+        "symbol_index": back.symbol_index(pages),
+        "word_index": back.word_index(pages, contents, WITHIN),
         "held": _held(pages),
         "formulas": len(keys),
         "version": __version__,

@@ -1,19 +1,25 @@
-"""Front and back of the book as plain data: table of all profiles, definitions, special functions, ends of the keys."""
+"""The front of the book as plain data: tree and table of all profiles, definitions, special functions, rules.
+
+The rules hold for every profile: on the homogeneous half-space left, on the graded one right.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
-from ..abel import masters
 from ..entry import COMPACT, COMPLETE, FOUR, Entry
-from ..physics import complete, normal, subsurface
-from ..physics.medium import GRADED, HOMOGENEOUS
-from ..physics.systems import SYSTEMS
+from ..physics import complete, normal, subsurface, viscoelastic
+from ..physics.medium import GRADED, HOMOGENEOUS, Medium
+from ..physics.systems import BY_NAME, SYSTEMS
 from ..print.box import width
-from ..print.formula import MASTER_NAMES, Printer
+from ..print.formula import Printer
 from ..print.shorthand import with_kappa
 from ..profiles.pools import ROUND, STRIPS
-from ..rows import fields
+from ..rows import fields, laws
+from ..rows.row import Kind, rule
+from . import texts
 
 
 def master_row(entries: Mapping[str, Entry]) -> dict[str, str]:
@@ -34,53 +40,29 @@ def _cell(entry: Entry, room: float) -> str:
 
 def master_rows() -> list[dict[str, str]]:
     """The special functions of the catalogue with their definitions."""
-    amplitude = r"\sqrt{1-k^2\sin^2\alpha}"
-    struve = r"\frac{2(z/2)^\nu}{\sqrt\pi\,\Gamma(\nu+\frac12)}\int_0^{1}(1-u^2)^{\nu-1/2}\sin(zu)\,\mathrm du"
-    rows = (
-        (r"\mathrm{F}(\varphi,k)", rf"\int_0^{{\varphi}}\frac{{\mathrm d\alpha}}{{{amplitude}}}", MODULUS),
-        (r"\mathrm{E}(\varphi,k)", rf"\int_0^{{\varphi}}{amplitude}\,\mathrm d\alpha", MODULUS),
-        (
-            r"\mathrm{C}_0(b,r,a)",
-            r"\int_{\max(b,r)}^{a}\arccos\frac bt\,\frac{\mathrm dt}{\sqrt{t^2-r^2}}",
-            "one for every break; no closed form was found",
-        ),
-        (
-            _name(masters.LegendreChi2),
-            r"\int_0^{x}\frac{\operatorname{artanh}t}{t}\,\mathrm dt",
-            "Legendre's chi function",
-        ),
-        (_name(masters.ArctanIntegral), r"\int_0^{x}\frac{\arctan t}{t}\,\mathrm dt", "inverse tangent integral"),
-        (
-            r"\mathrm{B}(z;p,q)",
-            r"\int_0^{z}u^{p-1}(1-u)^{q-1}\,\mathrm du",
-            "incomplete Beta function, $p>0$, $0\\le z<1$",
-        ),
-        (
-            r"{}_{2}\mathrm{F}_{1}(p,q;c;z)",
-            r"\frac{\Gamma(c)}{\Gamma(q)\,\Gamma(c-q)}\int_0^{1}u^{q-1}(1-u)^{c-q-1}(1-zu)^{-p}\,\mathrm du",
-            "Gauss, $c>q>0$, $z<1$ (11.93)",
-        ),
-        (
-            r"{}_{1}\mathrm{F}_{1}(p;c;z)",
-            r"\frac{\Gamma(c)}{\Gamma(p)\,\Gamma(c-p)}\int_0^{1}u^{p-1}(1-u)^{c-p-1}\,\mathrm e^{zu}\,\mathrm du",
-            "Kummer, $c>p>0$",
-        ),
-        (
-            r"\mathrm{J}(k;b,R,a)",
-            r"\int_0^{b}\frac{u\,(a^2-u^2)^{(k-1)/2}}{\sqrt{R^2-u^2}}\,\mathrm du",
-            "spherical cap on the graded half-space, $b<a$, $b<R$",
-        ),
-        (r"\mathbf{H}_{\nu}(z)", struve, "Struve functions (11.97)"),
-        (_name(masters.Dawson), r"\mathrm e^{-x^2}\int_0^{x}\mathrm e^{u^2}\,\mathrm du", "Dawson's function"),
-    )
-    return [{"name": name, "definition": definition, "remark": remark} for name, definition, remark in rows]
+    names = ("name", "definition", "remark")
+    return [dict(zip(names, row, strict=True)) for row in texts.rows(texts.text("functions"))]
 
 
-MODULUS = "elliptic integral with modulus $k$; SciPy and mpmath take $m=k^2$"
+ABREAST = 4
+"""Answers on a line."""
 
 
-def _name(master: type[masters.Master]) -> str:
-    return MASTER_NAMES[master] + "(x)"
+def chart(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """The questions with the answers of which the edition has an entry, in lines."""
+    known = {m["name"]: m for m in summaries}
+    found = []
+    for head, answers in texts.sections("chart").items():
+        question, hint = head.split(" | ")
+        shown = [
+            {"name": name, "number": known[name]["number"], "title": known[name]["title"], "words": words,
+             "shape": known[name]["shape"]}
+            for name, words in texts.rows(answers) if name in known
+        ]  # fmt: skip
+        if shown:
+            lines = [shown[i : i + ABREAST] for i in range(0, len(shown), ABREAST)]
+            found.append({"question": question, "hint": hint, "lines": lines})
+    return found
 
 
 def suffixes() -> list[tuple[str, list[tuple[str, str]]]]:
@@ -180,3 +162,112 @@ def _left(components: str, named: Callable[[str], str]) -> str:
 def _component(axes: str) -> str:
     letter = r"\sigma" if axes[0] == axes[1] else r"\tau"
     return f"{letter}_{{{axes}}}"
+
+
+@dataclass(frozen=True)
+class RuleRow:
+    """A rule in print, and how it is read back: as the row of this kind of any entry with its suffix."""
+
+    system: str
+    suffix: str
+    label: str
+    small: str
+    tex: str
+    remark: str = ""
+    kind: Kind | None = "rule"
+    """None for a defining integral."""
+
+    @property
+    def key(self) -> str:
+        """The end of the keys that the rule gives, and of its own label: fgm.adh.Dl."""
+        return f"{BY_NAME[self.system].group}.{self.suffix}".lstrip(".")
+
+
+Line = tuple[RuleRow, ...]
+Rules = tuple[str, str, Sequence[Line]]
+"""Title, note and lines of one kind of contact; a line holds one rule or two."""
+
+
+def homogeneous() -> list[Rules]:
+    """The left page."""
+    return [
+        ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
+        *_superposed(HOMOGENEOUS),
+        (
+            "Viscoelastic half-space",
+            r"while the contact grows; laws on page \pageref{part:laws}",
+            [(_viscoelastic(kind),) for kind in laws.RULES],
+        ),
+    ]
+
+
+def graded() -> list[Rules]:
+    """The right page."""
+    integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
+    return [
+        ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
+        *_superposed(GRADED),
+    ]
+
+
+def rule_rows() -> list[RuleRow]:
+    """All rules of the spread."""
+    return [one for page in (homogeneous(), graded()) for _, _, lines in page for line in lines for one in line]
+
+
+def _superposed(medium: Medium) -> list[Rules]:
+    """What stands above the normal contact, as each physics says it."""
+    return [
+        (BY_NAME[own.physics.name].heading, own.physics.noted, _lines(own.name, own.said.spread))
+        for own in SYSTEMS
+        if own.medium is medium and own.said.spread
+    ]
+
+
+def _lines(system: str, suffixes: Sequence[Sequence[str]]) -> list[Line]:
+    return [tuple(_rule(system, suffix) for suffix in line) for line in suffixes]
+
+
+def _rule(system: str, suffix: str) -> RuleRow:
+    found = rule(BY_NAME[system], suffix)
+    assert found is not None
+    quantities, *_ = BY_NAME[system].physics.quantities.values()
+    label, small = quantities[suffix].heading
+    small = f"${found.where}$" if found.where else small
+    return RuleRow(system, suffix, label, small, found.tex, found.remark)
+
+
+def _labelled(system: str, suffix: str, tex: str, remark: str, kind: Kind | None) -> RuleRow:
+    return RuleRow(system, suffix, *COMPACT[suffix].heading, tex, remark, kind)
+
+
+def _inverses(system: str) -> list[Line]:
+    return [
+        tuple(_labelled(system, q.suffix, q.solves, "solved for $a$", "root") for q in COMPACT.values() if q.solves),
+        (
+            _labelled(system, "Fd", r"F_{\mathrm N}=F_{\mathrm N}(a)", "where $g(a)=d$", "composition"),
+            _labelled(system, "dF", "d=g(a)", r"where $F_{\mathrm N}(a)=F_{\mathrm N}$", "composition"),
+        ),
+    ]
+
+
+def _stiffness(medium: Medium) -> RuleRow:
+    system = "normal" if medium is HOMOGENEOUS else "graded.normal"
+    return _labelled(system, "k", f"{COMPACT['k'].left}={Printer()(medium.stiffness())}", "", "formula")
+
+
+def _mean(system: str) -> RuleRow:
+    return _labelled(system, "pm", r"\bar p=\frac{F_{\mathrm N}(a)}{\pi a^{2}}", "", "rule")
+
+
+def _integral(suffix: str) -> RuleRow:
+    """Depth or force on the graded half-space from the profile."""
+    return _labelled(
+        "graded.normal", suffix, f"{COMPACT[suffix].left}={Printer()(normal.definitions(GRADED)[suffix])}", "", None
+    )
+
+
+def _viscoelastic(kind: str) -> RuleRow:
+    label, small = viscoelastic.QUANTITIES[f"{kind}_{viscoelastic.LAWS[0].suffix}"].heading
+    remark = {"load": "solved for $a$", "ramp": r"where $F_{\mathrm N}\sim d^m$"}.get(kind, "")
+    return RuleRow("viscoelastic", kind, label, small, laws.RULES[kind], remark)

@@ -1,7 +1,7 @@
 """What a reader is told before the first formula: how to read an entry, conventions, and when a formula holds.
 
-One text for the book and the web edition, in the LaTeX that both can set. Every number in it is computed from what it
-says, so that none is typed.
+One text for the book and the web edition, `texts/guide.txt`, in the LaTeX that both can set. Every number in it is
+computed from what it says, so that none is typed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from typing import Any
 import mpmath as mp
 
 from ..print.words import escaped
-from . import references
+from .back import label
+from .texts import sections
 
 BERKOVICH = 24.5
 """Projected area of a Berkovich or a Vickers pyramid over the square of its depth."""
@@ -95,113 +96,20 @@ def retraction_at_pull_off() -> float:
 
 Paragraph = tuple[str, str]
 """Its first words, in bold, and the rest."""
-
-
-READING = r"""
-**Where to begin.** If you know the shape of the body, use the drawing on page \pageref{part:chart}. If you know its
-name, use the table of all profiles on page \pageref{part:master} or the word index on page \pageref{part:words}. Before
-you trust a number, read page \pageref{part:validity}.
-
-**An entry** begins with what is looked up most: the profile, and depth, force, pressure and displacement without
-adhesion and friction. Adhesion, friction, graded and viscoelastic half-spaces and a worked example follow.
-
-**A row** has a label on the left, below it in grey the range in which the formula holds, then the formula, and its key
-on the right. On the border of two ranges either formula may be used. Letters that are defined behind a formula hold in
-that row only.
-
-**The key** is the number of the formula, and it is never changed: \eqr{cone.p} is the pressure of the cone. Within an
-entry only its end is printed. The key is also the address in the web edition, \code{cone.html\#p}, and it names the
-function in Python, \code{axicontact.normal.cone.pressure}.
-
-**Rules** that hold for every profile are not repeated in the entries: the inverse relations, adhesion, partial slip and
-the graded half-space stand on page \pageref{part:rules}. An entry prints such a quantity only where its own formula is
-shorter than the rule.
-
-**Equations to be solved.** Where the contact radius cannot be given in closed form, the row names the equation for it.
-The function in Python solves it.
-
-**Figures** show the exact solution. The sketch is to scale, and its parameters are those of the check values. Plots are
-dimensionless.
-
-**Check values** are there to test a program of your own. They are dimensionless and rounded in the last digit.
-"""
+TEXTS = sections("guide")
+"""With `@name:format@` in the place of a number, and a work behind \\work."""
 
 
 def reading() -> list[Paragraph]:
     """How to find an entry and read it."""
-    return _paragraphs(READING)
-
-
-CONVENTIONS = r"""
-**The bodies.** A rigid indenter touches a half-space that is homogeneous, isotropic and linearly elastic, without
-friction unless the row is about friction. Two elastic bodies are covered too: the profile is then the gap between them
-before loading, and $d$ is their approach.
-
-**Which modulus.** $1/E^{*}=(1-\nu_1^2)/E_1+(1-\nu_2^2)/E_2$ is the contact modulus, which nanoindentation calls the
-reduced modulus. For a rigid indenter it is $E^{*}=E/(1-\nu^2)$, with Young's modulus $E$ of the half-space. For
-friction $1/G^{*}=\sum_i(2-\nu_i)/(4 G_i)$.
-
-**Half-angles.** $\theta$ is measured from the surface, so a cone of half-angle $\alpha$ has $\theta=\pi/2-\alpha$. The
-cone that has the area of a Berkovich or a Vickers pyramid has the half-angle @berkovich:.1f@°, and its flank is
-inclined by @inclination:.1f@°. A cube corner, with @corner:.1f@°, is too steep for this book.
-
-**Signs.** Forces that press are positive, and so are pressures in compression; pull-off forces are negative.
-Displacements and depths are positive into the half-space.
-
-**Depth** is the displacement of the point $r=0$ of the indenter. In a plane contact it grows without bound with the
-size of the body; it is therefore given relative to the surface at the distance $L$.
-
-**Functions.** Elliptic integrals carry the modulus $k$; SciPy and mpmath expect $m=k^2$. Roots are positive, inverse
-functions have their principal values, and angles are in radians. All units are those of the SI.
-
-**Shorthands** that return in many rows: $\varphi_0=\arccos(b/a)$, $\psi=\arcsin(a/r)$, $s=\sqrt{r^2-a^2}$. Each row
-that uses one states it again.
-"""
+    return _paragraphs("reading")
 
 
 def conventions() -> list[Paragraph]:
     """What the letters stand for where books differ."""
     berkovich, corner = half_angle(BERKOVICH), half_angle(CUBE_CORNER)
     numbers = {"berkovich": berkovich, "inclination": 90 - berkovich, "corner": corner}
-    return _paragraphs(CONVENTIONS, numbers)
-
-
-VALIDITY = r"""
-**Small slopes.** All formulas are those of linear elasticity for small slopes. The error is of the order of the slope
-at the edge of the contact, and smallest for $\nu=\tfrac12$. A cone of half-angle 70.3° ($\nu=0.3$) is @cone:.0f@ \%
-stiffer than its formula says (\work{Hay, Bolshakov & Pharr 1999}).
-
-**A paraboloid for a ball.** At the same contact radius a sphere carries more force than its paraboloid: @small:.1f@ \%
-more at $a=0.1\,R$ and @large:.0f@ \% at $a=0.3\,R$. The \hyperref[sec:sphere]{sphere} has an entry of its own, which
-keeps the shape, but not large strains.
-
-**A half-space.** The body must be large against the contact. A layer on a rigid base, bonded to it and ten times as
-thick as $\sqrt{R\,d}$, carries @soft:.0f@ \% more force at the same depth than the half-space for $\nu=\tfrac12$, and
-@stiff:.0f@ \% more for $\nu=0.3$ (paraboloid; see also \work{Dimitriadis et al. 2002}).
-
-**Adhesion of short range.** The formulas with adhesion (JKR) hold where its range $z_0$, about the distance of atoms,
-is small against the retraction $\Delta\ell$. For a paraboloid this is a matter of Tabor's number, $\mu_{\mathrm
-T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}$: under given force $\Delta\ell=@pulled:.2f@\,\mu_{\mathrm T}\,z_0$
-at pull-off. Above $\mu_{\mathrm T}=5$ use JKR, with the pull-off force $-\tfrac32\pi\Delta\gamma R$. Below $0.1$ the
-limit of Derjaguin, Muller and Toporov holds, $-2\pi\Delta\gamma R$. Between them lies the transition of \work{Maugis
-1992} (\work{Tabor 1977}, \work{Johnson & Greenwood 1997}).
-
-**First yield.** Under a paraboloid the shear stress is greatest below the surface: $@shear:.4f@\,p_0$ at the depth
-$@depth:.4f@\,a$ ($\nu=0.3$), where $p_0$ is the pressure at the middle. A metal of yield stress $Y$ yields at
-$p_0=@yield:.1f@\,Y$ (\work{Johnson 1985}), that is at the force $\pi^3R^2p_0^3/(6E^{*2})$. Where the formula gives an
-infinite pressure, at a sharp edge or tip, a metal yields under any load.
-
-**Friction and pressure apart.** Normal and tangential contact are treated as independent. They are so where both bodies
-are of the same material or both incompressible, that is where Dundurs' second constant vanishes; for a rigid indenter
-it is $(1-2\nu)/(2-2\nu)$. The error is small: a flat punch that cannot slip is stiffer by the factor
-$(1-\nu)\ln(3-4\nu)/(1-2\nu)$ (\work{Spence 1968}), @stuck:.0f@ \% for $\nu=0.3$ and @sticky:.0f@ \% for $\nu=0$.
-
-**Growing contact.** The formulas for viscoelastic half-spaces need a constant Poisson ratio and a contact that has
-never shrunk.
-
-**Outside its range** a formula means nothing, even if it gives a number. The functions in Python return NaN where there
-is no such contact; beyond the edge of a contact the pressure is zero.
-"""
+    return _paragraphs("conventions", numbers)
 
 
 def validity() -> list[Paragraph]:
@@ -215,12 +123,12 @@ def validity() -> list[Paragraph]:
     shear, depth = first_yield(0.3)
     numbers = {name: 100 * (factor - 1) for name, factor in factors.items()}
     numbers |= {"shear": shear, "depth": depth, "yield": 1 / (2 * shear), "pulled": retraction_at_pull_off()}
-    return _paragraphs(VALIDITY, numbers)
+    return _paragraphs("validity", numbers)
 
 
-def _paragraphs(text: str, numbers: Mapping[str, float] = MappingProxyType({})) -> list[Paragraph]:
-    """The paragraphs of a text with its numbers put in, and the works as links to their references."""
-    text = _NUMBER.sub(lambda match: format(numbers[match[1]], match[2]), _WORK.sub(_linked, text))
+def _paragraphs(part: str, numbers: Mapping[str, float] = MappingProxyType({})) -> list[Paragraph]:
+    """The paragraphs of a part of the guide with its numbers put in, and the works as links to their references."""
+    text = _NUMBER.sub(lambda match: format(numbers[match[1]], match[2]), _WORK.sub(_linked, TEXTS[part]))
     found = (" ".join(paragraph.split()).removeprefix("**").partition("** ") for paragraph in text.split("\n\n"))
     return [(first, rest) for first, _, rest in found]
 
@@ -230,7 +138,7 @@ _WORK = re.compile(r"\\work\{([^}]*)\}")
 
 
 def _linked(match: re.Match[str]) -> str:
-    return rf"\hyperref[{references.label(match[1])}]{{{escaped(match[1])}}}"
+    return rf"\hyperref[{label(match[1])}]{{{escaped(match[1])}}}"
 
 
 TIPS = (

@@ -21,7 +21,7 @@ from ..physics.systems import profile_ids
 from ..print.box import width
 from ..rows import special
 from ..rows.row import Row
-from . import book, references, spread
+from . import back, book, spread
 from .study import error, maps
 
 Derived = Mapping[str, Mapping[str, Entry]]
@@ -126,7 +126,7 @@ def templates() -> jinja2.Environment:
         printed=printed,
         tikz=tikz,
         numbers=numbers,
-        chapter_source=references.label("Popov, Heß & Willert 2019"),
+        chapter_source=back.label("Popov, Heß & Willert 2019"),
     )
     return environment
 

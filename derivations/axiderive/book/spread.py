@@ -23,8 +23,8 @@ from ..profiles.profile import Profile
 from ..rows import blocks, special
 from ..store.cache import digest
 from ..worked import worked, worked_bodies, worked_given
+from . import back, front, page
 from . import evidence as proven
-from . import front, page, references
 from .page import given_table, panel
 
 Entries = Mapping[str, Entry]
@@ -63,7 +63,7 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "first": next(system.name for system in PRINTED if system.pool is pool),
         "rows": rows,
         "blocks": shown,
-        "sources": [(prose(work), references.label(work)) for work in profile.sources],
+        "sources": [(prose(work), back.label(work)) for work in profile.sources],
         "equations": _equations(own),
         "shown": [anchor for row in printed for anchor in row.anchors],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],

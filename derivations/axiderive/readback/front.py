@@ -21,7 +21,7 @@ import sympy as sp
 
 from .. import notation as nt
 from ..abel.masters import MASTERS
-from ..book import front, front_rules, page
+from ..book import front, page
 from ..entry import Entry
 from ..oracle.evaluate import case_at, evaluate
 from ..oracle.sampling import points
@@ -124,10 +124,10 @@ OF_DEPTH, POWER = "cone", r",\qquad m=2"
 
 def rules(stored: Stored) -> list[Line]:
     """The rules for every profile, each against an entry that follows from it, in any text of its own."""
-    return [Line(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front_rules.rule_rows()]
+    return [Line(f"rule: {one.key}", one.tex, _ruled(one, stored)) for one in front.rule_rows()]
 
 
-def _ruled(one: front_rules.RuleRow, stored: Stored) -> Callable[[str], bool]:
+def _ruled(one: front.RuleRow, stored: Stored) -> Callable[[str], bool]:
     of_depth = one.suffix in ("step", "ramp")
     key = f"{OF_DEPTH}.vis" if of_depth else BY_NAME[one.system].said.subject
     entries, below = stored(key), problem(key).base

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from ..book import spread
+from ..book.back import WORDS
 from ..book.guide import bibtex
-from ..book.word_index import WORDS
 from ..entry import Entry
 from ..physics.systems import SYSTEMS, pool_of
 from .page import Derived

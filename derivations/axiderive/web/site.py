@@ -14,11 +14,11 @@ import jinja2
 from markupsafe import Markup, escape
 
 from ..book import book
+from ..book.back import WORDS
 from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.guide import TITLE, cited
 from ..book.handbook import Model, page_models
 from ..book.study import error, maps
-from ..book.word_index import WORDS
 from ..code.python import package_sources
 from ..figures.svg import Picture, svg
 from ..physics.systems import PRINTED, SYSTEMS, pool_of
