@@ -17,7 +17,7 @@ from axiderive.entry import Case, Entry
 from axiderive.oracle.evaluate import case_at, evaluate, evaluated
 from axiderive.physics.systems import problem
 from axiderive.readback.claims import Claim, Printed, name_in_print, named
-from axiderive.rows import approaches, limits
+from axiderive.rows import approaches
 from axiderive.rows.approaches import DIGITS, GAP, Approach, Rows
 
 READ_BACK = mp.mpf(10) ** -20
@@ -43,9 +43,9 @@ def printed(key: str) -> list[tuple[Approach, str, str]]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(approaches, "approach_row", noted)
         profile, entries = problem(key).profile, stored(key)
-        rows = [*approaches.approach_rows(profile, entries), *limits.reduction_rows(profile, entries)]
+        rows = [*approaches.approach_rows(profile, entries), *approaches.reduction_rows(profile, entries)]
         if problem(key).system.name == "normal":
-            rows += limits.limit_rows(profile, entries, evidence(key))
+            rows += approaches.limit_rows(profile, entries, evidence(key))
     shown = [tex for row in rows for tex in row.tex.split(GAP)]
     return [one for one in kept if one[1] in shown]
 

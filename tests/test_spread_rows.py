@@ -17,10 +17,9 @@ from axiderive.profiles import NAMES, load
 from axiderive.readback.compare import wrong
 from axiderive.readback.source import Further
 from axiderive.rows.approaches import Further as Printed
-from axiderive.rows.approaches import Rows
+from axiderive.rows.approaches import Rows, limit_rows
 from axiderive.rows.blocks import blocks, every
 from axiderive.rows.laws import power_of_depth, universal_rows
-from axiderive.rows.limits import limit_rows
 from axiderive.web.page import measured
 
 WITH_LIMITS = [name for name in NAMES if load(name).limits]

@@ -17,8 +17,8 @@ from .. import notation as nt
 from ..entry import Entry
 from ..oracle.shape import coefficient, number, numeric_symbols
 from ..profiles.profile import Profile
+from ..rows.approaches import BEYOND
 from ..rows.claims import points_of
-from ..rows.limits import BEYOND
 from ..rows.ranges import positive_parts
 from .claims import Line, holds, name_in_print, stated
 from .grammar import read

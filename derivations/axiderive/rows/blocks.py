@@ -16,9 +16,8 @@ from ..physics.systems import PRINTED, Problem, System, pool_of
 from ..print.words import prose
 from ..profiles.pools import BODIES, ROUND
 from . import laws
-from .approaches import Further, approach_rows
+from .approaches import Further, approach_rows, limit_rows, reduction_rows
 from .laws import universal_rows
-from .limits import limit_rows, reduction_rows
 from .ranges import regions
 from .row import LETTER, WIDEST, Region, Row, fits_half, lines, ordered
 from .special import HOSTS, ON_TIP, SUMS, TIPS, sum_rows, tip_rows
