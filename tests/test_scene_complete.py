@@ -98,7 +98,8 @@ def test_a_wrong_rule_does_not_pass(source, right, wrong, monkeypatch):
 
 
 def test_a_load_seen_from_the_wrong_side_does_not_pass(monkeypatch):
-    monkeypatch.setattr(module, "LEANING", module.LEANING.replace("np.copysign(1.0, x) * e", "e"))
+    seen = module.TEMPLATES["leaning"].replace("np.copysign(1.0, x) * e", "e")
+    monkeypatch.setitem(module.TEMPLATES, "leaning", seen)
     with pytest.raises(ArithmeticError, match="pressure"):
         composed_from(SHOE.format("e = 0.004\n") + NO_PDF)
 

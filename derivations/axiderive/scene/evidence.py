@@ -16,6 +16,7 @@ from ..profiles.profile import Profile
 from . import interface
 from .contact import DIGITS, Contact
 from .linker import library
+from .linker.module import TEMPLATES
 from .reading import Scene
 from .references import State, Value, detached
 
@@ -144,33 +145,15 @@ def record(request: Scene, profile: Profile, answer: Answer | None, run: Run) ->
 
 TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
-HEAD = '''"""Values of {stem} from {origin}, {digits} digits; run it with plain Python."""
-
-import math
-
-import {stem} as module
-
-TOLERANCE = {rule!r}'''
-"""The name of the module may be one that the test needs itself, as len or wanted."""
-OF_VALUES = """
-
-def test_values():
-    for name, fields, {keywords}wanted in VALUES:
-        got = getattr(module, name)(*fields{passed})
-        assert math.isclose(got, wanted, rel_tol=TOLERANCE), (name, fields, got, wanted)"""
-OF_PULL_OFF = """
-
-def test_pull_off():
-    for control, wanted in PULL_OFF.items():
-        state = module.pull_off(control{passed})
-        for got, value in zip(state, wanted):
-            assert math.isclose(got, value, rel_tol=TOLERANCE{least}), (control, state, wanted)"""
 
 
 def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> str:
-    """The test that goes with a module; it runs with plain Python."""
+    """The test that goes with a module; it runs with plain Python.
+
+    It has its own name for the module, whose name may be one that it needs itself, as len or wanted.
+    """
     rule = max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)])
-    lines = [HEAD.format(stem=stem, origin=origin, digits=DIGITS, rule=float(f"{rule:.1e}"))]
+    lines = [TEMPLATES["test"].format(stem=stem, origin=origin, digits=DIGITS, rule=float(f"{rule:.1e}"))]
     tests, count = list[str](), dict[str, str]()
     if run.values:
         keyed = any(v.keywords for v in run.values)
@@ -178,14 +161,15 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
         rows = (f'("{v.function}", {v.fields!r}, {own}{v.wanted!r})' for v, own in zip(run.values, given, strict=True))
         lines += ["VALUES = [", *(f"    {row}," for row in rows), "]"]
         words = {"keywords": "keywords, ", "passed": ", **keywords"} if keyed else {"keywords": "", "passed": ""}
-        tests.append(OF_VALUES.format(**words))
+        tests.append("\n\n" + TEMPLATES["test_values"].format(**words))
         count["values"] = "len(VALUES)"
     if run.detached:
         rows = (f'"{control}": {state!r}' for control, state in run.detached.items())
         lines += ["PULL_OFF = {  # radius, force and depth", *(f"    {row}," for row in rows), "}"]
         # a depth of zero, next to which the radius is what there is of a length
         least = ", abs_tol=TOLERANCE * wanted[0]" if any(0.0 in state for state in run.detached.values()) else ""
-        tests.append(OF_PULL_OFF.format(passed=f", {_passed(free)}" if free else "", least=least))
+        passed = f", {_passed(free)}" if free else ""
+        tests.append("\n\n" + TEMPLATES["test_pull_off"].format(passed=passed, least=least))
         count["pull_off"] = "3 * len(PULL_OFF)"
     calls = [*(f"test_{name}()" for name in count), f'print(f"{{{" + ".join(count.values())}}} values agree")']
     return "\n".join([*lines, *tests, "", "", 'if __name__ == "__main__":', *(f"    {call}" for call in calls), ""])

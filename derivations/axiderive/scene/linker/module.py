@@ -6,6 +6,7 @@ import ast
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ... import __version__
@@ -55,57 +56,11 @@ def _wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, 110)
 
 
-BARE = '''def _bare(name, value):
-    """The value as an array; a quantity would lose its unit there, and a masked array its mask."""
-    if isinstance(value, (list, tuple)):
-        value = [_bare(name, member) for member in value]
-    elif any(getattr(value, sign, None) is not None for sign in ("units", "unit", "magnitude", "filled")):
-        raise TypeError(f"{name} = {value!r} is no bare number; give {name}.to({_UNITS[name]!r}).magnitude or filled()")
-    return np.asarray(value, dtype=float)'''
-CORE = '''def _elementwise(function{option}):
-    """Numbers or arrays in, a float or an array out{nan}."""
-
-    @wraps(function)
-    def evaluate(*fields{parameters}):
-        fields = [*np.broadcast_arrays(*map(_bare, function.__code__.co_varnames, fields))]
-{axis}        with np.errstate(all="ignore"):
-            result = function(*(x.ravel() for x in fields){parameters}) + np.zeros(fields[0].size)
-        result = np.where(np.min(fields, axis=0) >= {least}, result.reshape(fields[0].shape), np.nan)
-{far}        return result if result.ndim else float(result)
-
-    return evaluate'''
-AXIS = """        infinite = vanishing & ({place} == np.inf)
-        fields[0] = np.where(infinite, 0.0, fields[0])  # there is a value on the axis, not at infinity
-"""
-FAR = """        result = np.where(infinite & ~np.isnan(result), 0.0, result)
-"""
-EVEN = """def _even(function):
-    \"\"\"The same on both sides of the middle.\"\"\"
-
-    @wraps(function)
-    def evaluate(x, *fields, **parameters):
-        return function(np.abs(_bare("x", x)), *fields, **parameters)
-
-    return evaluate"""
-ODD = """def _odd(function):
-    \"\"\"Of the other sign on the other side of the middle.\"\"\"
-
-    @wraps(function)
-    def evaluate(x, *fields, **parameters):
-        x = _bare("x", x)
-        return np.copysign(1.0, x) * function(np.abs(x), *fields, **parameters) + 0.0
-
-    return evaluate"""
-REQUIRE = """def _require(**parameters):
-    for name, value in parameters.items():
-        low, high = _DOMAINS[name]
-        if not low < _bare(name, value) < high:
-            raise ValueError(f"{name} = {value!r} is outside {low} < {name} < {high}")"""
+TEMPLATES: dict[str, str] = dict(
+    re.findall(r"^=== (\w+)\n(.*?)\n(?=\n===|\Z)", Path(__file__).with_name("templates.txt").read_text(), re.M | re.S)
+)
+"""Text of Python to be filled in, by name."""
 POSITIONS = ("r", "x")
-INTEGRAL = '''def _integral(integrand, stop, count):
-    """Integral of `integrand` from 0 to `stop`."""
-    rule = _NODES[count]
-    return stop * sum(w * (integrand(x * stop) + integrand((1.0 - x) * stop)) for x, w in rule)'''
 
 
 def module_text(
@@ -142,23 +97,23 @@ def module_text(
     values = [linker.text(key) for key in _constants(linker)]
     body = "\n\n\n".join([*(_public(linker, one) for one in wanted), *private])
     if "_integral(" in body:
-        body += f"\n\n\n{INTEGRAL}"
+        body += f"\n\n\n{TEMPLATES['integral']}"
     if "_NODES[" in body:
         values.append(_nodes(modules["_runtime.nodes"], counts))
     free = sorted({name for one in wanted for name in one.keywords})
     if free:
         ends = {name: ", ".join(domains[name]).replace("inf", "np.inf") for name in free}
         values.append("\n".join(["_DOMAINS = {", *(f'    "{name}": ({both}),' for name, both in ends.items()), "}"]))
-        body = f"{REQUIRE}\n\n\n{body}"
+        body = f"{TEMPLATES['require']}\n\n\n{body}"
     given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
     if given:
         values.append(f"_UNITS = {{{', '.join(f'{name!r}: {units[name]!r}' for name in given)}}}".replace("'", '"'))
     used = {k: own for k, own in constants.items() if re.search(rf"\b{re.escape(k)}\b", body + "\n".join(values))}
-    for parity, text in (("odd", ODD), ("even", EVEN)):
+    for parity in ("odd", "even"):
         if any(one.parity == parity for one in wanted):
-            body = f"{text}\n\n\n{body}"
+            body = f"{TEMPLATES[parity]}\n\n\n{body}"
     body = f"{_core(fielded)}\n\n\n{body}" if fielded else body
-    body = f"{BARE}\n\n\n{body}" if given else body
+    body = f"{TEMPLATES['bare']}\n\n\n{body}" if given else body
     shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
@@ -171,13 +126,13 @@ def _vanishes(one: Wanted) -> bool:
 
 def _core(wanted: Sequence[Wanted]) -> str:
     signed, far = any(one.signed for one in wanted), any(_vanishes(one) for one in wanted)
-    return CORE.format(
+    return TEMPLATES["core"].format(
         option=(", least=0.0" if signed else "") + (", vanishing=False" if far else ""),
         nan="" if signed else "; NaN where a field is negative",
         least="least" if signed else "0.0",
         parameters=", **parameters" if any(one.keywords for one in wanted) else "",
-        axis=AXIS.format(place="np.abs(fields[0])" if signed else "fields[0]") if far else "",
-        far=FAR if far else "",
+        axis=TEMPLATES["axis"].format(place="np.abs(fields[0])" if signed else "fields[0]") + "\n" if far else "",
+        far=TEMPLATES["far"] + "\n" if far else "",
     )
 
 
@@ -255,43 +210,6 @@ def _imports(text: str) -> str:
 
 
 SILENT = '@np.errstate(all="ignore")\n'
-NUMBER = """from .{module} import {private}
-
-{silent}def {name}({parameters}):
-    return {value}
-"""
-GROWING = """from ._runtime.physics.adhesion import XI, PullOff
-from .{module} import _pull_off_radius, {force}, {depth}
-
-{silent}def pull_off(control, {parameters}):
-    if control not in XI:
-        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    a = {radius_of}
-    force = {force_of}
-    depth = {depth_of}
-    return PullOff({state})
-"""
-PEELING = """from ._runtime.physics.adhesion import PullOff
-from .{module} import {force}, {depth}
-
-{silent}def pull_off(control, {parameters}):
-    if control not in ("force", "depth"):
-        raise ValueError(f"control = {{control!r}} must be 'force' or 'depth'")
-    return PullOff(a, {force_of}, {depth_of})
-"""
-LEANING = """from .{module} import {private}
-
-def {name}(x, P, a, e):
-    # from the other side of the middle the load is seen at -e
-    value = {private}(np.abs(x), P, a, np.copysign(1.0, x) * e)
-    return np.where(P >= 0.0, value, np.nan)
-"""
-ORDER = """def _require_order({names}):
-    if not {relation}:
-        given = f"{given}"
-        reason = "{reason}"
-        raise ValueError(f"{{given}}: {shown} is violated; {{reason}}")
-"""
 WAVES = "from ._runtime.graded.waves import steepest_waves\n\n"
 PLAIN = frozenset(["_runtime.physics.adhesion", "_runtime.interface"])
 """Modules of the runtime that have nothing but formulas for the state of pull-off."""
@@ -310,7 +228,7 @@ def _float(value: str, *, array: bool) -> str:
 def number(modules: Mapping[str, Module], key: str, name: str, *, array: bool) -> str:
     """A result without fields; `array` where its rules give an array of one."""
     own = definition(modules, key)
-    return NUMBER.format(
+    return TEMPLATES["number"].format(
         module=own.module.name, private=own.name, name=name, parameters=", ".join(own.parameters),
         value=_float(_call(modules, key), array=array), silent=SILENT if array else "",
     )  # fmt: skip
@@ -331,7 +249,7 @@ def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str],
     else:
         called["radius_of"] = f"np.ravel({called['radius_of']})"
         called["state"] = "*(float(np.squeeze(x)) for x in (a, force, depth))"
-    return (GROWING if growing else PEELING).format(
+    return TEMPLATES["growing" if growing else "peeling"].format(
         module=key, parameters=", ".join(parameters), silent=SILENT if growing or array else "", **names, **called
     )
 
@@ -339,7 +257,7 @@ def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str],
 def leaning(key: str, name: str) -> str:
     """A field under a load on either side of the middle."""
     module, _, private = key.partition(":")
-    return LEANING.format(module=module, private=private, name=name)
+    return TEMPLATES["leaning"].format(module=module, private=private, name=name)
 
 
 def order(profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen: Iterable[str]) -> str:
@@ -355,7 +273,7 @@ def order(profile: Profile, rules: Sequence[Rule], kind: interface.Kind, frozen:
         relation = f"{python(rule.left)} {'<' if rule.strict else '<='} {python(rule.right)}"
         relation = "steepest_waves(k) * R * h <= wavelength**2" if waves else relation
         given = ", ".join(f"{name} = {{{name}!r}}" for name in names)
-        text = ORDER.format(
+        text = TEMPLATES["order"].format(
             names=", ".join(names), relation=relation, given=given,
             shown=relation.replace("np.", "").replace("{", "").replace("}", ""), reason=rule.reason,
         )  # fmt: skip
