@@ -20,9 +20,9 @@ from axicontact.viscoelastic import sphere as relaxing
 from axiderive.book.spread import problems_of
 from axiderive.figures.values import Numbers, StripNumbers
 from axiderive.physics.systems import pool_of
-from axiderive.worked import worked
 from axiderive.worked.cases import CASES, CERAMIC, POLYETHYLENE, STEEL
 from axiderive.worked.further import GRADED, SOLIDS
+from axiderive.worked.normal import worked
 
 
 @cache

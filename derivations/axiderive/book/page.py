@@ -82,14 +82,13 @@ def check_table(profile: Profile, numbers: Numbers) -> dict[str, Any]:
         return _over_breaks(profile, numbers, where)
     with mp.workdps(numbers.digits):
         mean, depth, radius = numbers.mean_pressure, numbers.depth, numbers["a"]
-        breaks = [numbers[b.name] / radius for b in profile.breaks]
         return values_table(
             numbers.place("p").name,
             where,
             # what is given stands among the parameters
             [one for one in (("d", depth), (force, numbers("F")), (r"\bar p", mean)) if one[0] not in given],
             [(r"p/\bar p", "p"), ("w/d", "d" if force == "P" else "w")],
-            [(x, numbers("p", mp.mpf(x) * radius) / mean) for x in _off_breaks(INSIDE, breaks)],
+            [(x, numbers("p", mp.mpf(x) * radius) / mean) for x in INSIDE],
             [(x, numbers("w", mp.mpf(x) * radius) / depth) for x in OUTSIDE],
         )
 
@@ -137,11 +136,6 @@ def _instead(profile: Profile, length: sp.Expr = sp.S.One, numbers: Numbers | No
         (solution,) = sp.solve(sp.Eq(symbol, expr), own)
         found[own] = solution.xreplace({**(numbers.values if numbers else {}), symbol: length})
     return found
-
-
-def _off_breaks(ratios: tuple[str, ...], breaks: list[Any]) -> list[str]:
-    """The ratios with those moved on that meet a break, where the pressure may be infinite."""
-    return [f"{float(x) + 0.05:g}" if any(abs(mp.mpf(x) - b) < 1e-3 for b in breaks) else x for x in ratios]
 
 
 STRIP = r"A flat strip of half-width $t$ under the load $P$ has the pressure $P/(\pi\sqrt{t^2-x^2})$. "

@@ -22,7 +22,7 @@ from ..profiles.pools import ROUND
 from ..profiles.profile import Profile
 from ..rows import blocks, special
 from ..store.cache import digest
-from ..worked import worked, worked_bodies, worked_given
+from ..worked.normal import worked, worked_bodies, worked_given
 from . import back, front, page
 from . import evidence as proven
 from .page import given_table, panel

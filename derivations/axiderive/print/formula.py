@@ -8,7 +8,6 @@ relies on), and \left( is never used.
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from typing import Any
 
@@ -46,73 +45,6 @@ MASTER_NAMES = {
 }  # fmt: skip
 
 
-class FunctionPrinter(ABC):
-    """What stands behind the factors of a product, printed around the sums of its arguments."""
-
-    @abstractmethod
-    def sum(self, expr: sp.Expr) -> str:
-        """A sum in its order."""
-
-    @abstractmethod
-    def exponent(self, exponent: sp.Expr) -> str:
-        """An expression on one level, with a solidus."""
-
-    def _call(self, e: Any, power: str = "") -> str:
-        kind = type(e)
-        if kind in FUNCTIONS:
-            return self._named(FUNCTIONS[kind] + power, e.args[0], always=kind is sp.exp)
-        if kind in MASTER_NAMES:
-            return MASTER_NAMES[kind] + bracket(",".join(self.sum(x) for x in e.args))
-        if kind in (sp.elliptic_f, sp.elliptic_e):
-            letter = r"\mathrm{F}" if kind is sp.elliptic_f else r"\mathrm{E}"
-            return letter + bracket(",".join([*map(self.small, e.args[:-1]), self.small(sp.sqrt(e.args[-1]))]))
-        if kind is sp.elliptic_k:
-            return r"\mathrm{K}" + bracket(self.small(sp.sqrt(e.args[0])))
-        if kind is sp.gamma:
-            return r"\Gamma" + bracket(self.small(e.args[0]))
-        if kind is masters.IncompleteBeta:
-            z, p, q = e.args
-            return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
-        if kind in (masters.StruveH, masters.StruveL):
-            letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
-            return f"{letter}_{{{self.exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
-        if kind in (masters.Hypergeometric, masters.Kummer):
-            *upper, lower, z = e.args
-            inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])
-            return rf"{{}}_{{{len(upper)}}}\mathrm{{F}}_{{1}}" + bracket(inside)
-        if kind is masters.CapMoment:
-            exponent, *lengths = map(self.sum, e.args)
-            return r"\mathrm{J}" + bracket(f"{exponent};" + ",".join(lengths))
-        if kind in (masters.Xi, masters.Eta):
-            letter = r"\xi" if kind is masters.Xi else r"\eta"
-            return letter if e.args[2] == nt.a else f"{letter}_{{{self.exponent(e.args[2])}}}"
-        name = {"w1D": r"w_{\mathrm{1D}}"}.get(kind.__name__, kind.__name__)
-        return name + bracket(",".join(self.sum(x) for x in e.args))
-
-    def _named(self, name: str, argument: sp.Expr, always: bool = False) -> str:
-        text = self.small(argument) if _is_small_fraction(argument) else self.sum(argument)
-        one_factor = argument.is_Symbol or argument.is_Integer or is_one_group(text)
-        return f"{name} {text}" if one_factor and not always else name + bracket(text)
-
-    def small(self, expr: sp.Expr) -> str:
-        """An argument with small fractions: Gamma((n + 1)/2), F(phi, r/b)."""
-        above, below = sp.fraction(sp.together(expr))
-        if below == 1:
-            return self.sum(expr).replace(r"\frac", r"\tfrac")
-        return rf"\tfrac{{{self.sum(above)}}}{{{self.sum(below)}}}"
-
-    def _integral(self, e: sp.Integral) -> str:
-        variable, lo, hi = e.limits[0]
-        body = e.function
-        text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
-        return rf"\int_{{{self.exponent(lo)}}}^{{{self.exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
-
-    def _derivative(self, e: sp.Derivative) -> str:
-        """Of a function of the row, f'(t)."""
-        name = {"w1D": r"w_{\mathrm{1D}}"}.get(type(e.expr).__name__, type(e.expr).__name__)
-        return f"{name}'({self.sum(e.variables[0])})"
-
-
 def _is_small_fraction(argument: sp.Expr) -> bool:
     """pi k/2: symbols over a number, set as one small fraction."""
     number, rest = argument.as_coeff_Mul()
@@ -127,7 +59,7 @@ COUNTED = {nt.n, nt.k, nt.sigma, nt.alpha, nt.j, nt.N, sp.Symbol("m", positive=T
 EXPONENTS_OF_GRADING = (sp.Rational(-99, 100), sp.Rational(99, 100))
 
 
-class Printer(FunctionPrinter):
+class Printer:
     """Prints SymPy expressions; `chain` is the ascending order of lengths that is known to hold."""
 
     def __init__(self, chain: tuple[sp.Expr, ...] = (), names: Mapping[sp.Symbol, str] | None = None) -> None:
@@ -340,6 +272,65 @@ class Printer(FunctionPrinter):
             return f"(-{text})" if sign < 0 else text
         message = f"no print form for {type(e).__name__}: {e}"
         raise TypeError(message)
+
+    # functions, around the sums of their arguments
+
+    def _call(self, e: Any, power: str = "") -> str:
+        kind = type(e)
+        if kind in FUNCTIONS:
+            return self._named(FUNCTIONS[kind] + power, e.args[0], always=kind is sp.exp)
+        if kind in MASTER_NAMES:
+            return MASTER_NAMES[kind] + bracket(",".join(self.sum(x) for x in e.args))
+        if kind in (sp.elliptic_f, sp.elliptic_e):
+            letter = r"\mathrm{F}" if kind is sp.elliptic_f else r"\mathrm{E}"
+            return letter + bracket(",".join([*map(self.small, e.args[:-1]), self.small(sp.sqrt(e.args[-1]))]))
+        if kind is sp.elliptic_k:
+            return r"\mathrm{K}" + bracket(self.small(sp.sqrt(e.args[0])))
+        if kind is sp.gamma:
+            return r"\Gamma" + bracket(self.small(e.args[0]))
+        if kind is masters.IncompleteBeta:
+            z, p, q = e.args
+            return r"\mathrm{B}" + bracket(f"{self.sum(z)};{self.small(p)},{self.small(q)}")
+        if kind in (masters.StruveH, masters.StruveL):
+            letter = r"\mathbf{H}" if kind is masters.StruveH else r"\mathbf{L}"
+            return f"{letter}_{{{self.exponent(e.args[0])}}}" + bracket(self.sum(e.args[1]))
+        if kind in (masters.Hypergeometric, masters.Kummer):
+            *upper, lower, z = e.args
+            inside = ";".join([",".join(map(self.small, upper)), self.small(lower), self.sum(z)])
+            return rf"{{}}_{{{len(upper)}}}\mathrm{{F}}_{{1}}" + bracket(inside)
+        if kind is masters.CapMoment:
+            exponent, *lengths = map(self.sum, e.args)
+            return r"\mathrm{J}" + bracket(f"{exponent};" + ",".join(lengths))
+        if kind in (masters.Xi, masters.Eta):
+            letter = r"\xi" if kind is masters.Xi else r"\eta"
+            return letter if e.args[2] == nt.a else f"{letter}_{{{self.exponent(e.args[2])}}}"
+        return _function_name(kind) + bracket(",".join(self.sum(x) for x in e.args))
+
+    def _named(self, name: str, argument: sp.Expr, always: bool = False) -> str:
+        text = self.small(argument) if _is_small_fraction(argument) else self.sum(argument)
+        one_factor = argument.is_Symbol or argument.is_Integer or is_one_group(text)
+        return f"{name} {text}" if one_factor and not always else name + bracket(text)
+
+    def small(self, expr: sp.Expr) -> str:
+        """An argument with small fractions: Gamma((n + 1)/2), F(phi, r/b)."""
+        above, below = sp.fraction(sp.together(expr))
+        if below == 1:
+            return self.sum(expr).replace(r"\frac", r"\tfrac")
+        return rf"\tfrac{{{self.sum(above)}}}{{{self.sum(below)}}}"
+
+    def _integral(self, e: sp.Integral) -> str:
+        variable, lo, hi = e.limits[0]
+        body = e.function
+        text = bracket(self.sum(body)) if body.is_Add else self.sum(body)
+        return rf"\int_{{{self.exponent(lo)}}}^{{{self.exponent(hi)}}} {text}\,\mathrm{{d}}{self.sum(variable)}"
+
+    def _derivative(self, e: sp.Derivative) -> str:
+        """Of a function of the row, f'(t)."""
+        return f"{_function_name(type(e.expr))}'({self.sum(e.variables[0])})"
+
+
+def _function_name(kind: type[sp.Function]) -> str:
+    return r"w_{\mathrm{1D}}" if kind.__name__ == "w1D" else kind.__name__
 
 
 def _is_of_pi(root: Root) -> bool:

@@ -22,8 +22,6 @@ from ..print.shorthand import LINE, Short, shortened, with_kappa
 from ..print.terms import tidied
 from .ranges import Pairs, chain_of, condition, regions
 
-LETTER = 3.3
-"""Points of a letter of the key."""
 Kind = Literal["formula", "root", "composition", "rule", "definition", "joined"]
 INDENT = r"\enspace\enspace "
 EXPLICIT = 250.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future
+from pathlib import Path
 from typing import Any
 
 from .. import __version__
@@ -29,24 +30,6 @@ from . import interface
 from .linker import library
 from .reading import Scene
 
-MAIN = r"""\pdfinfoomitdate=1 \pdfsuppressptexinfo=-1 \pdftrailerid{}
-\documentclass[10pt,a4paper,twoside]{article}
-%% without bookmarks, links and labels one pass of LaTeX is enough for the page
-\PassOptionsToPackage{bookmarks=false}{hyperref}
-\input{preamble}
-\renewcommand{\hyperref}[2][]{#2}\renewcommand{\label}[1]{}
-\begin{document}
-{\fontsize{17}{22}\selectfont\textcolor{ink}{%(title)s}\par}\vspace{2mm}
-{\fontsize{9}{12}\selectfont\sffamily\textcolor{note}{axicontact %(version)s}\par}\vspace{4mm}
-{\fontsize{9.4}{12.4}\selectfont
-\begin{tabular}{@{}l@{\hspace{6mm}}l@{\hspace{6mm}}l@{\hspace{6mm}}p{92mm}@{}}
-\toprule symbol & unit & domain & meaning\\\midrule
-%(rows)s
-\bottomrule
-\end{tabular}\par}
-%(laws)s\input{profiles/%(name)s}
-\end{document}
-"""
 CLAIMS = {
     "closed": "every formula is derived and compared with its definition, the certified ones are proved",
     "integral": "the definitions as regular integrals; the rules that evaluate them are measured in evidence.json",
@@ -93,7 +76,7 @@ def page_sources(
         f"{meant.get(n['latex'], n['meaning'])}{here.get(n['latex'], '')}\\\\"
         for n in notation_table.recorded(used)
     ]
-    main = MAIN % {
+    main = Path(__file__).with_name("page.tex").read_text(encoding="utf-8") % {
         "title": escaped(request.title.strip() or "Scene"),
         "version": __version__,
         "rows": "\n".join(rows),
