@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from axiderive.book.readme import MARKS, METHODS, TIMED, matrix_tables, timing_table, with_tables
+from axiderive.book.evidence import MARKS, METHODS, TIMED, matrix_tables, timing_table, with_tables
 
 README = Path(__file__).resolve().parents[1] / "README.md"
 CATALOGUE = README.parent / "catalogue"

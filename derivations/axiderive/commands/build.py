@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
-from ..book.readme import with_tables
+from ..book.evidence import with_tables
 from ..build import pdf
 from ..build.catalogue import Catalogue
 from ..build.catalogue import build as build_catalogue

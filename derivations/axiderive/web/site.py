@@ -186,7 +186,7 @@ COLUMNS = tuple(system.name for system in PRINTED if system.pool is ROUND)
 
 
 def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
-    """A row of the matrix: the cells of `book.readme`, or that of the only system a profile has."""
+    """A row of the matrix: the cells of `book.evidence`, or that of the only system a profile has."""
     title, status = models[profile_id]["title"], models[profile_id]["status"]
     own = COLUMNS if pool_of(profile_id) is ROUND else list(status)
     cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]
