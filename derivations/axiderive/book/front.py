@@ -49,11 +49,11 @@ ABREAST = 4
 
 
 def chart(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """The questions with the answers of which the edition has an entry, in lines."""
+    """The questions with the answers of which the edition has an entry, in lines, and with the kind of the bodies."""
     known = {m["name"]: m for m in summaries}
     found = []
     for head, answers in texts.sections("chart").items():
-        question, hint = head.split(" | ")
+        question, hint, kind = head.split(" | ")
         shown = [
             {"name": name, "number": known[name]["number"], "title": known[name]["title"], "words": words,
              "shape": known[name]["shape"]}
@@ -61,7 +61,7 @@ def chart(summaries: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
         ]  # fmt: skip
         if shown:
             lines = [shown[i : i + ABREAST] for i in range(0, len(shown), ABREAST)]
-            found.append({"question": question, "hint": hint, "lines": lines})
+            found.append({"question": question, "hint": hint, "kind": kind, "lines": lines})
     return found
 
 

@@ -91,16 +91,11 @@ def html_sources(
     return files | assets()
 
 
-KINDS = {
-    "Pointed": "pointed", "Round": "round", "Flatter than round": "round", "Flat": "flat",
-    "Edge of contact fixed": "flat", "Long": "long", "Pressure known": "load",
-}  # fmt: skip
-"""Kind of the bodies that answer a question of the chart."""
 FILTERS = {
     "pointed": "pointed", "round": "round", "flat": "flat", "worn": "worn or blunt", "long": "long: plane contact",
     "load": "pressure known",
 }  # fmt: skip
-"""What the buttons say."""
+"""What the buttons say, by the kind of the bodies."""
 SMALL = 20.0
 """SVG units to one unit of the outline that the front of the book draws."""
 NONE = "–"
@@ -111,7 +106,7 @@ _WORN = re.compile(r"worn|blunt")
 def home(front: Mapping[str, Any], models: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     """Groups of pictures, the filters that leave some of them, and the tips that are known by a name."""
     groups = [
-        {**group, "cards": [_card(one, KINDS[group["question"]], models) for line in group["lines"] for one in line]}
+        {**group, "cards": [_card(one, group["kind"], models) for line in group["lines"] for one in line]}
         for group in front["chart"]
     ]
     shown = {kind for group in groups for card in group["cards"] for kind in card["kinds"]}
