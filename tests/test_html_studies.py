@@ -15,9 +15,8 @@ import pytest
 from stored_book import CATALOGUE, KEYS, stored
 from web_page import Page
 
-from axiderive.book import study as studies_of_book
+from axiderive.book import studies as studies_of_book
 from axiderive.book.handbook import page_models
-from axiderive.book.study import error
 from axiderive.figures.plots import frames
 from axiderive.figures.svg import Picture
 from axiderive.profiles import load
@@ -126,7 +125,7 @@ def _decade(figure: Picture, upwards: bool) -> tuple[float, float]:
 def test_the_points_of_a_panel_are_what_was_measured() -> None:
     """Against the labels of its axes: every method of every formula, in the order of the record."""
     panels = {figure.drawing.anchor: figure for figure in _shown()["error"]["panels"]}
-    plots = error.plots(STUDIES["error"])
+    plots = studies_of_book.plots(STUDIES["error"])
     assert list(panels) == [f"error.{key}" for key in plots]
     for key, methods in plots.items():
         figure = panels[f"error.{key}"]

@@ -14,10 +14,9 @@ import pytest
 from stored_book import stored
 
 from axiderive import notation as nt
-from axiderive.book import evidence
+from axiderive.book import evidence, studies
 from axiderive.book.handbook import templates
 from axiderive.book.page import panel as panel_of
-from axiderive.book.study import error, figures, maps, tables
 from axiderive.build.pdf import problems
 from axiderive.physics.systems import pool_of
 from axiderive.print.words import domain, prose
@@ -33,8 +32,8 @@ def records() -> dict[str, Any]:
 
 def test_the_error_panels_show_every_method_where_the_record_has_it(records: dict[str, Any]) -> None:
     record = records["error"]
-    figure = error.figure(record, frozenset({"cone.p"}))
-    plots = error.plots(record)
+    figure = studies.error_panels(record, frozenset({"cone.p"}))
+    plots = studies.plots(record)
     assert [panel.key for panel in figure.panels] == list(plots)
     assert [panel.key for panel in figure.panels if panel.known] == ["cone.p"]
     (x0, low), (x1, high) = figure.xticks[0], figure.xticks[-1]
@@ -44,17 +43,19 @@ def test_the_error_panels_show_every_method_where_the_record_has_it(records: dic
         for line, rows in zip(panel.lines, plot.values(), strict=True):
             for (x, y), (ratio, worst) in zip(line.points, rows, strict=True):
                 assert low + (x - x0) * (high - low) / (x1 - x0) == pytest.approx(math.log10(ratio), abs=0.02)
-                assert y / error.HEIGHT * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
-            assert 0 <= line.place[0] <= error.WIDTH
-            assert 0 <= line.place[1] <= error.HEIGHT
+                assert y / studies.HEIGHT * 16 - 16 == pytest.approx(max(math.log10(worst), -16), abs=1e-9)
+            assert 0 <= line.place[0] <= studies.WIDTH
+            assert 0 <= line.place[1] <= studies.HEIGHT
 
 
 def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, Any]) -> None:
     """The names of the vertical axes take room in the first column alone, and all three have 166 mm."""
-    found = tables.spread(figures(records, frozenset()), records)
+    found = studies.spread(studies.figures(records, frozenset()), records)
     text = templates().get_template("study.tex.j2").render(spread=found, ratios=[])
     lines = text.partition("Where a printed")[0].split(r"\hbox to\textwidth{")[1:]
-    assert sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels) == len(tables.PANELS)
+    assert (
+        sum(line.count(r"\begin{tikzpicture}") for line in lines) == len(found["error"].panels) == len(studies.PANELS)
+    )
     for line in lines:
         panels = line.count(r"\begin{tikzpicture}")
         assert line.count("run time over that of the function") == panels
@@ -69,14 +70,14 @@ def test_the_panels_of_a_line_name_their_axes_and_fit_on_it(records: dict[str, A
 
 
 def test_the_digits_that_a_printed_formula_keeps_are_those_of_the_record(records: dict[str, Any]) -> None:
-    found = tables.spread(figures(records, frozenset({"cone.p"})), records)
-    assert [one.key for one in found["maps"].square] == list(tables.MAPS)
+    found = studies.spread(studies.figures(records, frozenset({"cone.p"})), records)
+    assert [one.key for one in found["maps"].square] == list(studies.MAPS)
     rows = {row["key"]: row for row in found["digits"]}
     assert rows["cone.p"]["known"]
     assert not rows["cone.w"]["known"]
     assert not any(key.startswith("power_law") for key in rows)  # over an exponent, not a ratio
     for one in records["maps"]["maps"]:
-        for (cell, _), digits in zip(tables.CELLS, rows.get(one["key"], {"digits": ()})["digits"], strict=False):
+        for (cell, _), digits in zip(studies.CELLS, rows.get(one["key"], {"digits": ()})["digits"], strict=False):
             ulps = one["naive"]["worst"][0][cell]
             assert 10.0 ** -(int(digits) + 1) < max(ulps, 1.0) * 2.0**-53 or int(digits) == 0
             assert max(ulps, 1.0) * 2.0**-53 <= 10.0 ** -int(digits) or int(digits) == 0
@@ -89,19 +90,19 @@ def test_a_case_that_is_added_to_a_record_is_drawn(records: dict[str, Any]) -> N
         one | {"method": "emitted", "ratio": 1.0, "worst": 3e-16},
         one | {"method": "a_method & more", "ratio": 1e9, "worst": 2e-5},
     ]
-    figure = error.figure(record, frozenset())
+    figure = studies.error_panels(record, frozenset())
     assert figure.panels[-1].key == "cone.fgm.adh.p"
     assert figure.methods[-1][1] == r"a\_method \& more"
-    assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= error.WIDTH
-    assert figures({}, frozenset()) == {"error": None, "speed": None, "maps": None, "extremes": None}
+    assert max(x for panel in figure.panels for line in panel.lines for x, _ in line.points) <= studies.WIDTH
+    assert studies.figures({}, frozenset()) == {"error": None, "speed": None, "maps": None, "extremes": None}
 
 
 def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -> None:
     record = records["maps"]
-    figure = maps.figure(record, frozenset())
+    figure = studies.error_maps(record, frozenset())
     shown = {one.key: one for one in (*figure.plain, *figure.square)}
     assert set(shown) == {one["key"] for one in record["maps"]}
-    bounds = {f"level{i}": bound for i, bound in enumerate((*maps.LEVELS, math.inf, -1.0))}
+    bounds = {f"level{i}": bound for i, bound in enumerate((*studies.LEVELS, math.inf, -1.0))}
     for one in record["maps"]:
         for way in ("naive", "emitted"):
             cells = one[way]["worst"]
@@ -109,8 +110,8 @@ def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -
             for level in getattr(shown[one["key"]], way).levels:
                 for x, y, width, tall in level.corners:
                     i = round(y * len(cells) / shown[one["key"]].height)
-                    j = round(x * len(cells[0]) / maps.SIDE)
-                    for value in cells[i][j : j + round(width * len(cells[0]) / maps.SIDE)]:
+                    j = round(x * len(cells[0]) / studies.SIDE)
+                    for value in cells[i][j : j + round(width * len(cells[0]) / studies.SIDE)]:
                         coloured += 1
                         bound = bounds[level.look]
                         lower = max((b for b in bounds.values() if 0 < b < bound), default=0.0)
@@ -120,7 +121,7 @@ def test_the_heat_maps_colour_every_cell_by_its_error(records: dict[str, Any]) -
 
 
 def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> None:
-    rows = tables.extremes(records["extremes"])
+    rows = studies.extremes(records["extremes"])
     assert sum(row["cases"] for row in rows) == len(records["extremes"]["rows"])
     limits = [row["limit"] for row in rows]
     assert len({limit for i, limit in enumerate(limits) if limit != limits[i - 1]}) == len(set(limits))
@@ -128,7 +129,7 @@ def test_the_table_of_extremes_counts_every_case(records: dict[str, Any]) -> Non
         {"limit": "R -> infinity", "key": "x.p", "emitted": 2e-16, "naive": None, "ulps": 1.5},
         {"limit": "R -> infinity", "key": "x.w", "emitted": 3e-16, "naive": 0.25, "ulps": None},
     ]
-    (row,) = tables.extremes({"rows": made})
+    (row,) = studies.extremes({"rows": made})
     assert (row["limit"], row["keys"], row["lost"], row["refused"]) == (r"$R\to \infty$", "p, w", 1, 0)
     assert (row["ulps"], row["emitted"], row["naive"]) == ("$1.5$", r"$3\times10^{-16}$", "$0.25$")
 

@@ -13,9 +13,8 @@ from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
 from ..rows import laws
 from ..store.cache import digest
-from . import back, front, guide, notation_table, study
+from . import back, front, guide, notation_table, studies
 from .evidence import NONE, power_of_ten
-from .study.tables import CELLS, spread
 
 ENTRIES = {
     "Compact contact": (
@@ -103,7 +102,7 @@ def _coverage(pages: Sequence[Mapping[str, Any]]) -> dict[str, int]:
 def model(
     pages: Sequence[Mapping[str, Any]],
     chapter11: Mapping[str, Any] | None,
-    studies: Mapping[str, Mapping[str, Any]] | None = None,
+    records: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, Any]:
     """What the template of the main file prints."""
     pages = sorted(pages, key=lambda m: tuple(map(int, m["number"].split("."))))
@@ -111,7 +110,7 @@ def model(
     chapters = _grouped(CHAPTERS, parts)
     kinds = _grouped(KINDS, [("Plane contact" if pool_of(m["name"]).strip else title, m) for title, m in parts])
     keys = [key for m in pages for key in m["keys"]]
-    drawn = study.figures(studies or {}, frozenset(keys))
+    drawn = studies.figures(records or {}, frozenset(keys))
     shown = {**drawn, "chapter11": chapter11}
     left_out = {label for label, needed in NEEDED.items() if not shown[needed]}
     contents = _contents(chapters, left_out)
@@ -136,8 +135,8 @@ def model(
         "chart": front.chart(pages),
         "chapter11": chapter11 and _chapter(chapter11),
         "studies": drawn,
-        "spread": spread(drawn, studies or {}),
-        "ratios": [ratio for _, ratio in CELLS],
+        "spread": studies.spread(drawn, records or {}),
+        "ratios": [ratio for _, ratio in studies.CELLS],
         "works": [
             (back.label(short), escaped(" ".join(work[:2])), work.doi)
             for short, work in sorted(back.WORKS.items(), key=lambda one: back.sorted_as(one[0]))

@@ -22,7 +22,7 @@ from ..print.box import width
 from ..rows import special
 from ..rows.row import Row
 from . import back, book, spread
-from .study import error, maps
+from .studies import map_drawing, panel_drawing
 
 Derived = Mapping[str, Mapping[str, Entry]]
 Model = Mapping[str, Any]
@@ -121,8 +121,8 @@ def templates() -> jinja2.Environment:
         remark=remark,
         behind=behind,
         drawn=drawn,
-        map_drawing=partial(maps.drawing, printed=True),
-        panel_picture=error.picture,
+        map_drawing=partial(map_drawing, printed=True),
+        panel_drawing=panel_drawing,
         printed=printed,
         tikz=tikz,
         numbers=numbers,

@@ -18,7 +18,7 @@ from ..book.back import WORDS
 from ..book.evidence import LEFT_OUT, LEGEND
 from ..book.guide import TITLE, cited
 from ..book.handbook import Model, page_models
-from ..book.study import error, maps
+from ..book.studies import Panel, Panels, map_drawing, panel_drawing
 from ..code.python import package_sources
 from ..figures.svg import Picture, svg
 from ..physics.systems import PRINTED, SYSTEMS, pool_of
@@ -138,12 +138,12 @@ UNIT = 8.0
 """SVG units to a millimetre."""
 
 
-def _panel(panel: error.Panel, whole: error.Figure) -> Picture:
-    return svg(error.picture(panel, whole), UNIT)
+def _panel(panel: Panel, whole: Panels) -> Picture:
+    return svg(panel_drawing(panel, whole), UNIT)
 
 
 def studies_model(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """What the page of the studies shows, from `book.study`; each part may be missing."""
+    """What the page of the studies shows, from `book.studies`; each part may be missing."""
     shown: dict[str, Any] = {"error": None, "speed": figures["speed"], "maps": None, "extremes": None}
     if figures["error"]:
         whole = figures["error"]
@@ -151,7 +151,7 @@ def studies_model(figures: Mapping[str, Any]) -> dict[str, Any]:
     if figures["maps"]:
         found = figures["maps"]
         shown["maps"] = {
-            "figures": [svg(maps.drawing(one, printed=False), UNIT) for one in (*found.square, *found.plain)],
+            "figures": [svg(map_drawing(one, printed=False), UNIT) for one in (*found.square, *found.plain)],
             "legend": found.legend,
         }
     if figures["extremes"]:
