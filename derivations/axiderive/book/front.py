@@ -189,7 +189,7 @@ Rules = tuple[str, str, Sequence[Line]]
 
 
 def homogeneous() -> list[Rules]:
-    """The left page."""
+    """The rules on the left page, of the homogeneous half-space."""
     return [
         ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
         *_superposed(HOMOGENEOUS),
@@ -202,7 +202,7 @@ def homogeneous() -> list[Rules]:
 
 
 def graded() -> list[Rules]:
-    """The right page."""
+    """The rules on the right page, of the graded half-space."""
     integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
     return [
         ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
