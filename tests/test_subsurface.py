@@ -13,7 +13,19 @@ from selected import few
 from test_interface import PARAMETERS
 
 from axicontact import subsurface
-from axicontact._runtime.subsurface.punches import COSH, EXP, PLAIN, SINH, TANH, Piece, punch, superposed
+from axicontact._runtime.subsurface.punches import (
+    COSH,
+    DISPLACEMENT,
+    EXP,
+    FRICTION,
+    PLAIN,
+    SINH,
+    STRESS,
+    TANH,
+    Piece,
+    punch,
+    superposed,
+)
 from axicontact.normal import cone, paraboloid, rounded_punch
 from axicontact.subsurface import SlidingStress, Stress, add, hydrostatic, principal, tresca, von_mises
 
@@ -168,8 +180,22 @@ def test_a_stick_zone_takes_the_friction_of_its_own_contact_away(name: str) -> N
     assert fields.partial_slip_stress(0.5, 0.3, 0.4, a, inner, **given) == pytest.approx(whole - stuck, rel=1e-13)
 
 
-def exact(r: float, z: float, growth: list[int]) -> list[Any]:
-    """The twelve numbers for a = 1 and g' = sum growth[j] t**j, by recurrences for int t**j (r/q)**m/rho dt."""
+def of_stresses(S: list[Any], D: list[Any], r: Any, z: Any) -> list[Any]:
+    """The numbers STRESS and FRICTION from S_0 ... S_3 and D_0 ... D_3."""
+    less, slope = (S[0] - z * S[1] / r, z * S[2] / r) if r else (S[0] - (D[0] + D[2]) / 2, (D[1] + D[3]) / 4)
+    return [S[0], (S[0] + S[2]) / 2, S[0] + D[0], less, D[1], S[1], (S[1] + S[3]) / 2, slope, D[1], D[2], less]
+
+
+def found_at(r: Any, z: Any, piece: Piece) -> Any:
+    """The same as the rule finds them, as rows."""
+    return np.concatenate([superposed(own, r, z, [piece]) for own in (STRESS, FRICTION)])
+
+
+def exact(r: float, z: float, growth: list[int]) -> tuple[list[Any], list[Any], list[Any]]:
+    """S_0 ... S_3, D_0 ... D_3 and the numbers DISPLACEMENT for a = 1 and g' = sum growth[j] t**j.
+
+    By recurrences for int t**j (r/q)**m/rho dt.
+    """
     r, z, i = mp.mpf(r), mp.mpf(z), mp.mpc(0, 1)
     rho, start = mp.sqrt(z + i * (1 - r)) * mp.sqrt(z + i * (1 + r)), mp.hypot(r, z)
     one, nought, top = r / (rho + z + i), r / (z + start), len(growth) + 4
@@ -187,7 +213,7 @@ def exact(r: float, z: float, growth: list[int]) -> list[Any]:
         D.append(z * (mp.re(bent) + growth[0] * nought**m / start))
     depth = mp.fsum(mp.mpf(x) / (j + 1) for j, x in enumerate(growth))
     W = depth * table[0][0].real - sum(mp.mpf(x) / (j + 1) * table[j + 1][0] for j, x in enumerate(growth)).real
-    return [*S, *D, S[0] + D[0], S[0] - (D[0] + D[2]) / 2, r * (S[0] + S[2]) / 2, W]
+    return S, D, [S[0], S[1], r * (S[0] + S[2]) / 2, W]
 
 
 def places(count: int) -> list[tuple[float, float]]:
@@ -212,19 +238,20 @@ def test_the_rule_keeps_its_digits_everywhere(growth: list[int]) -> None:
     with mp.workdps(90):
         wanted = [exact(*point, growth) for point in points]
         for piece in pieces:
-            found = superposed(r, z, [piece])
-            for i, row in enumerate(wanted):
-                size = max(map(abs, row[:-2]))
-                error = max(abs(mp.mpf(float(x)) - w) for x, w in zip(found[:-2, i], row[:-2], strict=True)) / size
+            found, moved = found_at(r, z, piece), superposed(DISPLACEMENT, r, z, [piece])
+            for i, (S, D, sunk) in enumerate(wanted):
+                size, row = max(map(abs, (*S, *D))), of_stresses(S, D, *map(mp.mpf, points[i]))
+                error = max(abs(mp.mpf(float(x)) - w) for x, w in zip(found[:, i], row, strict=True)) / size
                 assert error < 6e-14, (points[i], mp.nstr(error, 3))
-                for x, w in zip(found[-2:, i], row[-2:], strict=True):
-                    assert abs(mp.mpf(float(x)) - w) <= 6e-14 * w, points[i]
+                for x, w, least in zip(moved[:, i], sunk, (size, size, 0, 0), strict=True):
+                    assert abs(mp.mpf(float(x)) - w) <= 6e-14 * max(w, least), points[i]
 
 
 def test_a_flat_punch_keeps_the_digits_of_each_number() -> None:
     points = [(r, z) for r, z in places(60) if z > 0.0 and r > 0.0]
     r, z = np.array(points).T
-    found = punch(r, z, np.ones(r.size), 1.0 - r)
+    own = punch(r, z, np.ones(r.size), 1.0 - r)
+    found, moved = np.array([*STRESS.of(own), *FRICTION.of(own)]), np.array(DISPLACEMENT.of(own))
     with mp.workdps(90):
         for i, (x, y) in enumerate(points):
             near, depth = mp.mpf(x), mp.mpf(y)
@@ -232,12 +259,14 @@ def test_a_flat_punch_keeps_the_digits_of_each_number() -> None:
             q, zeta = rho + depth + mp.mpc(0, 1), depth + mp.mpc(0, 1)
             S = [-((near / q) ** m / rho).imag for m in range(4)]
             D = [-depth * ((zeta + m * rho) * (near / q) ** m / rho**3).imag for m in range(4)]
-            single = {0: S[0], 4: D[0], 8: S[0] + D[0], 9: S[0] - (D[0] + D[2]) / 2, 10: near * (S[0] + S[2]) / 2}
-            for own, wanted in ((found[row], one) for row, one in single.items()):
-                bound = 2e-13 if wanted is D[0] else 4e-15  # D_0 passes through zero
-                assert abs(mp.mpf(float(own[i])) / wanted - 1) < bound, (x, y)
+            row = of_stresses(S, D, near, depth)
+            # sums of terms of one sign
+            for one in (0, 1, 2, 3, 5, 6):
+                assert abs(mp.mpf(float(found[one, i])) / row[one] - 1) < 4e-15, (x, y, one)
+            for one, wanted in enumerate((S[0], S[1], near * (S[0] + S[2]) / 2, mp.arg(q))):
+                assert abs(mp.mpf(float(moved[one, i])) / wanted - 1) < 4e-15, (x, y, one)
             size = max(map(abs, (*S, *D)))
-            assert max(abs(mp.mpf(float(f[i])) - w) for f, w in zip(found, (*S, *D), strict=False)) < 3e-15 * size
+            assert max(abs(mp.mpf(float(f)) - w) for f, w in zip(found[:, i], row, strict=True)) < 3e-15 * size
 
 
 VARIABLES = {
@@ -273,7 +302,7 @@ def test_slopes_with_singular_points_keep_their_digits(name: str) -> None:
         low, high = ends(b)
         piece = Piece(variable, low, high, slope, (b,), b, 2.0)
         for r, z in ((0.3, 0.2), (1.3, 0.02), (0.999, 1e-3)):
-            found = superposed(np.array([r]), np.array([z]), [piece])[:, 0]
+            found = found_at(np.array([r]), np.array([z]), piece)[:, 0]
             with mp.workdps(30):
                 B, x, y = mp.mpf(b), mp.mpf(r), mp.mpf(z)
                 start, end = inverse(mp.mpf(low) / B), inverse(mp.mpf(high) / B)
@@ -285,7 +314,8 @@ def test_slopes_with_singular_points_keep_their_digits(name: str) -> None:
                     mp.quad(lambda v, own=(B, m, bent, x, y): wanted_rate(name, v, *own), cuts)
                     for bent in (False, True) for m in range(4)
                 ]  # fmt: skip
-                error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, wanted, strict=False))
+                row = of_stresses(wanted[:4], wanted[4:], x, y)
+                error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, row, strict=True))
                 assert error < 3e-14 * max(map(abs, wanted)), (b, r, z)
 
 
@@ -301,7 +331,9 @@ def power_rate(n: float, v: Any, r: Any, z: Any, m: int) -> Any:
 def test_slopes_that_are_any_power_keep_their_digits(n: float) -> None:
     piece = Piece(EXP, 0.0, 1.0, lambda t: t ** (n - 1.0), (), 1.0, 2.0 / max(n, 1.0), n)
     for r, z in ((0.3, 0.2), (1e-3, 2e-3), (0.99, 0.01)):
-        found = superposed(np.array([r]), np.array([z]), [piece])[:, 0]
+        own = (np.array([r]), np.array([z]), [piece])
+        found = [*superposed(DISPLACEMENT, *own)[:2, 0], superposed(STRESS, *own)[1, 0]]
+        found += [superposed(FRICTION, *own)[1, 0]]
         with mp.workdps(25):
             x, y = mp.mpf(r), mp.mpf(z)
             star = mp.log(mp.mpc(x, y))
@@ -309,7 +341,8 @@ def test_slopes_that_are_any_power_keep_their_digits(n: float) -> None:
             cuts = sorted({mp.mpf(0), *(s for s in (star.real, star.real - 8, *steps) if s < 0), mp.mpf(-60) / n})
 
             wanted = [mp.quad(lambda v, own=(x, y, m): power_rate(n, v, *own), cuts) for m in range(4)]
-            error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, wanted, strict=False))
+            wanted = [*wanted[:2], (wanted[0] + wanted[2]) / 2, (wanted[1] + wanted[3]) / 2]
+            error = max(abs(mp.mpf(float(f)) - w) for f, w in zip(found, wanted, strict=True))
             assert error < 2e-14 * max(map(abs, wanted)), (r, z)
 
 
@@ -399,6 +432,16 @@ def test_where_the_pressure_is_infinite_the_result_says_so() -> None:
     assert subsurface.flat_punch.greatest_shear(0.1, a=1.0, **given) == (np.inf, 1.0, 0.0)
     # an incompressible half-space is under the same pressure in all directions at the tip
     assert np.isfinite(subsurface.cone.greatest_von_mises(1.0, theta=0.2, E_star=E_STAR, nu=0.5).value)
+
+
+@pytest.mark.parametrize("n", [0.7, 1.5, 2.0])
+def test_at_the_tip_of_a_power_law(n: float) -> None:
+    given = {"A": 0.2, "n": n, "E_star": E_STAR, "nu": NU}
+    found = np.array(subsurface.power_law.stress(np.array([0.0, 1e-14]), 0.0, 1.0, **given))
+    if n <= 1.0:
+        assert (found[:3, 0] == -np.inf).all()
+    else:
+        assert found[:, 0] == pytest.approx(found[:, 1], rel=1e-6, abs=1e-14)
 
 
 def test_what_is_outside_is_nan_or_refused() -> None:

@@ -158,9 +158,7 @@ def test_emitted_fields_keep_their_digits_everywhere(name: str) -> None:
 
 
 def test_a_wrong_or_careless_sum_over_punches_is_measured() -> None:
-    assert (
-        worst("cone", ("-depth * scale * (wide", "-1.0000001 * depth * scale * (wide"))["stress"]["bench"]["worst_ulp"]
-        > 1e6
-    )
-    careless = worst("cone", ("y * s * s / root", "found[0] - (bent[0] + bent[2]) / 2.0"))
+    wrong = ("* deep * (r / root)\n    return pressed", "* deep * (r / root) * 1.0000001\n    return pressed")
+    assert worst("cone", wrong)["stress"]["bench"]["worst_ulp"] > 1e6
+    careless = worst("cone", ("        pressed * ss,", "        pressed - deep * kappa * (c * y + s * x) / r,"))
     assert careless["sliding_stress"]["extreme"]["by_component"] > 1e6

@@ -355,12 +355,14 @@ def stresses() -> list[Line]:
     s, d = [[draw.uniform(0.2, 2.0) for _ in range(4)] for _ in range(2)]
     known = {name: draw.uniform(0.2, 2.0) for name in ("r", "z", "W", "varphi")} | {"nu": 0.29, "E*": 1.7, "mu": 0.31}
     # equilibrium, by which the functions take some of their sums
-    d[2] = 2 * known["z"] * s[1] / known["r"] - d[0]
-    twelve = [*s, *d, s[0] + d[0], s[0] - (d[0] + d[2]) / 2, known["r"] * (s[0] + s[2]) / 2, known["W"]]
+    slopes = [known["z"] * x / known["r"] for x in s[1:3]]
+    d[2], d[3] = 2 * slopes[0] - d[0], 4 * slopes[1] - d[1]
+    pressure, half = [s[0], (s[0] + s[2]) / 2, s[0] + d[0], s[0] - slopes[0], d[1]], known["r"] * (s[0] + s[2]) / 2
+    friction = [s[1], (s[1] + s[3]) / 2, slopes[1], d[1], d[2], s[0] - slopes[0]]
     scale, nu = known["E*"] / math.pi, known["nu"]
-    pressed = fields.Stress(*fields.normal_stress(twelve, nu, scale))
-    sliding = fields.SlidingStress(*fields.frictional_stress(twelve, known["varphi"], nu, known["mu"] * scale))
-    moved = fields.Displacement(*fields.normal_displacement(twelve, known["z"], nu))
+    pressed = fields.Stress(*fields.normal_stress(pressure, nu, scale))
+    sliding = fields.SlidingStress(*fields.frictional_stress(friction, known["varphi"], nu, known["mu"] * scale))
+    moved = fields.Displacement(*fields.normal_displacement([*s[:2], half, known["W"]], known["z"], nu))
     names = {f"{letter}_{i}": value for letter, row in (("S", s), ("D", d)) for i, value in enumerate(row)}
     found = []
     for (title, _, rows), own in zip(front.stress_rows(), (pressed, moved, sliding), strict=True):
