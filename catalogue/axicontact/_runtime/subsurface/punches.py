@@ -5,7 +5,8 @@ by one, has S_m = -Im X_m, D_m = -z Im((zeta + m rho) X_m/rho**2) and W = arg q;
 g'(t), and those of its own radius times d - g(a).  They are integrals over k of k**(1, 2, 0) P(k) exp(-k z) J_m(k r)
 with P(k) the Hankel transform of pi p/E*, D_m with z in front; on the surface S_0 is pi p/E* itself.
 
-The numbers of one punch are sums of terms of one sign, to the last digits everywhere.  The integrand of a contact is
+A field needs few sums of them, with r (D_0 + D_2) = 2 z S_1 and r (D_1 + D_3) = 4 z S_2, most of one punch without
+terms that cancel.  The integrand of a contact is
 analytic but for t = r + i z and its mirror images, which come as close as the point is to the surface.  So panels
 get longer with the distance from there, in v - alpha = beta sinh(u) with alpha + i beta the place of r + i z in
 a variable v(t) in which the slope itself has no singular point nearer than a right angle.
@@ -31,10 +32,10 @@ SURFACE = 1e-30
 """Depths below the surface, in lengths of the contact, that change nothing."""
 SMOOTH = 8.0
 """Order to which a power of t is smooth in t**(1/m) at least, in which it is integrated next to the axis."""
+TIP = -700.0
+"""Place of the tip in log(t), below that of every radius that counts."""
 POINTS = 512
 """Panels that are summed together, so that what they need stays in the cache."""
-NUMBERS = 12
-"""S_0 ... S_3, D_0 ... D_3, S_0 + D_0, S_0 - (D_0 + D_2)/2 = S_0 - z S_1/r, r (S_0 + S_2)/2 and W."""
 
 
 class Variable(NamedTuple):
@@ -42,47 +43,88 @@ class Variable(NamedTuple):
 
     place: Callable[[Any, Any], Any]
     """v of a complex radius, with the length that goes with the variable."""
-    difference: Callable[[Any, Any, Any], Any]
-    """t' - t of the places v and v + x."""
     away: Callable[[Any, Any, Any, Any, Any], Any]
     """v - v' of t and t', whose places are about known."""
     radius: Callable[[Any, Any], tuple[Any, Any]]
     """t and dt/dv."""
+    at: Callable[[Array, Array], tuple[Array, ...]]
+    """What `gap` takes of the place alpha + i beta of r + i z."""
+    gap: Callable[..., Array]
+    """(t - r)/length at v = alpha + w, of w, v and `at`: with digits beside |r + i z - t|."""
+
+
+def _both(x: Array) -> tuple[Array, Array]:
+    """sinh and cosh."""
+    more = np.expm1(x)
+    whole = 1.0 + more
+    return 0.5 * more * (1.0 + 1.0 / whole), 0.5 * (whole + 1.0 / whole)
+
+
+def _of_cosh(v: Array, b: Array) -> tuple[Array, Array]:
+    sinh, cosh = _both(v)
+    return b * cosh, b * sinh
+
+
+def _of_sinh(v: Array, b: Array) -> tuple[Array, Array]:
+    sinh, cosh = _both(v)
+    return b * sinh, b * cosh
+
+
+def _of_tanh(v: Array, b: Array) -> tuple[Array, Array]:
+    more = np.expm1(2.0 * v)
+    whole = 2.0 + more
+    return b * (more / whole), 4.0 * b * (1.0 + more) / (whole * whole)
+
+
+def _at_tanh(alpha: Array, beta: Array) -> tuple[Array, ...]:
+    sinh, cosh, sin, cos = np.sinh(alpha), np.cosh(alpha), np.sin(beta), np.cos(beta)
+    size = (cosh - sin) * (cosh + sin)
+    return cos * cos * cosh / size, sin * sin * sinh / size
+
+
+def _gap_tanh(w: Array, v: Array, near: Array, aside: Array) -> Array:
+    sinh, cosh = _both(w)
+    return (near * sinh - aside * cosh) / np.cosh(v)
 
 
 PLAIN = Variable(
     lambda t, b: t,
-    lambda v, x, b: x,
     lambda t, s, v, w, b: t - s,
     lambda v, b: (v, 1.0),
+    lambda alpha, beta: (),
+    lambda w, v: w,
 )
 """v = t: slopes without singular points."""
 COSH = Variable(
     lambda t, b: 2.0 * np.arcsinh(np.sqrt((t - b) / (2.0 * b))),
-    lambda v, x, b: 2.0 * b * np.sinh(v + x / 2.0) * np.sinh(x / 2.0),
     lambda t, s, v, w, b: 2.0 * np.arcsinh((t - s) / (2.0 * b * np.sinh((v + w) / 2.0))),
-    lambda v, b: (b * np.cosh(v), b * np.sinh(v)),
+    _of_cosh,
+    lambda alpha, beta: (2.0 * np.cosh(alpha) * np.sin(beta / 2.0) ** 2,),
+    lambda w, v, aside: 2.0 * _both(v - w / 2.0)[0] * _both(w / 2.0)[0] + aside,
 )
 """t = b cosh(v): slopes with the root of t**2 - b**2, beyond a break."""
 TANH = Variable(
     lambda t, b: np.where(np.abs(t) < b / 2.0, np.arctanh(t / b), (np.log(b + t) - np.log(b - t)) / 2.0),
-    lambda v, x, b: b * np.sinh(x) / (np.cosh(v) * np.cosh(v + x)),
     lambda t, s, v, w, b: np.arctanh(b * (t - s) / ((b - t) * (b + t) + t * (t - s))),
-    lambda v, b: (b * np.tanh(v), b / np.cosh(v) ** 2),
+    _of_tanh,
+    _at_tanh,
+    _gap_tanh,
 )
 """t = R tanh(v): slopes with the root of R**2 - t**2."""
 SINH = Variable(
     lambda t, b: np.arcsinh(t / b),
-    lambda v, x, b: 2.0 * b * np.cosh(v + x / 2.0) * np.sinh(x / 2.0),
     lambda t, s, v, w, b: 2.0 * np.arcsinh((t - s) / (2.0 * b * np.cosh((v + w) / 2.0))),
-    lambda v, b: (b * np.sinh(v), b * np.cosh(v)),
+    _of_sinh,
+    lambda alpha, beta: (2.0 * np.sinh(alpha) * np.sin(beta / 2.0) ** 2,),
+    lambda w, v, aside: 2.0 * np.cosh(v - w / 2.0) * _both(w / 2.0)[0] + aside,
 )
 """t = b sinh(v): slopes with poles at i b."""
 EXP = Variable(
     lambda t, b: np.log(t / b),
-    lambda v, x, b: b * np.exp(v) * np.expm1(x),
     lambda t, s, v, w, b: 2.0 * np.arctanh((t - s) / (t + s)),
-    lambda v, b: (b * np.exp(v), b * np.exp(v)),
+    lambda v, b: (b * np.exp(v),) * 2,
+    lambda alpha, beta: (np.exp(alpha), 2.0 * np.sin(beta / 2.0) ** 2),
+    lambda w, v, far, aside: far * (np.expm1(w) + aside),
 )
 """t = a exp(v): slopes that are any power of t."""
 
@@ -108,54 +150,109 @@ class Piece(NamedTuple):
     """Whether the pressure is infinite at the inner end: at a tip, or where the profile has a kink."""
 
 
-def punch(r: Array, z: Array, t: Array, gap: Array) -> tuple[Array, ...]:
-    """The twelve numbers of flat punches of radii t, pressed in by one; `gap` is t - r.
+class Punch(NamedTuple):
+    """What the numbers of flat punches have in common, with (xi + i eta)**2 = r**2 + (z + i t)**2 = rho**2."""
 
-    With (xi + i eta)**2 = r**2 + (z + i t)**2.
-    """
-    both = r + t
-    size = np.hypot(gap, z) * np.hypot(both, z)
-    rest = z * z - gap * both
-    large = np.sqrt((size + np.abs(rest)) / 2.0)
+    r: Array
+    z: Array
+    t: Array
+    xi: Array
+    flat: Array
+    """eta/t."""
+    root: Array
+    """The root of |rho**2|."""
+    x: Array
+    y: Array
+    """rho over its size."""
+
+
+def punch(r: Array, z: Array, t: Array, gap: Array) -> Punch:
+    """Flat punches of radii t, pressed in by one; `gap` is t - r."""
+    both, zz = r + t, z * z
+    # the squares of lengths stay in range where those of squares would not
+    size = np.sqrt(gap * gap + zz) * np.sqrt(both * both + zz)
+    rest = zz - gap * both
+    large = np.sqrt((size + np.abs(rest)) * 0.5)
     small = z * (t / large)
     ahead = rest >= 0.0
     xi, eta = np.where(ahead, large, small), np.where(ahead, small, large)
     root = np.sqrt(size)
-    x, y = xi / root, eta / root
-    h = np.hypot(xi, t)
-    c, s, flat = xi / h, t / h, eta / t
-    kappa = (r / h) * (t / (t + eta))
-    xx, yy = x * x, y * y
-    double = xx - yy, -2.0 * x * y
-    triple = x * (xx - 3.0 * yy), -y * (3.0 * xx - yy)
-    wide, depth = (1.0 + flat) * (h / root), z / size
-    tt = t * t
-    found = [y / root]
-    bent = [-depth * (x / t) * (xx * (tt - 3.0 * eta * eta) + yy * (eta * eta - 3.0 * tt)) / root]
-    before, now, scale = (1.0, 0.0), (c, -s), kappa
-    for m in (1, 2, 3):
-        found.append(scale * (now[0] * y - now[1] * x) / root)
-        turned = before[0] * triple[1] + before[1] * triple[0]
-        bent.append(-depth * scale * (wide * turned + (m - 1) * (now[0] * double[1] + now[1] * double[0])))
-        before, now = now, (now[0] * c + now[1] * s, now[1] * c - now[0] * s)
-        scale = scale * kappa
-    # z/root is xi y/t, in which nothing overflows
-    whole = y * (yy * (yy + xx * (4.0 + (1.0 - flat) * (1.0 + flat))) + 3.0 * xx * (z / root) ** 2) / root
-    return (*found, *bent, whole, y * s * s / root, kappa * s, np.arctan2(t, xi))
+    return Punch(r, z, t, xi, eta / t, root, xi / root, eta / root)
 
 
-def superposed(r: Array, z: Array, pieces: Sequence[Piece]) -> Array:
-    """The twelve numbers of the slopes of all pieces at points (r, z) with z >= 0, flat arrays, as rows."""
-    total = np.zeros((NUMBERS, r.size))
+def _of_stress(own: Punch) -> tuple[Array, ...]:
+    r, z, t, xi, flat, root, x, y = own
+    xx, yy, h = x * x, y * y, np.sqrt(xi * xi + t * t)
+    deep, pressed, s = z / root, y / root, t / h
+    # deep is xi y/t, in which nothing overflows
+    whole = pressed * (yy * (yy + xx * (4.0 + (1.0 - flat) * (1.0 + flat))) + 3.0 * xx * deep * deep)
+    sheared = pressed * (3.0 * xx - yy) * deep * (r / root)
+    return pressed, s / (h * (1.0 + flat)), whole, pressed * s * s, sheared
+
+
+def _turned(own: Punch) -> tuple[Array, Array, Array]:
+    """Cosine and sine of omega = arg q, and |1/q|."""
+    h = np.sqrt(own.xi * own.xi + own.t * own.t)
+    return own.xi / h, own.t / h, 1.0 / (h * (1.0 + own.flat))
+
+
+def _of_displacement(own: Punch) -> tuple[Array, ...]:
+    c, s, outward = _turned(own)
+    kappa = own.r * outward
+    return own.y / own.root, kappa * (c * own.y + s * own.x) / own.root, kappa * s, np.arctan(own.t / own.xi)
+
+
+def _of_friction(own: Punch) -> tuple[Array, ...]:
+    r, z, t, xi, flat, root, x, y = own
+    c, s, outward = _turned(own)
+    kappa, deep = r * outward, z / root
+    xx, yy, cc, ss, cs = x * x, y * y, c * c, s * s, c * s
+    double, twice = xx - yy, 2.0 * x * y
+    pressed = y / root
+    # (1 + flat) h/root is the size of q over that of rho
+    bent = (1.0 + flat) * (t / (s * root)) * (x * (3.0 * yy - xx) * s - y * (3.0 * xx - yy) * c)
+    bent = bent - (cc - ss) * twice - 2.0 * cs * double
+    return (
+        kappa * (c * y + s * x) / root,
+        2.0 * kappa * outward * cs,
+        kappa * outward * deep * ((cc - ss) * y + 2.0 * cs * x),
+        pressed * (3.0 * xx - yy) * deep * (r / root),
+        -kappa * kappa * (deep / root) * bent,
+        pressed * ss,
+    )
+
+
+class Numbers(NamedTuple):
+    """Sums over punches of which a field is made."""
+
+    of: Callable[[Punch], tuple[Array, ...]]
+    size: int
+    infinite: tuple[int, ...]
+    """Those that are infinite where the pressure is."""
+    lost: tuple[int, ...]
+    """Those that depend on the side from which the edge of a flat punch is reached."""
+
+
+STRESS = Numbers(_of_stress, 5, (0, 2, 3), (1, 4))
+"""S_0, (S_0 + S_2)/2, S_0 + D_0, S_0 - z S_1/r and D_1."""
+DISPLACEMENT = Numbers(_of_displacement, 4, (0,), (1,))
+"""S_0, S_1, r (S_0 + S_2)/2 and W."""
+FRICTION = Numbers(_of_friction, 6, (5,), (0, 1, 2, 3, 4))
+"""S_1, (S_1 + S_3)/2, z S_2/r, D_1, D_2 and S_0 - z S_1/r."""
+
+
+def superposed(numbers: Numbers, r: Array, z: Array, pieces: Sequence[Piece]) -> Array:
+    """The numbers of the slopes of all pieces at points (r, z) with z >= 0, flat arrays, as rows."""
+    total = np.zeros((numbers.size, r.size))
     for piece in pieces:
         shape = [np.broadcast_to(np.asarray(x, float), r.shape) for x in _arrays(piece)]
         here = np.flatnonzero((shape[1] > shape[0]) & np.isfinite(r + z) & (r >= 0.0) & (z >= 0.0))
         if here.size:
             low, high, length, longest, power, sharp, *others = (x[here] for x in shape)
             own = Piece(piece.variable, low, high, piece.slope, tuple(others), length, longest, power)
-            total[:, here] += _of_piece(r[here], z[here], own)
+            total[:, here] += _of_piece(numbers, r[here], z[here], own)
             ends = here[(sharp != 0.0) & (r[here] == low) & (z[here] == 0.0)]
-            for row in (0, 8, 9):
+            for row in numbers.infinite:
                 total[row, ends] = np.inf
     return total
 
@@ -175,15 +272,15 @@ class Panels(NamedTuple):
     few: bool = False
 
 
-def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
+def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     variable, b = piece.variable, piece.length
     with np.errstate(all="ignore"):
         z = np.where(z < SURFACE * (r + piece.high), 0.0, z)
         w = r + 1j * z
-        star = variable.place(w, b)
+        star = np.where((w == 0.0) & (variable is EXP), TIP, variable.place(w, b))
         top = _away(piece, piece.high, w, star)
         if variable is EXP:
-            lowest = np.minimum(star.real, 0.0) - np.log(_tail_of(piece.power))
+            lowest = np.where(w == 0.0, 0.0, np.minimum(star.real, 0.0)) - np.log(_tail_of(piece.power))
             bottom = lowest - star.real
         else:
             lowest = variable.place(piece.low + 0j, b).real
@@ -199,14 +296,15 @@ def _of_piece(r: Array, z: Array, piece: Piece) -> Array:
         # from the nearer end, whose distance is known to its last digits
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
-        total = _tail(r, z, piece) if variable is EXP else np.zeros((NUMBERS, r.size))
+        total = _tail(numbers, r, z, piece) if variable is EXP else np.zeros((numbers.size, r.size))
         begin = lowest[point] + width * share
         # a high power takes its digits from the end at which it is large
         begin = np.where((variable is EXP) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
         # eight nodes are enough for the kernel, and for a slope that is a power
         power = (variable is EXP) | np.isinf(piece.longest)[point]
+        summed = _Summed(numbers, r, z, piece, alpha, beta)
         for panels in _panels(point, power, begin, (whole / count)[point], left, right, alpha, beta, mirror):
-            _add(total, r, z, piece, alpha + 1j * beta, panels)
+            summed.add(total, panels)
     return total
 
 
@@ -215,14 +313,18 @@ def _tail_of(power: Array) -> Array:
     return np.where(power < 1.0, 8.0 ** (2.0 / power), 8.0)
 
 
-def _tail(r: Array, z: Array, piece: Piece) -> Array:
+def _tail(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     """The numbers of radii that are small beside the contact and the point."""
     nodes, weights = gauss_legendre(MANY)
     reach, m = np.minimum(np.hypot(r, z), piece.high), np.ceil(SMOOTH / piece.power)[:, None]
     end = np.where(reach > 0.0, reach, piece.high) / _tail_of(piece.power)
     t = end[:, None] * nodes**m
     weight = piece.slope(t, *(x[:, None] for x in piece.parameters)) * weights * m * t / nodes
-    return np.array([(weight * x).sum(-1) for x in punch(r[:, None], z[:, None], t, t - r[:, None])])
+    return _sums(numbers, punch(r[:, None], z[:, None], t, t - r[:, None]), weight)
+
+
+def _sums(numbers: Numbers, own: Punch, weight: Array) -> Array:
+    return np.array([np.einsum("ij,ij->i", weight, x) for x in numbers.of(own)])
 
 
 def _away(piece: Piece, end: Array, w: Array, star: Array) -> Array:
@@ -265,18 +367,34 @@ def _panels(
 
     near = ~clear & (beta[point] > 0.0)
     o, scale = point[near], beta[point[near]]
-    found.append(
-        _cut(o, np.arcsinh(left[near] / scale), np.arcsinh(right[near] / scale),
-             lambda u, o: along(beta[o] * np.sinh(u), beta[o] * np.cosh(u), o))
-    )  # fmt: skip
+    ends = [np.arcsinh(x[near] / scale) for x in (left, right)]
+
+    def beside(u: Array, o: Array) -> tuple[Array, Array, Array]:
+        half = 0.5 * beta[o]
+        e = half * np.exp(u)
+        other = half * half / e
+        return along(e - other, e + other, o)
+
+    found.append(_cut(o, *ends, beside))
     on = ~clear & (beta[point] == 0.0)
     beyond, within = on & (right > 0.0), on & (left < 0.0)
     o = point[beyond]
-    low, high = (2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right))
-    found.append(_cut(o, low, high, lambda u, o: along(mirror[o] * np.sinh(u / 2) ** 2, mirror[o] / 2 * np.sinh(u), o)))
+    ends = [2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right)]
+
+    def after(u: Array, o: Array) -> tuple[Array, Array, Array]:
+        e = np.exp(u / 2.0)
+        sinh, cosh = (e - 1.0 / e) / 2.0, (e + 1.0 / e) / 2.0
+        return along(mirror[o] * sinh * sinh, mirror[o] * sinh * cosh, o)
+
+    found.append(_cut(o, *ends, after))
     o = point[within]
-    low, high = (2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left))
-    found.append(_cut(o, low, high, lambda u, o: along(-mirror[o] * np.sin(u / 2) ** 2, mirror[o] / 2 * np.sin(u), o)))
+    ends = [2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left)]
+
+    def before(u: Array, o: Array) -> tuple[Array, Array, Array]:
+        sin, cos = np.sin(u / 2.0), np.cos(u / 2.0)
+        return along(-mirror[o] * sin * sin, mirror[o] * sin * cos, o)
+
+    found.append(_cut(o, *ends, before))
     return [panels for panels in found if panels.point.size]
 
 
@@ -287,22 +405,31 @@ def _cut(point: Array, start: Array, end: Array, offset: Any) -> Panels:
     return Panels(point[own], start[own] + share * (end - start)[own], step, offset)
 
 
-def _add(total: Array, r: Array, z: Array, piece: Piece, star: Array, panels: Panels) -> None:
-    """Adds the integrals over panels to those of their points."""
-    nodes, weights = gauss_legendre(FEW if panels.few else MANY)
-    for begin in range(0, panels.point.size, POINTS):
-        part = slice(begin, begin + POINTS)
-        point, step = panels.point[part], panels.step[part, None]
-        o = point[:, None]
-        v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o)
-        place, b = star[o], piece.length[o]
-        t, pace = piece.variable.radius(v, b)
-        gap = away if piece.variable is PLAIN else piece.variable.difference(place, away - 1j * place.imag, b).real
-        # far away the places of all radii are alike to the last digits
-        gap = np.where(np.hypot(r[o], z[o]) > 2.0 * piece.high[o], t - r[o], gap)
-        roots = {COSH: pace, TANH: np.sqrt(pace * b), SINH: None, PLAIN: None, EXP: None}[piece.variable]
-        given = (t,) if roots is None else (t, roots)
-        weight = piece.slope(*given, *(x[o] for x in piece.parameters)) * pace * rate * step * weights
-        first = np.flatnonzero(np.diff(point, prepend=-1))
-        sums = np.array([(weight * x).sum(-1) for x in punch(r[o], z[o], t, gap)])
-        total[:, point[first]] += np.add.reduceat(sums, first, axis=1)
+class _Summed:
+    """Sums over panels of one piece."""
+
+    def __init__(self, numbers: Numbers, r: Array, z: Array, piece: Piece, alpha: Array, beta: Array) -> None:
+        self.numbers, self.r, self.z, self.piece = numbers, r, z, piece
+        self.at = piece.variable.at(alpha, beta)
+        # far away the places of all radii are alike to the last digits, and at the tip the radii are the distances
+        self.far = (np.hypot(r, z) > 2.0 * piece.high) | (r + z == 0.0)
+
+    def add(self, total: Array, panels: Panels) -> None:
+        """Adds the integrals over panels to those of their points."""
+        nodes, weights = gauss_legendre(FEW if panels.few else MANY)
+        piece, variable = self.piece, self.piece.variable
+        for begin in range(0, panels.point.size, POINTS):
+            part = slice(begin, begin + POINTS)
+            point, step = panels.point[part], panels.step[part, None]
+            o = point[:, None]
+            v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o)
+            r, b = self.r[o], piece.length[o]
+            t, pace = variable.radius(v, b)
+            gap = variable.gap(away, v, *(x[o] for x in self.at))
+            gap = np.where(self.far[o], t - r, gap if variable is PLAIN else b * gap)
+            roots = {COSH: pace, TANH: np.sqrt(pace * b), SINH: None, PLAIN: None, EXP: None}[variable]
+            given = (t,) if roots is None else (t, roots)
+            weight = piece.slope(*given, *(x[o] for x in piece.parameters)) * (pace * rate * (step * weights))
+            sums = _sums(self.numbers, punch(r, self.z[o], t, gap), weight)
+            first = np.flatnonzero(np.diff(point, prepend=-1))
+            total[:, point[first]] += np.add.reduceat(sums, first, axis=1)

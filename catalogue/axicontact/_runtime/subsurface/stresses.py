@@ -1,4 +1,4 @@
-"""Stresses and displacements of a contact from its twelve numbers, under normal load and under friction.
+"""Stresses and displacements of a contact from sums over flat punches, under normal load and under friction.
 
 Tension is positive, z points into the half-space, cylindrical components.  Friction is uncoupled from the pressure:
 the traction is mu p in the direction phi = 0.
@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from ..interface import Array, Result, numbers
-from .punches import Piece, punch, superposed
+from .punches import DISPLACEMENT, FRICTION, STRESS, Numbers, Piece, punch, superposed
 
 
 class Stress(NamedTuple):
@@ -62,8 +62,8 @@ Shape: TypeAlias = Callable[..., tuple[Array, Array, Sequence[Piece]]]
 which the edge is pressed in beyond g; the pieces of g'."""
 
 
-def twelve(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
-    """The twelve numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
+def summed(numbers: Numbers, shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, Array]) -> Array:
+    """The numbers as rows over points of one shape, to which all arguments broadcast; NaN where one is negative.
 
     They are infinite where the pressure is: at the edge of a flat face, a tip, a kink.
     """
@@ -73,14 +73,13 @@ def twelve(shape: Shape, r: Array, z: Array, given: Array, geometry: dict[str, A
     with np.errstate(all="ignore"):
         radius, edge, pieces = shape(given, **dict(zip(geometry, own, strict=True)))
         radius, edge = np.broadcast_to(radius, r.shape), np.broadcast_to(edge, r.shape)
-        total = superposed(r, z, pieces)
+        total = superposed(numbers, r, z, pieces)
         pressed = np.flatnonzero((edge != 0.0) & (radius > 0.0))
         x, y, t = r[pressed], z[pressed], radius[pressed]
-        field = np.array(punch(x, y, t, t - x))
+        field = np.array(numbers.of(punch(x, y, t, t - x)))
         rim = np.flatnonzero((x == t) & (y == 0.0))
-        field[:10, rim] = np.nan
-        for row in (0, 8, 9):
-            field[row, rim] = np.inf
+        for rows, value in ((numbers.infinite, np.inf), (numbers.lost, np.nan)):
+            field[np.ix_(rows, rim)] = value
         total[:, pressed] += edge[pressed] * field
         total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
         total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
@@ -96,7 +95,7 @@ def stress_below(
     shape: Shape, r: Result, z: Result, given: Result, E_star: Result, nu: Result, **geometry: Result
 ) -> Stress:
     """The stress under the normal load."""
-    found, (nu, E_star) = _found(shape, r, z, given, geometry, nu=nu, E_star=E_star)
+    found, (nu, E_star) = _found(STRESS, shape, r, z, given, geometry, nu=nu, E_star=E_star)
     return Stress(*plain(normal_stress(found, nu, E_star / np.pi)))
 
 
@@ -104,7 +103,7 @@ def displacement_below(
     shape: Shape, r: Result, z: Result, given: Result, nu: Result, **geometry: Result
 ) -> Displacement:
     """The displacement under the normal load."""
-    found, (nu,) = _found(shape, r, z, given, geometry, nu=nu)
+    found, (nu,) = _found(DISPLACEMENT, shape, r, z, given, geometry, nu=nu)
     return Displacement(*plain(normal_displacement(found, np.asarray(z), nu)))
 
 
@@ -114,21 +113,21 @@ def sliding_below(
 ) -> SlidingStress:  # fmt: skip
     """What friction adds, with a zone of stick up to the radius `inner` if there is one."""
     others = {"phi": phi, "nu": nu, "E_star": E_star, "mu": mu} | ({} if inner is None else {"c": inner})
-    found, (phi, nu, E_star, mu, *inside) = _found(shape, r, z, given, geometry, **others)
+    found, (phi, nu, E_star, mu, *inside) = _found(FRICTION, shape, r, z, given, geometry, **others)
     for c in inside:
-        found = found - _found(shape, r, z, c, geometry, phi=phi)[0]
+        found = found - _found(FRICTION, shape, r, z, c, geometry, phi=phi)[0]
     return SlidingStress(*plain(frictional_stress(found, phi, nu, mu * E_star / np.pi)))
 
 
 def _found(
-    shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], **others: Result
+    of: Numbers, shape: Shape, r: Result, z: Result, given: Result, geometry: dict[str, Result], **others: Result
 ) -> tuple[Array, list[Array]]:
-    """The twelve numbers, and the other arguments, over the shape to which all broadcast."""
+    """The numbers, and the other arguments, over the shape to which all broadcast."""
     fields = {"r": r, "z": z, _given(geometry): given}
     known = [numbers(name, x) for own in (fields, geometry, others) for name, x in own.items()]
     r, z, given, *own = np.broadcast_arrays(*known)
     geometry = dict(zip(geometry, own, strict=False))
-    return twelve(shape, r, z, given, geometry), own[len(geometry) :]
+    return summed(of, shape, r, z, given, geometry), own[len(geometry) :]
 
 
 def _given(geometry: dict[str, Result]) -> str:
@@ -166,7 +165,7 @@ def _greatest_of(
         return Greatest(np.inf, sharp[0], 0.0)
 
     def value(r: Array, z: Array) -> Array:
-        found = twelve(shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
+        found = summed(STRESS, shape, r, z, np.full(r.shape, given), {n: np.full(r.shape, x) for n, x in known.items()})
         return measure(Stress(*normal_stress(found, nu, modulus / np.pi)))
 
     return greatest(value, a, [0.0, *inside, a])
@@ -177,27 +176,39 @@ def plain(values: Sequence[Array]) -> list[Result]:
     return [value[()] if np.ndim(value) else float(value) for value in values]
 
 
-def normal_stress(found: Array, nu: Array, scale: Array) -> list[Array]:
-    """rr, tt, zz, rz of a pressure whose twelve numbers these are; `scale` is E_star/pi."""
-    mean, half = (found[4] - (1.0 + 2.0 * nu) * found[0]) / 2.0, ((1.0 - 2.0 * nu) * found[2] - found[6]) / 2.0
-    return [scale * x for x in (mean + half, mean - half, -found[8], -found[5])]
+def normal_stress(found: Sequence[Array], nu: Array, scale: Array) -> list[Array]:
+    """rr, tt, zz, rz of a pressure whose numbers `STRESS` these are; `scale` is E_star/pi."""
+    pressed, half, whole, less, sheared = found
+    with np.errstate(invalid="ignore"):
+        infinite = np.isinf(pressed)
+        # S_2, D_0 and z S_1/r, which stay finite
+        second, deeper, slope = (
+            np.where(infinite, 0.0, x) for x in (2.0 * half - pressed, whole - pressed, pressed - less)
+        )
+        mean, apart = (0.5 + nu) * pressed, (0.5 - nu) * second
+        return [scale * x for x in (deeper - slope - mean + apart, slope - mean - apart, -whole, -sheared)]
 
 
-def normal_displacement(found: Array, z: Array, nu: Array) -> list[Array]:
-    """Away from the axis and into the half-space."""
-    sunk, sheared = (np.where(z == 0.0, 0.0, z * found[m]) for m in (0, 1))
-    outward = (1.0 - 2.0 * nu) * found[10] - sheared
-    return [-outward / (np.pi * (1.0 - nu)), (2.0 * found[11] + sunk / (1.0 - nu)) / np.pi]
+def normal_displacement(found: Sequence[Array], z: Array, nu: Array) -> list[Array]:
+    """Away from the axis and into the half-space, of the numbers `DISPLACEMENT`."""
+    with np.errstate(invalid="ignore"):  # at a tip on the surface
+        sunk, sheared = (np.where(z == 0.0, 0.0, z * x) for x in found[:2])
+    outward = (1.0 - 2.0 * nu) * found[2] - sheared
+    return [-outward / (np.pi * (1.0 - nu)), (2.0 * found[3] + sunk / (1.0 - nu)) / np.pi]
 
 
-def frictional_stress(found: Array, phi: Array, nu: Array, scale: Array) -> list[Array]:
-    """What a traction mu p adds, in the order of `SlidingStress`; `scale` is mu E_star/pi."""
+def frictional_stress(found: Sequence[Array], phi: Array, nu: Array, scale: Array) -> list[Array]:
+    """What a traction mu p adds, as `SlidingStress`, of the numbers `FRICTION`; `scale` is mu E_star/pi."""
+    first, half, slope, sheared, bent, less = found
     cos, sin = np.cos(phi), np.sin(phi)
-    mean = found[5] / 2.0 - (1.0 + nu) * found[1]
-    along, across = found[5] / 4.0 - (1.0 - nu / 2.0) * found[1], (2.0 * nu * found[3] + found[7]) / 4.0
-    lengthwise, sideways = (mean + along - across) * cos, (mean - along + across) * cos
-    parts = (lengthwise, sideways, -found[5] * cos, -(along + across) * sin)
-    return [scale * x for x in (*parts, -(found[9] + found[6]) * cos, found[9] * sin)]
+    around = slope + nu * half
+    along = sheared - 2.0 * first - around, around - 2.0 * nu * first, -sheared
+    return [
+        *(scale * cos * x for x in along),
+        scale * sin * (first - around),
+        -scale * cos * (less + bent),
+        scale * sin * less,
+    ]
 
 
 AnyStress: TypeAlias = Stress | SlidingStress
