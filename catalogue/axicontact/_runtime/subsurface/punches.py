@@ -26,6 +26,9 @@ MANY, FEW = 16, 8
 """Nodes of a panel, and of one that is far away."""
 PANEL = 2.4
 """In u, where the next singular point is a right angle away: 16 nodes leave 1e-15 of the integral."""
+CORE, LONGEST = 1.2, PANEL * np.array([1.0, 2.0, 1.0, 2.0, 1.0])
+"""Half the middle of a long way in u, and panels of its parts: off the middle the singular point is two right angles
+away, and at the ends the slope and the mirror image come close."""
 CLEAR, FAR = 0.75, 3.0
 """Distances of the singular point, in lengths of a panel, from which 16 and 8 nodes need no sinh(u)."""
 SURFACE = 1e-30
@@ -267,8 +270,10 @@ class Panels(NamedTuple):
     point: Array
     start: Array
     step: Array
-    offset: Callable[[Array, Array], tuple[Array, Array, Array]]
-    """v, v - alpha and the derivative of both, of the panel's variable and the points."""
+    offset: Callable[[Array, Array, Array], tuple[Array, Array, Array]]
+    """v, v - alpha and the derivative of both, of the panel's variable, the points and `over`."""
+    over: Array
+    """What exp(u) of a panel at either end lacks, because u there has its last digit of a large number."""
     few: bool = False
 
 
@@ -358,7 +363,7 @@ def _panels(
     clear = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point]
     far = power & (distance > FAR * width)
     found = [
-        Panels(point[own], first[own], width[own], lambda v, o: (v, v - alpha[o], 1.0), few)
+        Panels(point[own], first[own], width[own], lambda v, o, _: (v, v - alpha[o], 1.0), width[own], few)
         for own, few in ((far, True), (clear & ~far, False))
     ]
 
@@ -367,42 +372,59 @@ def _panels(
 
     near = ~clear & (beta[point] > 0.0)
     o, scale = point[near], beta[point[near]]
-    ends = [np.arcsinh(x[near] / scale) for x in (left, right)]
 
-    def beside(u: Array, o: Array) -> tuple[Array, Array, Array]:
+    def beside(u: Array, o: Array, over: Array) -> tuple[Array, Array, Array]:
         half = 0.5 * beta[o]
-        e = half * np.exp(u)
+        e = half * np.exp(u) * over
         other = half * half / e
         return along(e - other, e + other, o)
 
-    found.append(_cut(o, *ends, beside))
+    found.append(_beside(o, left[near] / scale, right[near] / scale, beside))
     on = ~clear & (beta[point] == 0.0)
     beyond, within = on & (right > 0.0), on & (left < 0.0)
     o = point[beyond]
-    ends = [2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right)]
+    start, end = (2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right))
 
-    def after(u: Array, o: Array) -> tuple[Array, Array, Array]:
+    def after(u: Array, o: Array, _: Array) -> tuple[Array, Array, Array]:
         e = np.exp(u / 2.0)
         sinh, cosh = (e - 1.0 / e) / 2.0, (e + 1.0 / e) / 2.0
         return along(mirror[o] * sinh * sinh, mirror[o] * sinh * cosh, o)
 
-    found.append(_cut(o, *ends, after))
+    found.append(_cut(o, start, end, after))
     o = point[within]
-    ends = [2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left)]
+    start, end = (2.0 * np.arcsin(np.sqrt(np.clip(-x[within] / mirror[o], 0.0, 1.0))) for x in (right, left))
 
-    def before(u: Array, o: Array) -> tuple[Array, Array, Array]:
+    def before(u: Array, o: Array, _: Array) -> tuple[Array, Array, Array]:
         sin, cos = np.sin(u / 2.0), np.cos(u / 2.0)
         return along(-mirror[o] * sin * sin, mirror[o] * sin * cos, o)
 
-    found.append(_cut(o, *ends, before))
+    found.append(_cut(o, start, end, before))
     return [panels for panels in found if panels.point.size]
+
+
+def _beside(point: Array, left: Array, right: Array, offset: Any) -> Panels:
+    """Panels in u from arcsinh(left) to arcsinh(right); on a long way longer ones between its ends and its middle."""
+    start, end = np.arcsinh(left), np.arcsinh(right)
+    inner, outer = np.clip(-CORE, start, end), np.clip(CORE, start, end)
+    cuts = np.array([start, np.minimum(start + PANEL, inner), inner, outer, np.maximum(end - PANEL, outer), end])
+    cuts[1:-1] = np.where(end - start > 3.0 * PANEL, cuts[1:-1], end)
+    length = np.diff(cuts, axis=0).T
+    count = np.ceil(length / LONGEST - 1e-9).astype(int)
+    own, share, _ = _split(count.ravel())
+    begin, step = cuts[:-1].T.ravel()[own] + share * length.ravel()[own], (length / count).ravel()[own]
+    way, over = own // len(LONGEST), np.ones(own.size)
+    first, last = np.diff(way, prepend=-1) != 0, np.diff(way, append=-1) != 0
+    for here, u, x in ((first, begin, left), (last, begin + step, right)):
+        far = np.abs(x) + np.sqrt(x * x + 1.0)
+        over[here] = np.where(x < 0.0, 1.0 / far, far)[way[here]] / np.exp(u[here])
+    return Panels(point[way], begin, step, offset, over)
 
 
 def _cut(point: Array, start: Array, end: Array, offset: Any) -> Panels:
     count = np.maximum(1.0, np.ceil((end - start) / PANEL)).astype(int)
     own, share, _ = _split(count)
     step = ((end - start) / count)[own]
-    return Panels(point[own], start[own] + share * (end - start)[own], step, offset)
+    return Panels(point[own], start[own] + share * (end - start)[own], step, offset, step)
 
 
 class _Summed:
@@ -422,7 +444,7 @@ class _Summed:
             part = slice(begin, begin + POINTS)
             point, step = panels.point[part], panels.step[part, None]
             o = point[:, None]
-            v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o)
+            v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o, panels.over[part, None])
             r, b = self.r[o], piece.length[o]
             t, pace = variable.radius(v, b)
             gap = variable.gap(away, v, *(x[o] for x in self.at))

@@ -79,7 +79,7 @@ def summed(numbers: Numbers, shape: Shape, r: Array, z: Array, given: Array, geo
         field = np.array(numbers.of(punch(x, y, t, t - x)))
         rim = np.flatnonzero((x == t) & (y == 0.0))
         for rows, value in ((numbers.infinite, np.inf), (numbers.lost, np.nan)):
-            field[np.ix_(rows, rim)] = value
+            field[np.ix_(np.array(rows), rim)] = value
         total[:, pressed] += edge[pressed] * field
         total[:, ~((r >= 0.0) & (z >= 0.0) & (radius >= 0.0))] = np.nan
         total[:, (np.isinf(r) | np.isinf(z)) & (radius >= 0.0)] = 0.0
