@@ -155,7 +155,8 @@ def _left(letter: str, orders: tuple[int, ...]) -> str:
 ALL = (0, 1, 2, 3)
 
 
-def numbers(n: int) -> list[FieldRow]:
+@cache
+def numbers(n: int) -> tuple[FieldRow, ...]:
     """The nine numbers of the slope t**(n-1), those of a flat punch for n = 0."""
     found = []
     for letter, made, shift in (("S", _pressed, 0), ("D", _deeper, 1)):
@@ -163,7 +164,7 @@ def numbers(n: int) -> list[FieldRow]:
         start = 0 if n == 0 else n - shift if n < 3 else len(ALL)
         for orders in [*((m,) for m in ALL[:start]), *([ALL[start:]] if start < len(ALL) else [])]:
             found.append(_row(letter, orders, made(n - 1, ORDER if len(orders) > 1 else sp.Integer(orders[0]))))
-    return [*found, _row(nt.W.name, (), _sunk(n - 1))]
+    return (*found, _row(nt.W.name, (), _sunk(n - 1)))
 
 
 def _row(letter: str, orders: tuple[int, ...], number: Form) -> FieldRow:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Literal
 
 import sympy as sp
@@ -227,8 +227,13 @@ def _fits(one: Row) -> bool:
 
 def rule(system: System, suffix: str) -> Rule | None:
     """The rule behind a quantity of a system; None if the quantity is a formula of the profile itself."""
+    return _rules(system).get(suffix)
+
+
+@cache
+def _rules(system: System) -> dict[str, Rule]:
     rules = system.physics.rules
-    return rules(system.medium, Printer).get(suffix) if rules else None
+    return rules(system.medium, Printer) if rules else {}
 
 
 def _ruled(entry: Entry, system: System, listed: bool = False) -> Row:
