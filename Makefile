@@ -13,6 +13,8 @@ PYTHON ?= $(firstword $(foreach p,python3.11 python3 python3.12 python3.13,$(she
 
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PIP_NO_INPUT := 1
+# where it is set, each worker and each command compiles all modules again, half of its start
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: build test lint picture clean help
 .DELETE_ON_ERROR:

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import at_work
 import pytest
 import sympy as sp
 
@@ -31,7 +32,7 @@ from axiderive.store.records import ReadingError, entry_record, from_text, profi
 EVERY = [own.key for own in problems()]
 
 
-@pytest.mark.parametrize("key", EVERY[::12])
+@pytest.mark.parametrize("key", EVERY[::48])
 def test_every_entry_survives_storage(key):
     """What is published is what was read back, so reading back must not change a single argument.
 
@@ -315,16 +316,8 @@ def test_checks_are_taken_over_from_the_same_inputs_alone(tmp_path, monkeypatch)
     assert not made.kept
 
 
-def _hash_seed_and_number(number):
-    return os.environ.get("PYTHONHASHSEED"), os.getpid(), number
-
-
-def _die(number):
-    os._exit(9)
-
-
 def test_workers_have_a_fixed_hash_seed_and_all_tasks_return():
-    results = list(pool.run(_hash_seed_and_number, [(i,) for i in range(4)], jobs=2))
+    results = list(pool.run(at_work.numbered, [(i,) for i in range(4)], jobs=2))
     assert sorted(number for _, _, number in results) == [0, 1, 2, 3]
     assert {seed for seed, _, _ in results} == {"0"}
     assert os.getpid() not in {pid for _, pid, _ in results}
@@ -332,7 +325,7 @@ def test_workers_have_a_fixed_hash_seed_and_all_tasks_return():
 
 def test_a_dead_worker_is_an_error_not_a_hang():
     with pytest.raises(pool.WorkerError, match="--jobs 1"):
-        list(pool.run(_die, [(1,), (2,)], jobs=2))
+        list(pool.run(at_work.ended, [(1,), (2,)], jobs=2))
 
 
 INTERRUPTED = """

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -27,38 +28,55 @@ def axicontact(*arguments, **options):
     return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, **options)
 
 
-@pytest.fixture
-def elsewhere(tmp_path, monkeypatch):
-    """Builds of this test have a cache and a catalogue of their own."""
-    monkeypatch.setattr(build, "project_root", lambda: tmp_path)
-    return tmp_path
-
-
 # prescribed pressures are a fifth of a second each; every kind of problem is built by the same code
 QUICK = ["build", "--no-pdf", "--jobs", "1", "--points", "4", "--digits", "20"]
 SMALL = [*QUICK, "--only", "loads.uniform"]
 TWO = [*SMALL, "--only", "loads.hertzian"]
 
 
+@pytest.fixture
+def empty(tmp_path, monkeypatch):
+    """Builds of this test have a cache and a catalogue of their own."""
+    monkeypatch.setattr(build, "project_root", lambda: tmp_path)
+    return tmp_path
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    """A folder where the uniform pressure has been built."""
+    folder = tmp_path_factory.mktemp("built")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(build, "project_root", lambda: folder)
+        assert cli.main(SMALL) == 0
+    return folder
+
+
+@pytest.fixture
+def elsewhere(built, empty):
+    """The same, with what a build of the uniform pressure has left in the cache."""
+    shutil.copytree(built / ".cache", empty / ".cache")
+    return empty
+
+
 def _bytes(root):
     return {path.relative_to(root): path.read_bytes() for path in sorted(root.rglob("*")) if path.is_file()}
 
 
-def test_build_writes_a_catalogue_and_then_changes_nothing(elsewhere, capsys):
+def test_build_writes_a_catalogue_and_then_changes_nothing(empty, capsys):
     assert cli.main(SMALL) == 0
     said = capsys.readouterr().err
     assert re.search(r"^loads\.uniform +\d+ +\d+", said, flags=re.M)
     assert "next   axicontact show loads.uniform" in said
-    first = _bytes(elsewhere / "catalogue")
+    first = _bytes(empty / "catalogue")
     assert Path("axicontact/loads/uniform.py") in first
     assert Path("evidence/loads.uniform.json") in first
     assert not [path for path in first if "tmp" in path.name or ".staging" in str(path)]
     assert cli.main(SMALL) == 0
     assert " 0 files changed, 0 removed" in capsys.readouterr().err
     assert cli.main([*SMALL, "--fresh"]) == 0
-    assert _bytes(elsewhere / "catalogue") == first
+    assert _bytes(empty / "catalogue") == first
     assert cli.main([*SMALL, "--check"]) == 0
-    module = elsewhere / "catalogue/axicontact/loads/uniform.py"
+    module = empty / "catalogue/axicontact/loads/uniform.py"
     module.write_text("# mine\n")
     assert cli.main([*SMALL, "--check"]) == 1
     said = capsys.readouterr()
@@ -68,7 +86,7 @@ def test_build_writes_a_catalogue_and_then_changes_nothing(elsewhere, capsys):
     assert "1 file differs; run axicontact build --only loads.uniform and commit the result" in said.err
     assert module.read_text() == "# mine\n"
     # a folder without a catalogue once cost two hundred lines of what is missing, and none that all of it is
-    nowhere = elsewhere / "nowhere"
+    nowhere = empty / "nowhere"
     assert cli.main([*SMALL, "--check", "--out", str(nowhere)]) == 1
     said = capsys.readouterr()
     assert said.out == ""
@@ -92,18 +110,18 @@ def test_a_problem_with_a_failed_check_is_left_out_and_listed(elsewhere, monkeyp
 
     def verify(problem, entries, settings, kept):
         found = genuine(problem, entries, settings, kept)
-        wrong = problem.key == "loads.uniform"
-        failures = [{"key": "loads.uniform.w", "message": "got 1.0, wanted 2.0"}] if wrong else []
+        wrong = problem.key == "loads.hertzian"
+        failures = [{"key": "loads.hertzian.w", "message": "got 1.0, wanted 2.0"}] if wrong else []
         return {**found, "failures": failures}
 
     monkeypatch.setattr(verification, "verify", verify)
     assert cli.main(TWO) == 1
     said = capsys.readouterr().err
-    assert "loads.uniform.w: got 1.0, wanted 2.0\n    again: axicontact check loads.uniform.w --seed 17 -v" in said
-    assert said.rstrip().endswith("left out of the catalogue: loads.uniform")
-    assert not (elsewhere / "catalogue/axicontact/loads/uniform.py").exists()
+    assert "loads.hertzian.w: got 1.0, wanted 2.0\n    again: axicontact check loads.hertzian.w --seed 17 -v" in said
+    assert said.rstrip().endswith("left out of the catalogue: loads.hertzian")
+    assert not (elsewhere / "catalogue/axicontact/loads/hertzian.py").exists()
     index_file = elsewhere / "catalogue/axicontact/index.json"
-    assert [row["name"] for row in json.loads(index_file.read_text())["profiles"]] == ["loads.hertzian"]
+    assert [row["name"] for row in json.loads(index_file.read_text())["profiles"]] == ["loads.uniform"]
 
 
 def test_what_rests_on_a_problem_that_is_left_out_is_left_out_too():
@@ -148,7 +166,7 @@ def test_an_unwritable_folder_is_named_before_any_work(elsewhere, monkeypatch, c
     )
 
 
-def test_interruption_ends_with_code_130_and_keeps_finished_work(elsewhere, monkeypatch, capsys):
+def test_interruption_ends_with_code_130_and_keeps_finished_work(empty, monkeypatch, capsys):
     def interrupted(function, tasks, jobs):
         yield function(*tasks[0])
         raise KeyboardInterrupt
@@ -157,7 +175,7 @@ def test_interruption_ends_with_code_130_and_keeps_finished_work(elsewhere, monk
     arguments = TWO
     assert cli.main(arguments) == 130
     assert "the same command continues" in capsys.readouterr().err
-    assert not list((elsewhere / "catalogue").rglob("*.py"))
+    assert not list((empty / "catalogue").rglob("*.py"))
     finished = []
 
     def counted(function, tasks, jobs):

@@ -15,6 +15,7 @@ import pytest
 import sympy as sp
 from own_profiles import AGREEMENT, ALL, ROUNDING, RULES, answer_to, errors_of, module_of
 from scenes import NO_PDF, composed_from
+from selected import few
 
 from axiderive import notation as nt
 from axiderive.build.pool import Beside, LimitError, limited
@@ -33,7 +34,11 @@ from axiderive.scene.reading import Scene
 
 @pytest.mark.parametrize(
     "text",
-    ["r**2/(2*R) + c*r**4", "Max(0, r - b)*tan(theta)", "A*r**n", "R - sqrt(R**2 - r**2)"],
+    few(
+        ["r**2/(2*R) + c*r**4", "Max(0, r - b)*tan(theta)", "A*r**n", "R - sqrt(R**2 - r**2)"],
+        ["Max(0, r - b)*tan(theta)", "A*r**n"],
+        pytest.mark.slow,
+    ),
 )
 def test_the_normal_form_is_closed_and_certified(text):
     answer = answer_to(text)
@@ -61,13 +66,17 @@ def test_outside_the_normal_form_the_pressure_is_an_integral_of_an_integral():
 
 @pytest.mark.parametrize(
     ("text", "single"),
-    [
-        ("r**2/sqrt(r**2 + q**2)", ""),
-        ("R/3*((1 + r**2/R**2)**(3/2) - 1) + c*r**6", ""),
-        ("h - h/(1 + c*r**2)", "p"),
-        ("R*(1 - (1 - r**2/R**2)**(3/2))", "pw"),
-        ("q*r**2/(R**2 - r**2)", "pw"),
-    ],
+    few(
+        [
+            ("r**2/sqrt(r**2 + q**2)", ""),
+            ("R/3*((1 + r**2/R**2)**(3/2) - 1) + c*r**6", ""),
+            ("h - h/(1 + c*r**2)", "p"),
+            ("R*(1 - (1 - r**2/R**2)**(3/2))", "pw"),
+            ("q*r**2/(R**2 - r**2)", "pw"),
+        ],
+        [("r**2/sqrt(r**2 + q**2)", ""), ("q*r**2/(R**2 - r**2)", "pw")],
+        pytest.mark.slow,
+    ),
 )
 def test_algebraic_profiles_are_found_by_undetermined_coefficients(text, single):
     """Proved by the certificate and within 1e-20 of the definition; the rest is one integral over a closed g'."""
@@ -121,7 +130,10 @@ def test_a_new_polynomial_profile_is_derived_and_compared_once(monkeypatch):
     assert calls.count("_over_angle") <= 24
 
 
-@pytest.mark.parametrize("text", ["A*r**(n + 1) + c*r", "h*(1 - exp(-r/s)) + c*r**(1/3)"])
+MIXED = "A*r**(n + 1) + c*r", "h*(1 - exp(-r/s)) + c*r**(1/3)"
+
+
+@pytest.mark.parametrize("text", few(MIXED, MIXED[:1], pytest.mark.slow))
 def test_mixtures_of_the_normal_form_are_certified_and_emitted(text):
     """Factors like a**(n - 1) are finite at a = 0 only together; measured 1e-15 for the rules over the profile."""
     answer = answer_to(text)
@@ -131,7 +143,10 @@ def test_mixtures_of_the_normal_form_are_certified_and_emitted(text):
     assert max(errors_of(module_of(text))) < RULES
 
 
-@pytest.mark.parametrize("text", ["h*log(cosh(r/q))", "c*r**(3/2) + q*r**2", "c*Max(0, r - b)**(3/2) + q*r**2"])
+RULED = "h*log(cosh(r/q))", "c*r**(3/2) + q*r**2", "c*Max(0, r - b)**(3/2) + q*r**2"
+
+
+@pytest.mark.parametrize("text", few(RULED, RULED[2:], pytest.mark.slow))
 def test_rules_over_the_profile_hold_whatever_the_contact_is_to_its_lengths(text):
     """Measured 7e-16 at most for radii from 1e-3 to 1e4 of the lengths of seventeen profiles."""
     profile, space = own_profile(text).profile, {}
@@ -313,7 +328,10 @@ def test_symbols_of_the_notation_are_used():
     assert own_profile("r**2/(2*R) + r*b/R").profile.parameters == (R, b)
 
 
-@pytest.mark.parametrize("text", ["sqrt(r**2 + 2*r*s)", "sqrt(r*s)*sqrt(1 + r/s)", "sqrt(r*s + sqrt(r**3*s))"])
+ROOTS = "sqrt(r**2 + 2*r*s)", "sqrt(r*s)*sqrt(1 + r/s)", "sqrt(r*s + sqrt(r**3*s))"
+
+
+@pytest.mark.parametrize("text", few(ROOTS, ROOTS[2:], pytest.mark.slow))
 def test_a_root_that_vanishes_at_the_tip_is_reached(text):
     """The rule stopped where f' = sqrt(s/(2 r)) had 5e-11 of the depth left; and no such integrand is regular."""
     answer = answer_to(text)
