@@ -23,7 +23,7 @@ build: $(VENV)/.derive
 	$(PY) -m axiderive.cli build $(ARGS) </dev/null
 
 test: $(VENV)/.test
-	$(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(ARGS) </dev/null
+	$(PY) -m pytest -n 2 --dist worksteal $(ARGS) </dev/null
 
 lint: $(VENV)/.lint
 	$(PY) -m ruff check --no-cache . </dev/null

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+import itertools
 import json
 import math
 
 import pytest
 from scenes import NEEDLE, NO_PDF, OUTSIDE, composed_from, exchanged, run_plainly, titles
+from selected import few
 
 from axiderive.exits import CommandError
 
@@ -24,9 +26,15 @@ from axiderive.exits import CommandError
         ),
         # `test_scene_matrix` composes one in every run
         pytest.param('profile = "concave_paraboloid"\n[medium]\nE_star = "2 GPa"\n', marks=pytest.mark.slow),
-        'profile = "cone"\n[parameters]\ntheta = "10 deg"\n[medium]\nkind = "power_law"\nH = 1e6\nk = 0.3\n',
+        pytest.param(
+            'profile = "cone"\n[parameters]\ntheta = "10 deg"\n[medium]\nkind = "power_law"\nH = 1e6\nk = 0.3\n',
+            marks=pytest.mark.slow,
+        ),
         f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\nadhesive = {{ dgamma = 0.1 }}\n',
-        f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\ntangential = true\n',
+        pytest.param(
+            f'profile = "{OUTSIDE}"\n[parameters]\nh = 1e-3\nq = 0.01\n[physics]\ntangential = true\n',
+            marks=pytest.mark.slow,
+        ),
         'profile = "r**2/(2*R) + c*r**4"\n[medium]\nkind = "power_law"\nk = 0.3\n',
     ],
     ids=[
@@ -47,7 +55,10 @@ def test_other_combinations(source):
     compile(result.files["test_scene.py"], "test_scene.py", "exec")
 
 
-@pytest.mark.parametrize(("expression", "count"), [("q*r**n", 6), ("q*r**2 + Max(0, r - b)*tan(theta)", 4)])
+@pytest.mark.parametrize(
+    ("expression", "count"),
+    [pytest.param("q*r**n", 6, marks=pytest.mark.slow), ("q*r**2 + Max(0, r - b)*tan(theta)", 4)],
+)
 def test_an_expression_on_a_viscoelastic_half_space(expression, count, tmp_path):
     """Under a sum the force is no power of the depth, and there is no function of the ramp; measured 4e-16 at worst."""
     result = composed_from(f'profile = "{expression}"\n[physics]\nviscoelastic = {{ model = "power_creep" }}{NO_PDF}')
@@ -57,7 +68,7 @@ def test_an_expression_on_a_viscoelastic_half_space(expression, count, tmp_path)
     assert run_plainly(result, tmp_path) == f"{count} values agree\n"
 
 
-@pytest.mark.parametrize("profile", ["A*r**(3/2)", "power_law"])
+@pytest.mark.parametrize("profile", ["A*r**(3/2)", pytest.param("power_law", marks=pytest.mark.slow)])
 def test_a_power_that_comes_off_at_the_depth_zero(profile, tmp_path):
     """(1 - 2 n/3) g is all rounding at n = 3/2, which is what a free exponent is checked at."""
     request = '[physics]\nadhesive = true\n[want]\nquantities = ["pull_off"]\n'
@@ -74,8 +85,14 @@ LAWS = {
 }
 
 
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("profile", ["cone", "truncated_cone"])
+@pytest.mark.parametrize(
+    ("profile", "law"),
+    few(
+        itertools.product(("cone", "truncated_cone"), LAWS),
+        [("cone", "maxwell"), ("truncated_cone", "kelvin_voigt"), ("cone", "standard_solid"), ("cone", "power_creep")],
+        pytest.mark.slow,
+    ),
+)
 def test_viscoelastic_scenes_agree_with_the_convolution(profile, law):
     """The values are convolutions of the elastic quadrature; measured 8e-16 at worst."""
     material = f'viscoelastic = {{ model = "{law}", {LAWS[law]} }}'

@@ -12,8 +12,8 @@ from scenes import NO_PDF, composed_from, exchanged, run_plainly, titles
 from axiderive.profiles.plane import load
 
 PLANE = 'profile = "{}"\n{}[physics]\nplane = true\n'
-FAST = ("wedge", "truncated_wedge", "flat_punch", "concave_quartic")
-SLOW = ("power_law", "rounded_wedge", "rounded_punch", "concave_power")
+FAST = ("truncated_wedge", "concave_quartic")
+SLOW = ("wedge", "flat_punch", "power_law", "rounded_wedge", "rounded_punch", "concave_power")
 PROFILES = [*FAST, *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
 WORST = 1e-14
 """Relative; measured 6e-16 at worst."""
@@ -57,9 +57,9 @@ def test_frozen_values_are_folded_in_and_fields_have_two_sides():
     ("right", "wrong"),
     [
         ("return E_star * np.tan(theta) * a", "return E_star * np.sin(theta) * a"),
-        ("np.log1p((a - x + root) / x)", "np.log1p((a - x + root) / a)"),
+        pytest.param("np.log1p((a - x + root) / x)", "np.log1p((a - x + root) / a)", marks=pytest.mark.slow),
         ("value, -_profile_slope(", "value, _profile_slope("),
-        ("a * np.log1p((L - a + root) / a)", "a * np.log1p((L - a + root) / L)"),
+        pytest.param("a * np.log1p((L - a + root) / a)", "a * np.log1p((L - a + root) / L)", marks=pytest.mark.slow),
     ],
 )
 def test_a_wrong_rule_does_not_pass(right, wrong, monkeypatch):
