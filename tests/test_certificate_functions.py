@@ -6,6 +6,7 @@ import mpmath as mp
 import pytest
 import sympy as sp
 from certificates import entries
+from selected import few
 
 from axiderive import notation as nt
 from axiderive.abel.masters import CapMoment, Hypergeometric, IncompleteBeta, Kummer, StruveH, StruveL
@@ -61,7 +62,7 @@ FAMILIES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("function", FAMILIES, ids=str)
+@pytest.mark.parametrize("function", few(FAMILIES, FAMILIES[::3], pytest.mark.slow), ids=str)
 def test_contiguity_relations_keep_the_value(function: sp.Expr) -> None:
     """36 digits of 40: relations are subtractions of neighbours."""
     domain = Domain((Z, 1), (Z, nt.R), (Z, nt.a))

@@ -61,7 +61,7 @@ def test_every_method_agrees_with_the_definition(name, suffix):
     assert {method: worst for method, worst in found.items() if worst > TOLERANCES[method]} == {}
 
 
-@pytest.mark.parametrize(("name", "suffix"), CASES)
+@pytest.mark.parametrize(("name", "suffix"), few(CASES, [c for c in CASES if c not in SECONDS], pytest.mark.slow))
 def test_every_method_uses_the_profile_it_is_given(name, suffix):
     """A profile 5 % too steep must show in each: a reference made from the same data would not see it."""
     wrong = Subject(name)

@@ -50,13 +50,13 @@ def test_every_profile_has_all_numbers_and_polynomial_slopes_need_no_integral() 
     assert closed == set(ELEMENTARY)
 
 
-@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK, pytest.mark.slow))
+@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK[1::2], pytest.mark.slow))
 def test_elementary_numbers_are_certified(name: str) -> None:
     found = certify_profile(ROUND.load(name), entries(name))
     assert not [own.reason for own in found.values() if not own.proved]
 
 
-@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK, pytest.mark.slow))
+@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK[::2], pytest.mark.slow))
 def test_a_formula_with_one_error_is_not_certified(name: str) -> None:
     dice, profile, true = random.Random(name), ROUND.load(name), entries(name)
     for suffix, entry in true.items():
@@ -142,7 +142,7 @@ def worst(name: str, *changed: tuple[str, str]) -> dict[str, Any]:
     return record(key, closure(modules(*changed), f"axicontact/subsurface/{name}.py"), entries(name))
 
 
-@pytest.mark.parametrize("name", few(ROUND.names, ["cone", "flat_punch", "rounded_punch"], pytest.mark.slow))
+@pytest.mark.parametrize("name", few(ROUND.names, ["cone", "rounded_punch"], pytest.mark.slow))
 def test_emitted_fields_keep_their_digits_everywhere(name: str) -> None:
     found = worst(name)
     assert set(found) == {asked for asked in RESULTS if hasattr(import_module(f"axicontact.subsurface.{name}"), asked)}
