@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import wraps
 from inspect import signature
 from typing import Any
@@ -15,6 +15,17 @@ def few(every: Iterable[Any], always: Collection[Any], mark: pytest.MarkDecorato
     found = list(every)
     assert set(always) <= set(found)
     return [one if one in always else _marked(one, mark) for one in found]
+
+
+def drawn(every: Iterable[Any], count: int, mark: pytest.MarkDecorator = pytest.mark.sweep) -> list[Any]:
+    """The same with so many that run always, evenly among all of them."""
+    found = list(every)
+    return few(found, found[:: -(-len(found) // count)], mark)
+
+
+def in_turn(every: Iterable[Any], others: Sequence[Any]) -> list[tuple[Any, Any]]:
+    """Each of the first with one of the others, which come in turn; that all meet is for `-m sweep`."""
+    return [(one, others[index % len(others)]) for index, one in enumerate(every)]
 
 
 def each_result(function: Callable[..., Any]) -> list[Callable[..., Any]]:

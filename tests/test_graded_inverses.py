@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from graded_modules import EXPONENTS, POWERS, SLOW, derived, emitted, keywords, values
+from selected import in_turn
 from test_inverse_steps import MISSED, STEPS, arguments, counted, missed
 
 from axiderive import notation as nt
@@ -18,8 +19,7 @@ from axiderive.code import example
 from axiderive.profiles import COMPACT_NAMES, load
 
 
-@pytest.mark.parametrize("k", ("-0.9", "0.5"))
-@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
+@pytest.mark.parametrize(("name", "k"), in_turn([n for n in COMPACT_NAMES if n not in SLOW], ("-0.9", "0.5")))
 def test_inverses_return(name: str, k: str) -> None:
     check_inverses(name, k)
 
@@ -140,8 +140,7 @@ def test_pull_off_where_the_radius_is_the_largest(control: str, k: float) -> Non
     assert state == pytest.approx((R, -2.0 * H / (1.0 + k) * R ** (1.0 + k) * moved, -moved), rel=1e-14, abs=0.0)
 
 
-@pytest.mark.parametrize("k", ("-0.5", "0.9"))
-@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if name not in SLOW])
+@pytest.mark.parametrize(("name", "k"), in_turn([n for n in COMPACT_NAMES if n not in SLOW], ("-0.5", "0.9")))
 @pytest.mark.parametrize("control", ["force", "depth"])
 def test_pull_off_is_the_least_load(name: str, k: str, control: str) -> None:
     check_pull_off(name, k, control)
@@ -172,8 +171,7 @@ def check_pull_off(name: str, k: str, control: str) -> None:
     np.testing.assert_allclose(inverse(value, **given), a, rtol=1e-12)
 
 
-@pytest.mark.parametrize("k", EXPONENTS)
-@pytest.mark.parametrize("name", [name for name in POWERS if name != "polynomial"])
+@pytest.mark.parametrize(("name", "k"), in_turn(2 * [name for name in POWERS if name != "polynomial"], EXPONENTS))
 def test_pull_off_of_power_laws(name: str, k: str) -> None:
     profile, module = load(name), emitted(f"adhesive.{name}")
     # the doubles that the module is given: a cone takes up the rounding of k = -0.9 hundreds of times

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from graded_modules import EXPONENTS, GROUPS, POWERS, SLOW, derived, emitted, keywords, public, values
+from selected import in_turn
 
 from axiderive import notation as nt
 from axiderive.code import example
@@ -93,8 +94,7 @@ def _tipped(r: float, R: float, b: float) -> float:
     return _sphere(min(r, b), R) + max(r - b, 0.0) * b / math.sqrt(R * R - b * b)
 
 
-@pytest.mark.parametrize("k", ("-0.9", "0.3", "0.95"))
-@pytest.mark.parametrize("name", [name for name in NAMES if name not in SLOW])
+@pytest.mark.parametrize(("name", "k"), in_turn([name for name in NAMES if name not in SLOW], ("-0.9", "0.3", "0.95")))
 def test_closed_entries(name: str, k: str) -> None:
     check_closed(name, k)
 

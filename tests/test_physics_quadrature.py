@@ -12,7 +12,7 @@ from functools import lru_cache
 import mpmath as mp
 import pytest
 import sympy as sp
-from selected import few
+from selected import drawn, few
 
 from axiderive import notation as nt
 from axiderive import profiles
@@ -71,17 +71,10 @@ QUICK = [
 
 
 DEFINED = [(physics, name, suffix) for physics, name, some in QUICK for suffix in some.split()]
-SECONDS = {
-    ("tangential", "paraboloid", "tau"),  # whose changed formula is compared in a plain run
-    *(("graded", "capped_cylinder", suffix) for suffix in ("F", "w", "dF")),
-    *(("graded adhesive", "sphere", suffix) for suffix in ("ac", "Fc", "am", "dm")),
-}
 """The build has compared all of them, and `test_catalogue` asks for its checks by digest."""
 
 
-@pytest.mark.parametrize(
-    ("physics", "name", "suffix"), few(DEFINED, [row for row in DEFINED if row not in SECONDS], pytest.mark.slow)
-)
+@pytest.mark.parametrize(("physics", "name", "suffix"), drawn(DEFINED, 12))
 def test_entry_is_its_definition(physics, name, suffix):
     evidence = check(physics, name, suffix, points=2)
     assert evidence.passed, evidence

@@ -6,7 +6,7 @@ from functools import cache
 import mpmath as mp
 import pytest
 import sympy as sp
-from selected import few
+from selected import drawn, few
 from stored_book import suffixes
 
 from axiderive import notation as nt
@@ -58,7 +58,7 @@ def test_interface(name):
         assert functions >= (CONCAVE if name.startswith("concave") else COMPLETE)
 
 
-@pytest.mark.parametrize("name", profiles.NAMES)
+@pytest.mark.parametrize("name", drawn(profiles.NAMES, 4))
 def test_every_formula_is_certified(name):
     certificates = proof.certify_profile(profiles.load(name), entries(name))
     assert {key: c.reason for key, c in certificates.items() if not c.proved} == {}
@@ -219,6 +219,6 @@ def test_eccentric_punch_at_lift_off():
     assert mirrored == value("eccentric_punch", "p", {**values, nt.x: Q(1, 2)})
 
 
-@pytest.mark.parametrize(("name", "suffix"), all_keys())
+@pytest.mark.parametrize(("name", "suffix"), drawn(all_keys(), 8))
 def test_units(name, suffix):
     assert units.check(profiles.load(name), entries(name), suffix).passed

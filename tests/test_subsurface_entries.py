@@ -50,7 +50,7 @@ def test_every_profile_has_all_numbers_and_polynomial_slopes_need_no_integral() 
     assert closed == set(ELEMENTARY)
 
 
-@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK[1::2], pytest.mark.slow))
+@pytest.mark.parametrize("name", few(ELEMENTARY, QUICK[1::2]))
 def test_elementary_numbers_are_certified(name: str) -> None:
     found = certify_profile(ROUND.load(name), entries(name))
     assert not [own.reason for own in found.values() if not own.proved]
@@ -142,7 +142,7 @@ def worst(name: str, *changed: tuple[str, str]) -> dict[str, Any]:
     return record(key, closure(modules(*changed), f"axicontact/subsurface/{name}.py"), entries(name))
 
 
-@pytest.mark.parametrize("name", few(ROUND.names, ["cone", "rounded_punch"], pytest.mark.slow))
+@pytest.mark.parametrize("name", few(ROUND.names, ["cone", "rounded_punch"]))
 def test_emitted_fields_keep_their_digits_everywhere(name: str) -> None:
     found = worst(name)
     assert set(found) == {asked for asked in RESULTS if hasattr(import_module(f"axicontact.subsurface.{name}"), asked)}

@@ -33,7 +33,7 @@ from axiderive.stable.reference import condition, is_inverse, reference
 from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
 
 ROOT = Path(axicontact.__file__).parents[1]
-POINTS, MANY = 8, 270
+POINTS, MANY = 4, 270
 COSTLY = {"sphere_tipped_cone.p": 3, "wavy_paraboloid.p": 4, "rounded_punch.p": 8, "truncated_cone.p": 60}
 """Points of the large sample where one exact value takes seconds."""
 ELEMENTARY, SPECIAL, THROUGH, RULE = 5.0, 7.5, 6.0, 16.0
