@@ -28,6 +28,7 @@ for problem in problems():
 """
 """Derives all, and prints what a record of it reads as: what is published was read back."""
 VERSIONS = ("1.12", "1.13.3", "1.14.0")
+"""The oldest is tried with the slow tests, those between with `-m sweep`."""
 
 
 def results(script: str, seed: int, python: str | Path = sys.executable) -> str:
@@ -57,8 +58,13 @@ def test_same_text_for_another_hash_seed(everything: str) -> None:
     same(everything, results(EVERYTHING, 1))
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("version", "seed"), [(v, seed) for seed, v in enumerate(VERSIONS, 2) if v != sp.__version__])
+@pytest.mark.parametrize(
+    ("version", "seed"),
+    [
+        pytest.param(version, seed, marks=pytest.mark.slow if version == VERSIONS[0] else pytest.mark.sweep)
+        for seed, version in enumerate(VERSIONS, 2) if version != sp.__version__
+    ],
+)  # fmt: skip
 def test_same_text_for_every_sympy(everything: str, version: str, seed: int, tmp_path: Path) -> None:
     same(everything, results(EVERYTHING, seed, _environment(version, tmp_path)))
 

@@ -18,7 +18,7 @@ QUICK = (
     "paraboloid", "flat_punch", "capped_cylinder", "concave_paraboloid", "paraboloid.fgm", "flat_punch.fgm.adh",
     "cone.adh", "paraboloid.tan", "plane.parabola", "plane.eccentric_punch", "loads.punch", "materials", "cone.sub",
 )  # fmt: skip
-"""One of every physics; the others run with -m slow."""
+"""One of every physics; a third of the others runs with -m slow, all with -m sweep."""
 AGAIN = (
     "paraboloid", "flat_punch", "paraboloid.fgm", "cone.adh", "paraboloid.tan", "plane.eccentric_punch", "materials",
     "cone.sub",
@@ -26,7 +26,11 @@ AGAIN = (
 """Those of them that the second prover is asked; it reads each entry as it is stored."""
 OUTSIDE = re.compile(r"\bk = -?[1-9]\d*\b(?!/)")
 """A point where the theory does not hold, -1 < k < 1: what is false only there is not false."""
-ALL = [pytest.param(key, marks=() if key in QUICK else pytest.mark.slow) for key in PROBLEMS]
+SLOW = [key for key in PROBLEMS if key not in QUICK][::3]
+ALL = [
+    pytest.param(key, marks=() if key in QUICK else pytest.mark.slow if key in SLOW else pytest.mark.sweep)
+    for key in PROBLEMS
+]
 
 
 def certified(found: FalseEntry) -> bool:
@@ -80,7 +84,7 @@ def test_the_corpus_is_the_same_in_every_run() -> None:
     assert first == [(found.family, found.suffix, found.text()) for found in candidates("paraboloid.tan")]
 
 
-@pytest.mark.slow
+@pytest.mark.sweep
 def test_there_are_enough_false_entries_of_every_kind() -> None:
     families = Counter(found.family for found in false_entries())
     physics = Counter(found.physics for found in false_entries())

@@ -135,7 +135,7 @@ EVERYWHERE = [
 
 @pytest.mark.parametrize(
     ("physics", "name"),
-    few(EVERYWHERE, [row for row in EVERYWHERE if row[1] in UNITS_OF], pytest.mark.slow),
+    few(EVERYWHERE, [row for row in EVERYWHERE if row[1] in UNITS_OF]),
 )
 def test_units(physics, name):
     profile, entries = derived(physics, name)
@@ -164,26 +164,6 @@ def test_units_of_a_limit_of_integration():
 def _longer_lower_limit(function: sp.Expr, limits: sp.Tuple) -> sp.Expr:
     variable, lower, upper = limits
     return sp.Integral(function, (variable, lower or nt.b**2, upper**2))
-
-
-WHOLE = [
-    ("graded", "paraboloid"),
-    ("graded", "sphere"),
-    ("adhesive", "cone"),
-    ("adhesive", "sphere"),
-    ("tangential", "cone"),
-    ("viscoelastic", "cone"),
-    *(("load", name) for name in LOAD),
-]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("physics", "name"), WHOLE)
-def test_every_entry(physics, name):
-    profile, entries = derived(physics, name)
-    for suffix in entries:
-        for evidence in (units.check(profile, entries, suffix), check(physics, name, suffix)):
-            assert evidence.passed, evidence
 
 
 # every check of a problem, as the build calls them

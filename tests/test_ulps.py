@@ -135,12 +135,6 @@ def test_fixed_sample(name: str) -> None:
     check(name, 2 if name in SECONDS else POINTS, seed=17)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", SECONDS)
-def test_fixed_sample_where_a_value_takes_seconds(name: str) -> None:
-    check(name, POINTS, seed=17)
-
-
 @pytest.mark.sweep
 @pytest.mark.parametrize("name", NAMES)
 def test_fresh_points(name: str) -> None:
