@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import doctest
+import itertools
 import math
 import pickle
 from collections import Counter
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from selected import few, in_turn
 from test_quantities import called, functions, values
 
 from axicontact import adhesive, expressions, graded, normal, tangential
@@ -112,9 +114,17 @@ STABLE = {
 }
 
 
-@pytest.mark.parametrize("name", STABLE)
-@pytest.mark.parametrize("dgamma", [1e-4, 0.3])
-@pytest.mark.parametrize("k", [None, -0.6, 0.3])
+MATERIALS = list(itertools.product([1e-4, 0.3], [None, -0.6, 0.3]))
+
+
+@pytest.mark.parametrize(
+    ("name", "dgamma", "k"),
+    few(
+        [(name, *material) for name in STABLE for material in MATERIALS],
+        [(name, *material) for name, material in in_turn(2 * list(STABLE), MATERIALS)],
+        pytest.mark.slow,
+    ),
+)
 def test_stable_radii_end_where_the_function_ends(name, dgamma, k):
     """On either side of pull-off, where there are two branches too; there is no radius below the least load."""
     physics, material = (adhesive, {"E_star": E_star}) if k is None else (graded.adhesive, {"H": E_star, "k": k})

@@ -159,15 +159,13 @@ def test_what_is_known_of_the_formulas_is_counted() -> None:
     assert evidence.coverage(entries) == counted
 
 
-@pytest.mark.parametrize("record", nt.all_notation(), ids=lambda record: record.name)
-def test_domains_are_printed_with_printed_symbols(record: nt.Notation) -> None:
+def test_domains_are_printed_with_printed_symbols() -> None:
     """tau > 0 is the domain of the relaxation time, whose name is another one."""
-    text = domain(record)
-    words = set(
-        re.findall(r"(?<![\\A-Za-z])[A-Za-z]{2,}", re.sub(r"\\(?:mathrm|text|operatorname)\{[^}]*\}", "", text))
-    )
-    assert not words, text
-    assert bool(text) == bool(record.domain)
+    for record in nt.all_notation():
+        text = domain(record)
+        bare = re.sub(r"\\(?:mathrm|text|operatorname)\{[^}]*\}", "", text)
+        assert not re.findall(r"(?<![\\A-Za-z])[A-Za-z]{2,}", bare), text
+        assert bool(text) == bool(record.domain), record.name
 
 
 def test_a_bound_is_printed_once() -> None:

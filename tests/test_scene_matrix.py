@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -55,6 +56,7 @@ class Cell:
 CELLS = [Cell(*row) for row in itertools.product(PROFILES, KINDS, ("homogeneous", "power_law"))]
 
 
+@cache
 def refusal(cell: Cell) -> str:
     try:
         reading.read(text.parse("scene.toml", cell.source.encode()))
@@ -63,19 +65,21 @@ def refusal(cell: Cell) -> str:
     return ""
 
 
-@pytest.mark.parametrize("cell", CELLS, ids=lambda c: f"{c.profile}-{c.kind}-{c.medium}")
-def test_a_refusal_names_line_rule_and_a_combination_that_is_at_hand(cell):
+@pytest.mark.parametrize("profile", PROFILES)
+def test_a_refusal_names_line_rule_and_a_combination_that_is_at_hand(profile):
     """Following the advice ends within three steps: where a profile is not one of its kind, the medium comes next."""
-    for _ in range(4):
-        message = refusal(cell)
-        if not message:
-            return
-        first = message.splitlines()[0]
-        assert re.match(r"scene\.toml:[1-9]\d*: ", first), message
-        following = cell.advised(first)
-        assert following != cell, message
-        cell = following
-    pytest.fail(f"the advice does not end: {message}")
+    for cell in (cell for cell in CELLS if cell.profile == profile):
+        for _ in range(4):
+            message = refusal(cell)
+            if not message:
+                break
+            first = message.splitlines()[0]
+            assert re.match(r"scene\.toml:[1-9]\d*: ", first), message
+            following = cell.advised(first)
+            assert following != cell, message
+            cell = following
+        else:
+            pytest.fail(f"the advice does not end: {message}")
 
 
 def accepted(cell: Cell) -> bool:
