@@ -14,7 +14,7 @@ from typing import Any
 
 import mpmath as mp
 import pytest
-from selected import few
+from selected import drawn, few
 from stored_book import CATALOGUE
 
 from axiderive import cli
@@ -204,14 +204,18 @@ CHEAP = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("number", CHEAP)
+@pytest.mark.parametrize("number", drawn(CHEAP, 15, pytest.mark.slow))
 def test_altered_equation_is_flagged(number: int) -> None:
     survivors = [text for text, formula in mutants(number) if survives(number, formula)]
     assert not survivors, "\n\n".join(survivors)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("number", sorted({*range(1, 111)} - {*CHEAP}))
+OTHERS = sorted({*range(1, 111)} - {*CHEAP})
+
+
+@pytest.mark.parametrize(
+    "number", [pytest.param(n, marks=pytest.mark.slow if n in OTHERS[::3] else pytest.mark.sweep) for n in OTHERS]
+)
 def test_every_altered_equation_is_flagged(number: int) -> None:
     test_altered_equation_is_flagged(number)
 
