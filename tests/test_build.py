@@ -149,7 +149,7 @@ def test_words_of_a_profile_derive_nothing_anew(monkeypatch):
     plain, before = cone.profile, derivation_key(cone)
 
     def key_of(**changed):
-        monkeypatch.setattr("axiderive.profiles.cone.PROFILE", dataclasses.replace(plain, **changed))
+        monkeypatch.setattr("axiderive.profiles.PROFILES", (dataclasses.replace(plain, **changed),))
         return derivation_key(cone)
 
     assert key_of(title="Kegel", note="sharp", validity="small", sketch=Sketch(((theta, 0.3),), a=2.0)) == before

@@ -11,7 +11,7 @@ from axiderive.abel.masters import MASTERS
 from axiderive.notation import E_star, H, R, a, d, h, k, n, r, r_zero, s, wavelength
 from axiderive.physics.medium import GRADED
 from axiderive.physics.normal import derive
-from axiderive.profiles import gaussian, wavy_paraboloid
+from axiderive.profiles.compact import GAUSSIAN_LIMIT, WAVY_LIMIT
 
 OWN = {master.__name__: master.numeric for master in MASTERS}
 
@@ -30,7 +30,7 @@ def test_gaussian_depth_is_largest_just_above_the_limit():
     slope = compiled(slope_of_depth("gaussian").subs({h: 1, s: 1}), a)
     with mp.workdps(40):
         largest = mp.findroot(slope, (1.4, 1.6), solver="anderson")
-        limit = mp.mpmathify(gaussian.COMPACT_LIMIT)
+        limit = mp.mpmathify(GAUSSIAN_LIMIT)
         assert 0 < largest - limit < mp.mpf("1e-16")
         assert all(slope(limit * i / 64) > 0 for i in range(1, 65))
 
@@ -39,7 +39,7 @@ def test_wavy_paraboloid_stays_compact_at_the_limit():
     """g' >= 0 for every a at the stated wavelength**2/(h R), and g' < 0 somewhere just below it."""
     slope = compiled(slope_of_depth("wavy_paraboloid").subs({R: 1, h: 1}), a, wavelength)
     with mp.workdps(40):
-        wave = mp.sqrt(mp.mpmathify(wavy_paraboloid.COMPACT_LIMIT))
+        wave = mp.sqrt(mp.mpmathify(WAVY_LIMIT))
 
         def bend(x):
             return mp.diff(lambda y: slope(y, wave) / y, x)
@@ -60,7 +60,7 @@ def test_limit_of_the_wavy_paraboloid_by_struve_functions():
 
     with mp.workdps(40):
         z = mp.findroot(lambda x: mp.diff(curve, x), 3.96)
-        excess = mp.mpmathify(wavy_paraboloid.COMPACT_LIMIT) + mp.pi**3 * curve(z)
+        excess = mp.mpmathify(WAVY_LIMIT) + mp.pi**3 * curve(z)
         assert 0 < excess < mp.mpf("1e-15")
     assert min(curve(mp.mpf(i) / 8) for i in range(1, 400) if abs(i / 8 - z) > 1) > curve(z)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..notation import a, p_0, sigma
-from .profile import Profile, Sketch, unknown
+from .profile import Profile, Sketch, named
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,4 @@ LOADS = (
 
 def load(name: str) -> Load:
     """The prescribed pressure of that name; `KeyError` with the nearest name if there is none."""
-    for own in LOADS:
-        if own.name == name:
-            return own
-    raise unknown(name, [own.name for own in LOADS], "unknown pressure")
+    return named(name, LOADS, "unknown pressure")

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..notation import F, P, r, x
-from . import NAMES, load
+from . import NAMES, load, plane
 from . import loads as prescribed
-from . import plane as plane_profiles
 from .materials import PROFILE as ELASTIC
 from .profile import Profile
 
@@ -38,7 +37,7 @@ class Pool:
 
 
 ROUND = Pool("", NAMES, load)
-STRIPS = Pool("plane", plane_profiles.NAMES, plane_profiles.load, x, P)
+STRIPS = Pool("plane", plane.NAMES, plane.load, x, P)
 PRESSURES = Pool("loads", tuple(load.name for load in prescribed.LOADS), prescribed.load)
 BODIES = Pool("", ("materials",), lambda name: ELASTIC)
 POOLS = (ROUND, STRIPS, PRESSURES, BODIES)

@@ -1,11 +1,11 @@
-"""What a profile file holds: the shape f(r) and what the handbook says about it - data, no algebra."""
+"""What a profile is: the shape f(r) and what the handbook says about it - data, no algebra."""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeVar
 
 import sympy as sp
 
@@ -116,3 +116,14 @@ class Profile:
     def truncated(self) -> bool:
         """The tip is flat up to the first break: the contact radius never is smaller."""
         return bool(self.breaks) and self.pieces[0].expr == 0
+
+
+Found = TypeVar("Found", bound=Profile)
+
+
+def named(name: str, profiles: Iterable[Found], words: str) -> Found:
+    """The one of these profiles that has the name; `KeyError` with the nearest name if there is none."""
+    known = {own.name: own for own in profiles}
+    if name not in known:
+        raise unknown(name, known, words)
+    return known[name]

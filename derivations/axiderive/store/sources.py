@@ -14,8 +14,8 @@ from typing import Any
 
 from .cache import Cache, digest
 
-VIEWS = ("axiderive.book.latex",)
-"""Modules that an entry asks for only to show itself."""
+LEFT_OUT = ("axiderive.book.latex", *(f"axiderive.profiles.{name}" for name in ("compact", "complete", "plane")))
+"""What an entry asks for only to show itself; and lists of profiles, whose records stand in the keys without texts."""
 Place = tuple[str, str | None]
 """A module and a name in it; the empty name is all of the module, None what it does when it is imported."""
 
@@ -44,7 +44,7 @@ def import_digest(*names: str, apart: frozenset[str] = frozenset()) -> str:
     while pending:
         place = pending.pop()
         module, name = place
-        if place in seen or module in VIEWS or module.rpartition(".")[2] in others or _source(module) is None:
+        if place in seen or module in LEFT_OUT or module.rpartition(".")[2] in others or _source(module) is None:
             continue
         seen.add(place)
         own = _module(module)
