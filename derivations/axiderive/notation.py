@@ -105,6 +105,7 @@ def all_notation() -> tuple[Notation, ...]:
     return tuple(_RECORDS.values())
 
 
+# fmt: off
 # fields: where a quantity is asked for, or what is asked
 r = define("r", "r", LENGTH, "m", "r >= 0", "distance from the axis")
 a = define("a", "a", LENGTH, "m", "a > 0", "contact radius")
@@ -118,9 +119,8 @@ p_mean = define("p_mean", r"\bar p", STRESS, "Pa", "", "mean pressure F/(pi a^2)
 r_zero = define("r_zero", "r_0", LENGTH, "m", "", "radius of the ring where the pressure first vanishes on unloading")
 r_peak = define("r_peak", r"r_{\mathrm{max}}", LENGTH, "m", "", "radius of the ring of greatest pressure")
 p_peak = define("p_peak", r"p_{\mathrm{max}}", STRESS, "Pa", "", "greatest pressure")
-stiffness = define(
-    "stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "", "contact stiffness dF/dd"
-)
+stiffness = define("stiffness", r"\frac{\mathrm dF_{\mathrm N}}{\mathrm dd}", STIFFNESS, "N/m", "",
+                   "contact stiffness dF/dd")
 
 # fields below the surface
 z = define("z", "z", LENGTH, "m", "z >= 0", "depth below the surface")
@@ -134,34 +134,16 @@ D_0, D_1, D_2, D_3 = (
 W = define("W", "W", LENGTH, "m", "", "potential of the displacement, pi/2 of it on the surface")
 
 # material
-E_star = define(
-    "E_star", "E^{*}", STRESS, "Pa", "E_star > 0", "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i"
-)
-
-k = define(
-    "k",
-    "k",
-    NUMBER,
-    "1",
-    "-1 < k < 1",
-    "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space",
-)
-H = define(
-    "H",
-    "H",
-    Dimension(-2 - k, sp.S.One),
-    "Pa m^(-k)",
-    "H > 0",
-    "foundation modulus of the graded half-space, c_N(x) = H |x|^k",
-)
-
-dgamma = define(
-    "dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area"
-)
+E_star = define("E_star", "E^{*}", STRESS, "Pa", "E_star > 0",
+                "effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i")
+k = define("k", "k", NUMBER, "1", "-1 < k < 1",
+           "exponent of grading: the modulus grows with depth as z^k; 0 is the homogeneous half-space")
+H = define("H", "H", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H > 0",
+           "foundation modulus of the graded half-space, c_N(x) = H |x|^k")
+dgamma = define("dgamma", r"\Delta\gamma", Dimension.of(-1, 1), "N/m", "dgamma >= 0", "work of separation per unit area")
 mu = define("mu", r"\mu", NUMBER, "1", "mu >= 0", "coefficient of friction")
-G_star = define(
-    "G_star", "G^{*}", STRESS, "Pa", "G_star > 0", "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)"
-)
+G_star = define("G_star", "G^{*}", STRESS, "Pa", "G_star > 0",
+                "effective shear modulus, 1/G_star = sum (2 - nu_i)/(4 G_i)")
 
 # geometry
 theta = define("theta", r"\theta", NUMBER, "rad", "0 < theta < pi/2", "inclination of the flank to the surface")
@@ -179,14 +161,8 @@ wavelength = define("wavelength", r"\lambda", LENGTH, "m", "wavelength > 0", "wa
 c = define("c", "c", LENGTH, "m", "0 <= c <= a", "radius of the stick zone")
 retraction = define("retraction", r"\Delta\ell", LENGTH, "m", "", "retraction at constant contact radius, rule of Hess")
 a_c = define("a_c", r"a_{\mathrm c}", LENGTH, "m", "", "contact radius at pull-off")
-H_x = define(
-    "H_x",
-    "H_x",
-    Dimension(-2 - k, sp.S.One),
-    "Pa m^(-k)",
-    "H_x > 0",
-    "tangential foundation modulus, c_T(x) = H_x |x|^k",
-)
+H_x = define("H_x", "H_x", Dimension(-2 - k, sp.S.One), "Pa m^(-k)", "H_x > 0",
+             "tangential foundation modulus, c_T(x) = H_x |x|^k")
 F_x = define("F_x", "F_x", FORCE, "N", "", "tangential force")
 tau = define("tau", r"\tau", STRESS, "Pa", "", "tangential traction")
 u_0 = define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the rigid body")
@@ -194,9 +170,8 @@ u_0 = define("u_0", "u^{(0)}", LENGTH, "m", "", "tangential displacement of the 
 # plane problem
 P = define("P", "P", Dimension.of(-1, 1), "N/m", "P > 0", "line load, force per length of the strip of contact")
 L = define("L", "L", LENGTH, "m", "L > a", "distance of the reference point from the middle of the contact")
-x_zero = define(
-    "x_zero", "x_0", LENGTH, "m", "", "distance from the middle where the pressure first vanishes on unloading"
-)
+x_zero = define("x_zero", "x_0", LENGTH, "m", "",
+                "distance from the middle where the pressure first vanishes on unloading")
 slope = define("slope", r"\frac{\mathrm dw}{\mathrm dx}", NUMBER, "1", "", "slope of the surface outside the contact")
 tilt = define("tilt", r"\varphi", NUMBER, "rad", "", "inclination of the punch, deeper on the side of positive x")
 width = define("width", r"\ell", LENGTH, "m", "", "width of the contact")
@@ -235,14 +210,8 @@ t = define("t", "t", LENGTH, "m", "", "integration variable, radius of an earlie
 x = define("x", "x", LENGTH, "m", "", "distance from the middle of a plane contact; lower limit of a primitive")
 u = define("u", "u", LENGTH, "m", "", "regularised integration variable")
 psi = define("psi", r"\psi", NUMBER, "rad", "", "regularised angle of integration")
-C = define(
-    "C",
-    "C",
-    Dimension(1 - n, sp.S.Zero),
-    "m^(1-n)",
-    "",
-    "coefficient h/a^n of a concave face, held fixed while the radius varies",
-)
+C = define("C", "C", Dimension(1 - n, sp.S.Zero), "m^(1-n)", "",
+           "coefficient h/a^n of a concave face, held fixed while the radius varies")
 j = sp.Symbol("j", integer=True, positive=True)
 N = sp.Symbol("N", integer=True, positive=True)
 _RECORDS["j"] = Notation(j, "j", NUMBER, "1", "", "summation index")

@@ -125,18 +125,12 @@ class _Builder:
 
     def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
         """The entry of a suffix with its key, quantity, parameters, references and note filled in."""
-        geometry = () if suffix == "Dl" else self.profile.parameters
-        return Entry(
-            key=self.medium.key(self.profile.name, self.medium.group, GROUP, suffix),
-            profile=self.profile,
-            quantity=QUANTITIES[suffix],
-            status=status,
-            cases=cases,
-            definition=definition,
-            parameters=(*geometry, *self.medium.moduli, dgamma),
-            references=("(11.31)",) if self.medium.k == 0 else ("(11.64)", "(11.66)"),
+        parameters = (() if suffix == "Dl" else self.profile.parameters) + (*self.medium.moduli, dgamma)
+        references = detachment.REFERENCES[self.medium.graded]
+        return self.medium.entry(
+            self.profile, GROUP, QUANTITIES[suffix], status, cases, definition, parameters, references,
             note=self._note(suffix),
-        )
+        )  # fmt: skip
 
     def _note(self, suffix: str) -> str:
         quantity = QUANTITIES[suffix]

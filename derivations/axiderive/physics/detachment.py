@@ -22,6 +22,8 @@ from . import complete
 from .medium import HOMOGENEOUS, Medium
 
 GROUP = "adh"
+REFERENCES = ("(11.31)",), ("(11.64)", "(11.66)")
+"""Of the homogeneous and of the graded half-space."""
 QUANTITIES = {
     q.suffix: q
     for q in (
@@ -78,14 +80,6 @@ def _without_root(level: sp.Expr) -> sp.Expr:
 
 
 def _entry(profile: Profile, medium: Medium, suffix: str, expr: sp.Expr, definition: sp.Expr) -> Entry:
-    geometry = (a,) if suffix == "Dl" else profile.parameters
-    return Entry(
-        key=medium.key(profile.name, medium.group, GROUP, suffix),
-        profile=profile,
-        quantity=QUANTITIES[suffix],
-        status="closed",
-        cases=(Case((a,), expr),),
-        definition=definition,
-        parameters=(*geometry, *medium.moduli, dgamma),
-        references=("(11.31)",) if medium.k == 0 else ("(11.64)", "(11.66)"),
-    )
+    parameters = ((a,) if suffix == "Dl" else profile.parameters) + (*medium.moduli, dgamma)
+    cases, references = (Case((a,), expr),), REFERENCES[medium.graded]
+    return medium.entry(profile, GROUP, QUANTITIES[suffix], "closed", cases, definition, parameters, references)

@@ -7,12 +7,15 @@ c_N(x) = modulus * |x|^k (11.65), so that every rule is stated once.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
 from ..abel.form import Form
 from ..abel.moments import outside_kernel
+from ..entry import Case, Entry, Quantity, Status
 from ..notation import E_star, G_star, H, H_x, a, dgamma, k, r
+from ..profiles.profile import Profile
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,24 @@ class Medium:
     def key(self, *parts: str) -> str:
         """The parts with dots between them, empty ones left out: "cone.fgm.d"."""
         return ".".join(part for part in parts if part)
+
+    def entry(
+        self,
+        profile: Profile,
+        group: str,
+        quantity: Quantity,
+        status: Status,
+        cases: tuple[Case, ...],
+        definition: sp.Expr,
+        parameters: tuple[sp.Symbol, ...] = (),
+        references: tuple[str, ...] = (),
+        **more: Any,
+    ) -> Entry:
+        """An entry of a contact on it: without `parameters` of the profile, and of the moduli that are in it."""
+        key = self.key(profile.name, self.group, group, quantity.suffix)
+        material = self.moduli if quantity.elastic else self.moduli[1:]
+        taken = parameters or profile.parameters + material
+        return Entry(key, profile, quantity, status, cases, definition, taken, references, **more)
 
 
 HOMOGENEOUS = Medium(E_star, sp.S.Zero, G_star, "", "")

@@ -13,6 +13,7 @@ dx.  The contact loses an edge where the pressure there vanishes, and then keeps
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import sympy as sp
 
@@ -81,6 +82,14 @@ PRESSURE, SURFACE = 1 / sp.pi, 2 / sp.pi
 
 def definitions(profile: Profile) -> dict[str, sp.Expr]:
     """The defining integrals; P(t) is the load of an earlier contact of half-width t."""
+    if e in profile.parameters:
+        # equilibrium of moments, the slope under the strip, and the extent of positive pressure
+        pressure, s = sp.Function(nt.p.name), sp.Symbol("s", real=True)
+        return {
+            "p": sp.Eq(sp.Integral(x * pressure(x), (x, -a, a)), P * e),
+            "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(pressure(s) / (s - x), (s, -a, a)), nt.tilt),
+            "cw": sp.Eq(pressure(a - nt.width), 0),
+        }
     load = E_star * sp.Integral(x * sp.Derivative(sp.Function(f.name)(x), x) / sp.sqrt(a**2 - x**2), (x, 0, a))
     growth = sp.Derivative(sp.Function(P.name)(t), t)
     out = {
@@ -155,18 +164,12 @@ def _in_r(piece: Piece) -> Piece:
     return Piece(piece.upper, sp.expand_power_base(piece.expr).subs(x, r))
 
 
-def _entry(profile: Profile, quantity: Quantity, cases: tuple[Case, ...], **more: object) -> Entry:
-    formulas = [case.expr for case in cases]
-    material = (E_star,) if any(expr.has(E_star) for expr in formulas) else ()
-    defaults: dict[str, object] = {"status": "closed", "definition": definitions(profile).get(quantity.suffix)}
-    return Entry(
-        key=f"plane.{profile.name}.{quantity.suffix}",
-        profile=profile,
-        quantity=quantity,
-        cases=cases,
-        parameters=profile.parameters + material,
-        **(defaults | more),  # type: ignore[arg-type]
-    )
+def _entry(
+    profile: Profile, quantity: Quantity, cases: tuple[Case, ...], status: Status = "closed", **more: Any
+) -> Entry:
+    taken = profile.parameters + ((E_star,) if any(case.expr.has(E_star) for case in cases) else ())
+    key, definition = f"plane.{profile.name}.{quantity.suffix}", definitions(profile)[quantity.suffix]
+    return Entry(key, profile, quantity, status, cases, definition, taken, **more)
 
 
 @dataclass
@@ -195,7 +198,7 @@ class _Compact:
             "aP": self._entry("aP", half_width or equation, status=status),
         }
 
-    def _entry(self, suffix: str, cases: tuple[Case, ...], **more: object) -> Entry:
+    def _entry(self, suffix: str, cases: tuple[Case, ...], **more: Any) -> Entry:
         return _entry(self.profile, PLANE[suffix], cases, **more)
 
     def _pressure(self) -> tuple[Case, ...]:
@@ -285,45 +288,15 @@ def eccentric(profile: Profile) -> dict[str, Entry]:
     # alpha (1 + point/c) / sqrt(c^2 - point^2)
     lifted = P / (LEVEL * half) * sp.sqrt(sp.Max(0, sp.expand(half + point))) / sp.sqrt(sp.expand(half - point))
     touching, apart = (distance, core), (core, distance)
-    return {
-        "p": _eccentric_entry(
-            profile,
-            "p",
-            Case(touching, sp.factor(_strip(x, a, e)) / sp.sqrt(a**2 - x**2)),
-            Case(apart, lifted),
-        ),
-        "phi": _eccentric_entry(
-            profile,
-            "phi",
-            Case(touching, sp.factor(_inclination(a, e))),
-            Case(apart, side * sp.factor(_inclination(half, share * half))),
-        ),
-        "cw": _eccentric_entry(profile, "cw", Case(touching, 2 * a), Case(apart, 2 * half)),
+    formulas = {
+        "p": (sp.factor(_strip(x, a, e)) / sp.sqrt(a**2 - x**2), lifted),
+        "phi": (sp.factor(_inclination(a, e)), side * sp.factor(_inclination(half, share * half))),
+        "cw": (2 * a, 2 * half),
     }
-
-
-def eccentric_definitions() -> dict[str, sp.Expr]:
-    """Equilibrium of moments, the slope under the strip, and the extent of positive pressure."""
-    pressure = sp.Function(nt.p.name)
-    s = sp.Symbol("s", real=True)
     return {
-        "p": sp.Eq(sp.Integral(x * pressure(x), (x, -a, a)), P * e),
-        "phi": sp.Eq(2 / (sp.pi * E_star) * sp.Integral(pressure(s) / (s - x), (s, -a, a)), nt.tilt),
-        "cw": sp.Eq(pressure(a - nt.width), 0),
+        suffix: _entry(profile, PLANE_ECCENTRIC[suffix], (Case(touching, whole), Case(apart, part)))
+        for suffix, (whole, part) in formulas.items()
     }
-
-
-def _eccentric_entry(profile: Profile, suffix: str, *cases: Case) -> Entry:
-    material = (E_star,) if any(case.expr.has(E_star) for case in cases) else ()
-    return Entry(
-        key=f"plane.{profile.name}.{suffix}",
-        profile=profile,
-        quantity=PLANE_ECCENTRIC[suffix],
-        status="closed",
-        cases=cases,
-        definition=eccentric_definitions()[suffix],
-        parameters=profile.parameters + material,
-    )
 
 
 PHYSICS = Physics(

@@ -137,18 +137,12 @@ def derive(
     }
     defined = definitions(profile, medium)
     return {
-        suffix: Entry(
-            key=medium.key(profile.name, medium.group, GROUP, suffix),
-            profile=profile,
-            quantity=QUANTITIES[suffix],
-            status=status,
-            cases=cases,
-            definition=defined[suffix],
-            parameters=(*profile.parameters, *PHYSICS.taken(defined[suffix], medium)),
-            references=REFERENCES[suffix],
+        suffix: medium.entry(
+            profile, GROUP, QUANTITIES[suffix], status, cases, defined[suffix],
+            (*profile.parameters, *PHYSICS.taken(defined[suffix], medium)), REFERENCES[suffix],
         )
         for suffix, (status, cases) in out.items()
-    }
+    }  # fmt: skip
 
 
 def _pairs(entry: Entry) -> list[tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr]]:

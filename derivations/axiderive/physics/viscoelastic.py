@@ -142,17 +142,8 @@ def _entry(
     note: str = "",
 ) -> Entry:
     kernel = sp.Function("E")(time - _s) * sp.Derivative(sp.Function("F")(_s), _s) / E_star
-    return Entry(
-        key=f"{profile.name}.{GROUP}.{quantity.suffix}",
-        profile=profile,
-        quantity=quantity,
-        status=status,
-        cases=cases,
-        definition=sp.Integral(kernel, (_s, 0, time)),
-        parameters=(*profile.parameters, *extra),
-        references=REFERENCES,
-        note=note,
-    )
+    definition, parameters = sp.Integral(kernel, (_s, 0, time)), (*profile.parameters, *extra)
+    return HOMOGENEOUS.entry(profile, GROUP, quantity, status, cases, definition, parameters, REFERENCES, note=note)
 
 
 PHYSICS = Physics(
