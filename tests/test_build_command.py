@@ -16,8 +16,8 @@ from axiderive import cli
 from axiderive.build import pdf, pool, work
 from axiderive.build.catalogue import Failure
 from axiderive.build.comparison import LONGEST
-from axiderive.build.progress import failure_lines
 from axiderive.commands import build
+from axiderive.commands.build import failure_lines
 
 ROOT = Path(__file__).parents[1]
 

@@ -11,7 +11,7 @@ import pytest
 
 from axiderive import cli
 from axiderive.store import index
-from axiderive.store.index import shown
+from axiderive.commands.show import shown
 
 ROOT = Path(__file__).parents[1]
 

@@ -1,7 +1,7 @@
 """The command `axicontact`: build, list, show, check, verify.
 
-Nothing heavy is imported before a command needs it: `list` and `show` answer
-from the stored index without SymPy or NumPy.
+What runs a command is said as `module:function` and imported then: `list` and `show` answer from the stored index
+without SymPy or NumPy.
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
 
 from . import study
-from .exits import ENVIRONMENT, FAILED, INCOMPLETE, INTERRUPTED, CommandError
-from .store.index import FORMS, TOPICS
+from .commands.show import FORMS, TOPICS
+from .exits import ENVIRONMENT, INCOMPLETE, INTERRUPTED, CommandError
 
-MOST_JOBS = 4
+JOBS = min(os.cpu_count() or 1, 4)
 LEAST_DIGITS = 10
 """With one, enclosures of the cone overlap to 0 digits and pass."""
 
@@ -24,8 +25,12 @@ LEAST_DIGITS = 10
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
     arguments = _parser().parse_args(argv)
+    module, _, command = arguments.run.partition(":")
+    if module == "commands.scene":
+        # SymPy, which is not loaded yet, keeps more than its last 1000 results: 10 % of a derivation
+        os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
     try:
-        code: int = arguments.run(arguments)
+        code: int = getattr(import_module(f".{module}", __package__), command)(arguments)
         sys.stdout.flush()
     except CommandError as error:
         print(f"axicontact: {error}", file=sys.stderr)
@@ -59,7 +64,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, title="commands")
 
     build = commands.add_parser("build", help="derive, prove, check and write the catalogue")
-    build.set_defaults(run=_build)
+    build.set_defaults(run="commands.build:build")
     build.add_argument("--only", type=_names, action="extend", default=[], metavar="A,B", help="these profiles only")
     _parallel(build)
     build.add_argument("--out", type=Path, metavar="DIR", help="folder of the catalogue (catalogue/ of the checkout)")
@@ -76,22 +81,22 @@ def _parser() -> argparse.ArgumentParser:
     _numerical(build)
 
     listing = commands.add_parser("list", help="what the catalogue holds")
-    listing.set_defaults(run=_list)
+    listing.set_defaults(run="commands.show:list_topic")
     listing.add_argument("topic", nargs="?", choices=TOPICS, default=TOPICS[0])
     listing.add_argument("--json", action="store_true", help="for programs")
 
     show = commands.add_parser("show", help="a profile or one of its formulas")
-    show.set_defaults(run=_show)
+    show.set_defaults(run="commands.show:show")
     show.add_argument("key", help="cone, or cone.p")
     show.add_argument("--as", dest="form", choices=FORMS, default=FORMS[0])
 
     check = commands.add_parser("check", help="verify the stored formulas again, without deriving them")
-    check.set_defaults(run=_check)
+    check.set_defaults(run="commands.check:check", jobs=JOBS)
     check.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p, or chapter; default all formulas")
     _numerical(check)
 
     verify = commands.add_parser("verify", help="prove the stored formulas again, by a program that wrote none of them")
-    verify.set_defaults(run=_verify)
+    verify.set_defaults(run="commands.check:verify")
     verify.add_argument("keys", nargs="*", metavar="KEY", help="cone, or cone.p; default all formulas")
 
     derive = commands.add_parser(
@@ -100,7 +105,7 @@ def _parser() -> argparse.ArgumentParser:
         # without it argparse calls the expression missing that begins with a minus
         usage="%(prog)s [-h] [--out DIR] [--k K] (-- EXPRESSION | --from FILE [--jobs N | --executor M:C])",
     )
-    derive.set_defaults(run=_derive)
+    derive.set_defaults(run="commands.scene:derive")
     either = derive.add_mutually_exclusive_group(required=True)
     either.add_argument(
         "expression", nargs="?", metavar="EXPRESSION", help="f(r), as 'r**2/(2*R) + c*r**4'; put -- before it"
@@ -111,7 +116,7 @@ def _parser() -> argparse.ArgumentParser:
     derive.add_argument("--k", default="0", metavar="K", help="exponent of a graded half-space (%(default)s)")
 
     emit = commands.add_parser("emit", help="a self-contained module for a scene")
-    emit.set_defaults(run=_emit)
+    emit.set_defaults(run="commands.scene:emit")
     emit.add_argument("scene", type=Path, metavar="SCENE", help="a TOML file, see examples/")
     emit.add_argument("--out", type=Path, metavar="DIR", help="folder to write to, instead of that of the scene")
     emit.add_argument("--dry-run", action="store_true", help="say what would be written, with all defaults")
@@ -128,8 +133,7 @@ def _numerical(parser: argparse.ArgumentParser) -> None:
 
 
 def _parallel(parser: argparse.ArgumentParser) -> None:
-    jobs = min(os.cpu_count() or 1, MOST_JOBS)
-    parser.add_argument("--jobs", type=_positive, default=jobs, metavar="N", help="processes (%(default)s)")
+    parser.add_argument("--jobs", type=_positive, default=JOBS, metavar="N", help="processes (%(default)s)")
     _executor(parser)
 
 
@@ -160,69 +164,6 @@ def _names(text: str) -> list[str]:
         message = f"{text!r} names no profile; write cone,sphere, or leave the option out for all"
         raise argparse.ArgumentTypeError(message)
     return names
-
-
-def _build(arguments: argparse.Namespace) -> int:
-    from .commands.build import build
-
-    return build(arguments)
-
-
-def _list(arguments: argparse.Namespace) -> int:
-    from .store.index import listing, load
-
-    print(listing(load(), arguments.topic, as_json=arguments.json))
-    return 0
-
-
-def _show(arguments: argparse.Namespace) -> int:
-    from .store.index import load, shown
-
-    print(shown(load(), arguments.key, arguments.form).rstrip())
-    return 0
-
-
-def _check(arguments: argparse.Namespace) -> int:
-    if arguments.keys == ["chapter"]:
-        from functools import partial
-
-        from .build.pool import run
-        from .chapter11.equation import GUARD, report
-
-        runner = partial(run, jobs=min(os.cpu_count() or 1, MOST_JOBS), ordered=True)
-        return 0 if report(max(arguments.digits - GUARD, GUARD), arguments.seed, runner) else FAILED
-    from .build.work import Settings, project_root
-    from .commands.check import check
-
-    settings = Settings(arguments.digits, arguments.points, arguments.seed)
-    folder = project_root() / "catalogue" / "evidence"
-    return 0 if check(arguments.keys, folder, settings, verbose=arguments.verbose) else FAILED
-
-
-def _verify(arguments: argparse.Namespace) -> int:
-    from .build.work import project_root
-    from .commands.verify import verify
-
-    return 0 if verify(arguments.keys, project_root() / "catalogue" / "evidence") else FAILED
-
-
-def _derive(arguments: argparse.Namespace) -> int:
-    _remember_all()
-    from .commands.scene import derive
-
-    return derive(arguments)
-
-
-def _remember_all() -> None:
-    """Let SymPy, which is not loaded yet, keep more than its last 1000 results: 10 % of a derivation."""
-    os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
-
-
-def _emit(arguments: argparse.Namespace) -> int:
-    _remember_all()
-    from .commands.scene import emit
-
-    return emit(arguments)
 
 
 if __name__ == "__main__":

@@ -8,26 +8,27 @@ import json
 import re
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 from ..book.evidence import with_tables
 from ..build import pdf
-from ..build.catalogue import Catalogue
+from ..build.catalogue import Catalogue, Failure
 from ..build.catalogue import build as build_catalogue
 from ..build.comparison import Difference, book_of, differences, only_profiles, shortened, standing
 from ..build.emission import study_records
 from ..build.pool import workers
-from ..build.progress import Progress, failure_lines, summary, taken_over, worse_lines
-from ..build.work import Settings, project_root
+from ..build.work import Outcome, Settings, project_root
 from ..exits import FAILED, INCOMPLETE, CommandError
 from ..physics import systems
 from ..store.cache import Cache, digest
-from ..store.index import nearest
+from ..store.index import nearest, table
 from ..store.sources import kept
 from ..store.writing import RECEIPTS, ensure_writable, publish, stale_files, write_atomic
 
+HEAD = ["profile", "formulas", "closed", "integral", "root", "certified", "worst residual", "time"]
 MOST_REMARKS = 5
 
 
@@ -63,9 +64,9 @@ def build(arguments: argparse.Namespace) -> int:
         )
     failures = failure_lines(catalogue.failures, seed=settings.seed, verbose=arguments.verbose)
     files = only_profiles(catalogue.files, names, root) if partial else catalogue.files
-    progress.say(summary(catalogue))
-    progress.say(taken_over(catalogue))
-    worse = worse_lines(catalogue)
+    progress.say(_summary(catalogue))
+    progress.say(_taken_over(catalogue))
+    worse = _worse_lines(catalogue)
     if worse:
         print("\n".join(worse), file=sys.stderr)
     if not any(path.startswith("evidence/") for path in catalogue.files):
@@ -210,3 +211,99 @@ def _report_written(
         first = next(outcome for outcome in catalogue.outcomes if f"evidence/{outcome.key}.json" in files)
         example = f"{first.key}.{next(iter(first.entries))}"
     progress.say(f"next   axicontact show {example.rpartition('.')[0]}    |    axicontact show {example} --as python")
+
+
+class Progress:
+    """Counts finished problems; `--quiet` says nothing but failures."""
+
+    def __init__(self, total: int, *, quiet: bool) -> None:
+        self.total, self.quiet, self.done = total, quiet, 0
+
+    def finished(self, outcome: Outcome) -> None:
+        """Counts one problem, and says a line of it unless it was cached."""
+        self.done += 1
+        if not outcome.cached:
+            count = f"{self.done:>{len(str(self.total))}}/{self.total}"
+            state = f"{len(outcome.entries):3} formulas" if not outcome.error else "failed"
+            self.say(f"{count}  {outcome.key:28} {state}  {outcome.seconds:6.1f} s")
+
+    def say(self, text: str) -> None:
+        """Writes a line to standard error, unless the build is quiet."""
+        if not self.quiet:
+            print(text, file=sys.stderr, flush=True)
+
+
+def _summary(catalogue: Catalogue) -> str:
+    """The table of profiles, all physics together, with a line of totals."""
+    rows: dict[str, list[Any]] = {}
+    for outcome in catalogue.outcomes:
+        if not outcome.error:
+            name = systems.problem(outcome.key).profile_id
+            rows[name] = _sum(name, [rows[name], _row(outcome)]) if name in rows else _row(outcome)
+    if not rows:
+        return ""
+    cells = [HEAD, *([*map(str, row[:-1]), f"{row[-1]:.1f} s"] for row in [*rows.values(), _sum("all", rows.values())])]
+    widths = [0, *(max(map(len, column)) for column in list(zip(*cells, strict=True))[1:])]
+    return table([[cell.rjust(width) for cell, width in zip(row, widths, strict=True)] for row in cells])
+
+
+def _taken_over(catalogue: Catalogue) -> str:
+    """How much numerical evidence was not made anew."""
+    checks, errors = catalogue.kept
+    made = sum(not outcome.cached for outcome in catalogue.outcomes)
+    derived = f"{made} of {len(catalogue.outcomes)} problems were derived and proved now"
+    if made < len(catalogue.outcomes):
+        derived += ", the others by an earlier build from the same inputs"
+    if not checks and not errors:
+        return derived
+    return (
+        f"{derived}; checks of {checks} and measured errors of {errors} are those of the catalogue, "
+        "from the same inputs (--fresh repeats everything)"
+    )
+
+
+def _row(outcome: Outcome) -> list[Any]:
+    statuses = [record["status"] for record in outcome.entries.values()]
+    evidence = outcome.evidence.get("entries", {})
+    certified = sum(1 for found in evidence.values() if found.get("certified"))
+    worst = max((found["residual"] for found in evidence.values() if found.get("residual")), key=float, default="")
+    counts = [statuses.count(status) for status in ("closed", "integral", "root")]
+    name = systems.problem(outcome.key).profile_id
+    return [name, len(statuses), *counts, certified, worst, outcome.seconds]
+
+
+def _sum(name: str, rows: Collection[list[Any]]) -> list[Any]:
+    totals = [sum(row[i] for row in rows) for i in range(1, 6)]
+    worst = max((row[6] for row in rows if row[6]), key=float, default="")
+    return [name, *totals, worst, sum(row[7] for row in rows)]
+
+
+def failure_lines(failures: Sequence[Failure], *, seed: int, verbose: bool) -> list[str]:
+    """Short: what failed, and how to see it again."""
+    lines = []
+    for failure in failures:
+        again = f"axicontact check {failure.key} --seed {seed}"
+        if failure.trace:
+            name = systems.problem(failure.key).profile_id
+            again = f"axicontact build --fresh --jobs 1 --only {name}"
+        lines.append(f"{failure.key}: {failure.message}\n    again: {again} -v")
+        if verbose and failure.trace:
+            lines.append(failure.trace.rstrip())
+    if lines:
+        lines.append(f"left out of the catalogue: {', '.join(dict.fromkeys(map(_problem, failures)))}")
+    return lines
+
+
+def _worse_lines(catalogue: Catalogue) -> list[str]:
+    """The functions whose measured errors have jumped, and what to do about them."""
+    lines = [f"{key}: {sentence}" for key, sentence in catalogue.worse]
+    if lines:
+        key = catalogue.worse[0][0]
+        lines.append(f"find the cause, or say in the commit why it stays; axicontact check {key} -v measures again")
+    return lines
+
+
+def _problem(failure: Failure) -> str:
+    """Key of the problem that a failure keeps out: its own, or that of the formula that failed."""
+    known = {problem.key for problem in systems.problems()}
+    return failure.key if failure.key in known else failure.key.rpartition(".")[0]

@@ -21,14 +21,14 @@ def add_commands(
 ) -> None:
     """Add `study` and its topics, with the option of an executor; nothing heavy is imported before one runs."""
     study = commands.add_parser("study", help="comparisons: the engine and its functions beside other ways")
-    study.set_defaults(run=_topics)
+    study.set_defaults(run="study:topics")
     topics = study.add_subparsers(metavar="topic")
     for topic, text in TOPICS.items():
         parser = topics.add_parser(topic, help=text)
-        parser.set_defaults(run=_measure, topic=topic)
+        parser.set_defaults(run="study:measure", topic=topic)
         executor(parser)
         if topic == "corpus":
-            parser.set_defaults(run=_corpus)
+            parser.set_defaults(run="study:solve_corpus")
             parser.add_argument("ids", nargs="*", metavar="ID", help="cone_p, say; default all")
             parser.add_argument("--sympy", action="store_true", help="run SymPy's integrate beside")
             limit = "of the processor for each (%(default)g)"
@@ -55,13 +55,15 @@ def _problems(text: str) -> list[str]:
     return [name.strip() for name in text.split(",") if name.strip()]
 
 
-def _topics(arguments: argparse.Namespace) -> int:
+def topics(arguments: argparse.Namespace) -> int:
+    """Say what can be compared; the exit code."""
     for name, text in TOPICS.items():
         print(f"axicontact study {name:9s} {text}")
     return 0
 
 
-def _corpus(arguments: argparse.Namespace) -> int:
+def solve_corpus(arguments: argparse.Namespace) -> int:
+    """Solve the integrals of the corpus; the exit code."""
     from ..build.pool import workers
     from .corpus import compare
 
@@ -69,7 +71,7 @@ def _corpus(arguments: argparse.Namespace) -> int:
         return compare(arguments.ids, sympy=arguments.sympy, limit=arguments.limit, jobs=jobs)
 
 
-def _measure(arguments: argparse.Namespace) -> int:
+def measure(arguments: argparse.Namespace) -> int:
     """Print the record of a topic and, where asked for, keep it; what cannot be kept is refused before the work."""
     from importlib import import_module
     from importlib.util import find_spec
