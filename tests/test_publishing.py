@@ -160,12 +160,14 @@ def test_a_page_belongs_to_the_book_that_stands(tmp_path):
 
 
 def test_a_partial_build_keeps_the_other_profiles(tmp_path):
+    row = {"symbol": "p", "label": "Pressure", "status": "closed", "definition": "", "python": "pressure(r, a)"}
+
     def index(*names):
         rows = {
             "units": [],
             "physics": [{"name": "normal", "formulas": len(names)}, {"name": "plane", "formulas": 0}],
             "profiles": [{"name": n, "problems": {n: {"physics": "normal"}}} for n in names],
-            "entries": [{"profile": n, "key": f"{n}.p", "symbol": "p", "python": "pressure(r, a)"} for n in names],
+            "entries": [{**row, "profile": n, "key": f"{n}.p"} for n in names],
         }
         return json.dumps(rows | {"matrix": {"profiles": {n: {"normal": "1 ✓"} for n in names}}}).encode()
 

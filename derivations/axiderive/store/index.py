@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -14,14 +15,18 @@ from ..exits import ENVIRONMENT, USAGE, CommandError
 
 Row = dict[str, Any]
 PREFIX = "axicontact."
-FIRST = ("key", "problem", "profile", "physics", "quantity")
+ALIKE = ("label", "symbol", "status", "definition")
+"""What most entries of a quantity of a physics say alike, which stands once in the file."""
+FIRST = ("key", "problem", "profile", "physics", "quantity", "label", "symbol", "status", "cases", "latex")
 
 
 def dumps(record: Mapping[str, Any]) -> str:
     """The index as JSON, an entry to a line and without the fields that the rest of the record tells."""
+    whole: list[Row] = record["entries"]
+    record = {name: value for name, value in record.items() if name != "entries"} | {"quantities": _alike(whole)}
     told = _told(record)
     rows = []
-    for row in record["entries"]:
+    for row in whole:
         known = told(row)
         rows.append({name: value for name, value in row.items() if name not in known or known[name] != value})
     parts = [f"{_line(name)}: {_lines(value)}" for name, value in {**record, "entries": rows}.items()]
@@ -41,24 +46,40 @@ def loads(text: str | bytes) -> dict[str, Any]:
         told, rows = _told(record), []
         for row in record["entries"]:
             whole = told(row) | row
-            rows.append({name: whole[name] for name in dict.fromkeys((*FIRST, *row, *whole))})
+            rows.append({name: whole[name] for name in dict.fromkeys((*FIRST, *row, *whole)) if name in whole})
     except (KeyError, TypeError) as error:
         message = f"not an index: {type(error).__name__} {error}"
         raise ValueError(message) from error
+    record.pop("quantities", None)
     return {**record, "entries": rows}
 
 
+def _alike(rows: Sequence[Row]) -> list[Row]:
+    """What stands once, by physics and quantity."""
+    found: dict[tuple[str, str], list[Row]] = {}
+    for row in rows:
+        found.setdefault((row["physics"], row["quantity"]), []).append(row)
+    return [
+        {"physics": physics, "quantity": quantity}
+        | {name: Counter(row[name] for row in own).most_common(1)[0][0] for name in ALIKE}
+        for (physics, quantity), own in found.items()
+    ]
+
+
 def _told(record: Mapping[str, Any]) -> Callable[[Row], Row]:
-    """Fields of an entry from its key, its symbol and its call."""
+    """Fields of an entry from its key, its symbol and its call, and what is said alike of its quantity."""
     places = {key: (row["name"], own["physics"]) for row in record["profiles"] for key, own in row["problems"].items()}
     units = {row["name"]: row["unit"] for row in record["units"]}
+    alike = {(row["physics"], row["quantity"]): row for row in record.get("quantities", ())}
 
     def told(row: Row) -> Row:
         problem, _, quantity = row["key"].rpartition(".")
         profile, physics = places[problem]
         found = {"problem": problem, "profile": profile, "physics": physics, "quantity": quantity}
+        found |= alike.get((physics, quantity), {})
         function = row["python"].partition("(")[0].rpartition(".")[2]
-        return {**found, "function": function, "composed": [], "note": "", "unit": units.get(row["symbol"], "")}
+        unit = units.get(row.get("symbol", found.get("symbol")), "")
+        return {**found, "function": function, "composed": [], "note": "", "unit": unit}
 
     return told
 
