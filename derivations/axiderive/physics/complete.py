@@ -62,11 +62,19 @@ def _entry(
     fixed_face: tuple[Case, ...] = (),
     partial: Entry | None = None,
 ) -> Entry:
-    definition, references = definitions(medium)[suffix], REFERENCES[suffix][medium.graded]
-    return medium.entry(
-        profile, "", COMPLETE[suffix], status, cases, definition,
-        references=references, fixed_face=fixed_face, partial=partial,
-    )  # fmt: skip
+    material = medium.moduli if COMPLETE[suffix].elastic else medium.moduli[1:]
+    return Entry(
+        key=medium.key(profile.name, medium.group, suffix),
+        profile=profile,
+        quantity=COMPLETE[suffix],
+        status=status,
+        cases=cases,
+        definition=definitions(medium)[suffix],
+        parameters=profile.parameters + material,
+        references=REFERENCES[suffix][medium.k != 0],
+        fixed_face=fixed_face,
+        partial=partial,
+    )
 
 
 def definitions(medium: Medium) -> dict[str, sp.Expr]:

@@ -13,10 +13,10 @@ import sympy as sp
 
 from ..abel.form import Chain, insert
 from ..entry import COMPACT, Case, Entry, Status
-from ..notation import a, psi, r, t, u
+from ..notation import E_star, a, psi, r, t, u
 from ..profiles.profile import Profile
 from .medium import HOMOGENEOUS
-from .normal import entry
+from .normal import REFERENCES, definitions
 
 excess = sp.Symbol("excess", positive=True)
 """r - b beyond a break b."""
@@ -110,7 +110,18 @@ class _General:
     def _entry(
         self, suffix: str, status: Status, cases: tuple[Case, ...], composed: tuple[str, str] | None = None
     ) -> Entry:
-        return entry(self.profile, HOMOGENEOUS, suffix, status, cases, composed=composed)
+        material = (E_star,) if COMPACT[suffix].elastic else ()
+        return Entry(
+            key=f"{self.profile.name}.{suffix}",
+            profile=self.profile,
+            quantity=COMPACT[suffix],
+            status=status,
+            cases=cases,
+            definition=definitions()[suffix],
+            parameters=self.profile.parameters + material,
+            references=REFERENCES[suffix][0],
+            composed=composed,
+        )
 
     def _over_pieces(self, weight: sp.Expr, scale: sp.Expr) -> tuple[Case, ...]:
         return tuple(Case(chain, scale * self._integral(chain, weight)) for chain in self.chains)

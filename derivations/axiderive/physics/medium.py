@@ -7,7 +7,6 @@ c_N(x) = modulus * |x|^k (11.65), so that every rule is stated once.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -84,15 +83,13 @@ class Medium:
         status: Status,
         cases: tuple[Case, ...],
         definition: sp.Expr,
-        parameters: tuple[sp.Symbol, ...] = (),
-        references: tuple[str, ...] = (),
-        **more: Any,
+        parameters: tuple[sp.Symbol, ...],
+        references: tuple[str, ...],
+        note: str = "",
     ) -> Entry:
-        """An entry of a contact on it: without `parameters` of the profile, and of the moduli that are in it."""
+        """An entry of a contact on it, whose key has this group behind that of the medium."""
         key = self.key(profile.name, self.group, group, quantity.suffix)
-        material = self.moduli if quantity.elastic else self.moduli[1:]
-        taken = parameters or profile.parameters + material
-        return Entry(key, profile, quantity, status, cases, definition, taken, references, **more)
+        return Entry(key, profile, quantity, status, cases, definition, parameters, references, note=note)
 
 
 HOMOGENEOUS = Medium(E_star, sp.S.Zero, G_star, "", "")

@@ -18,7 +18,6 @@ alpha y^2 - beta y in a power y of a for the paraboloid's force and the cone's d
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import sympy as sp
 
@@ -161,12 +160,6 @@ def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
     }
 
 
-def entry(profile: Profile, medium: Medium, suffix: str, status: Status, cases: tuple[Case, ...], **more: Any) -> Entry:
-    """The entry of a contact that grows; `more` are further fields of it."""
-    definition, references = definitions(medium)[suffix], REFERENCES[suffix][medium.graded]
-    return medium.entry(profile, "", COMPACT[suffix], status, cases, definition, references=references, **more)
-
-
 def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     """All entries of a profile, keyed by suffix.
 
@@ -229,8 +222,27 @@ class _Compact:
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
         return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
 
-    def _entry(self, suffix: str, status: Status, cases: tuple[Case, ...], **more: Any) -> Entry:
-        return entry(self.profile, self.medium, suffix, status, cases, **more)
+    def _entry(
+        self,
+        suffix: str,
+        status: Status,
+        cases: tuple[Case, ...],
+        primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
+        composed: tuple[str, str] | None = None,
+    ) -> Entry:
+        material = self.medium.moduli if COMPACT[suffix].elastic else self.medium.moduli[1:]
+        return Entry(
+            key=self.medium.key(self.profile.name, self.medium.group, suffix),
+            profile=self.profile,
+            quantity=COMPACT[suffix],
+            status=status,
+            cases=cases,
+            definition=definitions(self.medium)[suffix],
+            parameters=self.profile.parameters + material,
+            references=REFERENCES[suffix][self.medium.k != 0],
+            primitives=primitives or {},
+            composed=composed,
+        )
 
     def _depth(self) -> tuple[tuple[Case, ...], dict[Chain, tuple[Primitive, ...]]]:
         cases, primitives = [], {}
