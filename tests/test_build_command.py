@@ -197,7 +197,7 @@ def test_check_verifies_a_stored_formula_and_sees_a_wrong_one(elsewhere, monkeyp
     depth = record["entries"]["d"]["cases"][0]["expr"]
     depth["="] = f"Mul(Integer(2), {depth['=']})"
     (folder / "cone.json").write_text(json.dumps(record))
-    monkeypatch.setattr(work, "project_root", lambda: elsewhere)
+    monkeypatch.setattr("axiderive.commands.check.project_root", lambda: elsewhere)
     assert cli.main(["check", "cone.d", "--points", "4"]) == 1
     assert "FAILED cone.d: " in capsys.readouterr().err
 

@@ -22,7 +22,7 @@ from .quadrature import (
     singular,
     weighted,
 )  # fmt: skip
-from .round_trip import catalogue_depths, graded_catalogue_depths, graded_catalogue_pressures
+from .round_trip import catalogue_depths, graded_catalogue_pressures
 
 Function = Callable[[Any], Any]
 ZERO = mp.mpf(0)
@@ -461,4 +461,4 @@ def _(draw: Draw, formula: Formula) -> Iterator[Residual]:
         return factor * x**k * formula(power.slope, x, k) / (a**2 - x**2) ** ((1 + k) / 2)
 
     yield Residual(power(a), weighted(integrand, ZERO, a, n + k, -(1 + k) / 2, density=0.8), LENGTH)
-    yield from graded_catalogue_depths(draw, formula, k)
+    yield from catalogue_depths(draw, formula, k)

@@ -152,20 +152,12 @@ def _length_exponent(symbol: sp.Symbol, profile: Profile, values: Values) -> Any
     return 1 - _number(power, values)
 
 
-def catalogue_depths(draw: Draw, formula: Formula) -> Iterator[Residual]:
-    """(11.29) by quadrature against the derived depth of every compact profile."""
+def catalogue_depths(draw: Draw, formula: Formula, *grading: Any) -> Iterator[Residual]:
+    """(11.29), with the exponent of a grading (11.61), by quadrature against the depth of every compact profile."""
     for name in NAMES if draw.first else ():
-        body = indenter(name, draw)
+        body = indenter(name, draw, *((draw.quantity(-2 - k, 1), k) for k in grading))
         if body.compact:
-            yield Residual(body.d, formula(body.slope, body.a, body.breaks), LENGTH)
-
-
-def graded_catalogue_depths(draw: Draw, formula: Formula, k: Any) -> Iterator[Residual]:
-    """(11.61) by quadrature against the derived graded depth of every compact profile."""
-    for name in NAMES if draw.first else ():
-        body = indenter(name, draw, (draw.quantity(-2 - k, 1), k))
-        if body.compact:
-            yield Residual(body.d, formula(body.slope, body.a, k, body.breaks), LENGTH)
+            yield Residual(body.d, formula(body.slope, body.a, *grading, body.breaks), LENGTH)
 
 
 def catalogue_inversion(draw: Draw, formula: Formula) -> Iterator[Residual]:

@@ -19,6 +19,7 @@ from typing import Any, TypeAlias
 import mpmath as mp
 
 from ..build.work import project_root
+from ..store.index import table as columns
 from ..store.writing import STUDIES, write_atomic
 
 Record: TypeAlias = dict[str, Any]
@@ -68,9 +69,7 @@ def versions() -> dict[str, str]:
 
 def table(head: Sequence[str], rows: Sequence[Sequence[Any]]) -> str:
     """Columns of text."""
-    cells = [list(head), *([_cell(x) for x in row] for row in rows)]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    return "\n".join("  ".join(x.ljust(n) for x, n in zip(row, widths, strict=True)).rstrip() for row in cells)
+    return columns([head, *([_cell(x) for x in row] for row in rows)])
 
 
 def _cell(x: Any) -> str:
