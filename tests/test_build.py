@@ -18,7 +18,7 @@ import at_work
 import pytest
 import sympy as sp
 
-from axiderive.build import emission, pool, work
+from axiderive.build import catalogue, pool, work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings, derivation_key, verification_key
 from axiderive.code import tables
@@ -282,11 +282,11 @@ def test_what_files_say_is_kept_by_their_contents(tmp_path, monkeypatch):
 def test_kernels_are_fitted_once_for_the_same_sources(tmp_path, monkeypatch):
     fitted, store = [], Cache(tmp_path)
     monkeypatch.setattr(tables, "kernels_source", lambda: fitted.append(1) or "text")
-    assert [emission.kernels(store), emission.kernels(store), len(fitted)] == ["text", "text", 1]
-    emission.kernels(Cache(tmp_path, fresh=True))
+    assert [catalogue.kernels(store), catalogue.kernels(store), len(fitted)] == ["text", "text", 1]
+    catalogue.kernels(Cache(tmp_path, fresh=True))
     assert len(fitted) == 2
-    monkeypatch.setattr(emission, "import_digest", lambda *names: "of other sources")
-    emission.kernels(store)
+    monkeypatch.setattr(catalogue, "import_digest", lambda *names: "of other sources")
+    catalogue.kernels(store)
     assert len(fitted) == 3
 
 

@@ -11,8 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from axiderive.build.comparison import LONGEST, MOST, book_of, differences, only_profiles, shortened, standing
-from axiderive.build.emission import Book
+from axiderive.build.comparison import LONGEST, MOST, Book, book_of, differences, only_profiles, shortened, standing
 from axiderive.store import writing
 
 CATALOGUE = Path(__file__).resolve().parents[1] / "catalogue"

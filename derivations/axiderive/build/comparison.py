@@ -12,7 +12,6 @@ from typing import Any
 from ..physics.systems import problems, profile_ids
 from ..store.index import dumps, loads
 from ..store.writing import RECEIPTS
-from .emission import Book
 from .verification import checks_of
 
 Record = dict[str, Any]
@@ -59,6 +58,14 @@ def shortened(found: Sequence[Difference]) -> list[str]:
     if len(found) > MOST:
         lines.append(f"... {len(found) - MOST} more files differ, from {found[MOST].path} to {found[-1].path}")
     return lines
+
+
+@dataclass(frozen=True)
+class Book:
+    """What pages need of the book they belong to: its profiles, which number them, and the checks of chapter 11."""
+
+    ids: tuple[str, ...]
+    chapter: Record | None
 
 
 def book_of(root: Path, ids: Sequence[str]) -> Book:

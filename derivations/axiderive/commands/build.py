@@ -15,10 +15,9 @@ from typing import Any
 
 from ..book.evidence import with_tables
 from ..build import pdf
-from ..build.catalogue import Catalogue, Failure
+from ..build.catalogue import Catalogue, Failure, study_records
 from ..build.catalogue import build as build_catalogue
 from ..build.comparison import Difference, book_of, differences, only_profiles, shortened, standing
-from ..build.emission import study_records
 from ..build.pool import workers
 from ..build.work import Outcome, Settings, project_root
 from ..exits import FAILED, INCOMPLETE, CommandError
