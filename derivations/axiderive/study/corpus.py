@@ -13,7 +13,7 @@ import statistics
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import mpmath as mp
@@ -44,19 +44,27 @@ class Integral:
 
     id: str
     profile: str
+    quantity: str
     kind: str
     """elem, ell (elliptic), sp (special function), Li2, or open: neither elementary nor elliptic."""
     integrand: str
     variable: str
-    limits: tuple[str, str]
-    symbols: dict[str, sp.Symbol]
-    facts: tuple[tuple[str, str], ...]
-    """(b, a) says b < a."""
+    limits: list[str]
+    positive: list[str]
+    facts: list[list[str]]
+    """[b, a] says b < a."""
     point: dict[str, str]
     reference: str
-    pieces: tuple[tuple[str | None, str], ...]
+    pieces: list[list[Any]]
+    """Upper end, null for none, and f."""
     grading: str
     answer: str
+
+    @cached_property
+    def symbols(self) -> dict[str, sp.Symbol]:
+        """Those of its texts, all of them positive."""
+        names = {*self.positive, self.variable, "a", "r", "b", "k"}
+        return {name: sp.Symbol(name, positive=True) for name in sorted(names)}
 
     def read(self, text: str) -> sp.Expr:
         """Text of the corpus as an expression in positive symbols."""
@@ -84,26 +92,7 @@ def corpus() -> dict[str, Integral]:
     except FileNotFoundError as error:
         message = f"{path} does not exist; the corpus comes with the source checkout, run the command there"
         raise CommandError(message, ENVIRONMENT) from error
-    return {row["id"]: _integral(row) for row in rows}
-
-
-def _integral(row: dict[str, Any]) -> Integral:
-    names = {*row["positive"], row["variable"], "a", "r", "b", "k"}
-    return Integral(
-        id=row["id"],
-        profile=row["profile"],
-        kind=row["class"],
-        integrand=row["integrand"],
-        variable=row["variable"],
-        limits=(row["lower"], row["upper"]),
-        symbols={name: sp.Symbol(name, positive=True) for name in sorted(names)},
-        facts=tuple((low, high) for low, _, high in (fact.partition("<") for fact in row["facts"])),
-        point=row["point"],
-        reference=row["reference"],
-        pieces=tuple((upper, text) for upper, text in row["pieces"]),
-        grading=row["grading"],
-        answer=row["answer"],
-    )
+    return {row["id"]: Integral(**row) for row in rows}
 
 
 def solve(name: str) -> sp.Expr:
