@@ -10,10 +10,9 @@ import sympy as sp
 
 from axiderive import profiles
 from axiderive.abel import reduce
-from axiderive.abel.atoms import PowerAtom
+from axiderive.abel.atoms import HyperboloidAtom, PowerAtom, SphereAtom
 from axiderive.abel.form import Form, Order, insert
 from axiderive.abel.masters import MASTERS
-from axiderive.abel.radicals import HyperboloidAtom, SphereAtom
 from axiderive.abel.reduce import NotReducibleError, parse
 from axiderive.notation import R, a, b, c, r, s, theta
 from axiderive.profiles.profile import Piece

@@ -1,25 +1,13 @@
-"""The master integrals: functions that SymPy lacks, each with its definition, derivative and value in numbers.
+"""The master integrals: functions that SymPy lacks.
 
-The master integrals that are not functions SymPy already has.
-
-Each class states its definition once, knows its derivatives (`fdiff`, the only
-thing a certificate uses), its value where it vanishes, and how to evaluate
-itself with mpmath (`numeric`, at the working precision in force).
-
-What every master integral has in common.
-
-The hypergeometric family: incomplete Beta, 2F1, 1F1, the moment of a cap, and Gamma in one spelling.
-
-Integrals of inverse functions: dilogarithms and the one of a break without any shorter form.
-
-Functions of profiles with waves and bells: Struve and Dawson.
-
-Oblate coordinates, in which fields below the surface are elementary.
+Each class states its definition once, knows its derivatives (all that a certificate uses of it), its value where it
+vanishes, and how to evaluate itself with mpmath (`numeric`, at the working precision in force).
 """
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar, TypeAlias
 
 import mpmath as mp
 import sympy as sp
@@ -29,10 +17,26 @@ Number: TypeAlias = mp.mpf
 
 
 class Master(sp.Function):
-    """Common part: evaluation through `numeric`, inside the requested precision."""
+    """Common part: what a class states of itself, and evaluation inside the requested precision."""
+
+    end: ClassVar[tuple[int, sp.Expr] | None] = None
+    """The place of the argument at whose zero the value is known, and that value."""
+    slopes: ClassVar[Mapping[int, Callable[..., sp.Expr]]] = {}
+    """The derivatives that are known, by the place of their argument, from 1, as `fdiff` counts."""
+
+    @classmethod
+    def eval(cls, *args: sp.Expr) -> sp.Expr | None:
+        """The value at the end where it is known; otherwise None, which leaves the function as it is."""
+        return cls.end[1] if cls.end and args[cls.end[0]].is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """The derivative in an argument; `ArgumentIndexError` where none is stated."""
+        if argindex not in self.slopes:
+            raise ArgumentIndexError(self, argindex)
+        return self.slopes[argindex](*self.args)
 
     @staticmethod
-    def numeric(*args: Any, **options: Any) -> Number:
+    def numeric(*args: Any) -> Number:
         """The value at numbers of mpmath, at the working precision; `TypeError` if a class does not define it."""
         message = "a master integral must say how it is evaluated"
         raise TypeError(message)
@@ -51,70 +55,25 @@ class IncompleteBeta(Master):
     SymPy's betainc lacks the value at z = 0, evaluation for q <= 0 and a readable LaTeX form.
     """
 
-    nargs = 3
-
-    @classmethod
-    def eval(cls, z: sp.Expr, p: sp.Expr, q: sp.Expr) -> sp.Expr | None:
-        """Zero at z = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.Zero if z.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in z; `ArgumentIndexError` for p and q."""
-        z, p, q = self.args
-        if argindex != 1:
-            raise ArgumentIndexError(self, argindex)
-        return z ** (p - 1) * (1 - z) ** (q - 1)
-
-    @staticmethod
-    def numeric(z: Number, p: Number, q: Number) -> Number:
-        """B(z; p, q) by the `betainc` of mpmath, its real part."""
-        return mp.re(mp.betainc(p, q, 0, z))
+    nargs, end = 3, (0, sp.S.Zero)
+    slopes = {1: lambda z, p, q: z ** (p - 1) * (1 - z) ** (q - 1)}
+    numeric = staticmethod(lambda z, p, q: mp.re(mp.betainc(p, q, 0, z)))
 
 
 class Hypergeometric(Master):
     """Gauss's 2F1(p, q; c; z) for z < 1, (11.93)."""
 
-    nargs = 4
-
-    @classmethod
-    def eval(cls, p: sp.Expr, q: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
-        """One at z = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.One if z.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in z, p q/c times the function with p, q, c raised by 1; `ArgumentIndexError` for p, q, c."""
-        p, q, c, z = self.args
-        if argindex != 4:
-            raise ArgumentIndexError(self, argindex)
-        return p * q / c * self.func(p + 1, q + 1, c + 1, z)
-
-    @staticmethod
-    def numeric(p: Number, q: Number, c: Number, z: Number) -> Number:
-        """2F1(p, q; c; z) by the `hyp2f1` of mpmath."""
-        return mp.hyp2f1(p, q, c, z)
+    nargs, end = 4, (3, sp.S.One)
+    slopes = {4: lambda p, q, c, z: p * q / c * Hypergeometric(p + 1, q + 1, c + 1, z)}
+    numeric = staticmethod(mp.hyp2f1)
 
 
 class Kummer(Master):
     """Confluent 1F1(p; c; z)."""
 
-    nargs = 3
-
-    @classmethod
-    def eval(cls, p: sp.Expr, c: sp.Expr, z: sp.Expr) -> sp.Expr | None:
-        """One at z = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.One if z.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in z, p/c times the function with p and c raised by 1; `ArgumentIndexError` for p and c."""
-        p, c, z = self.args
-        if argindex != 3:
-            raise ArgumentIndexError(self, argindex)
-        return p / c * self.func(p + 1, c + 1, z)
-
-    @staticmethod
-    def numeric(p: Number, c: Number, z: Number) -> Number:
-        """1F1(p; c; z) by the `hyp1f1` of mpmath."""
-        return mp.hyp1f1(p, c, z)
+    nargs, end = 3, (2, sp.S.One)
+    slopes = {3: lambda p, c, z: p / c * Kummer(p + 1, c + 1, z)}
+    numeric = staticmethod(mp.hyp1f1)
 
 
 class CapMoment(Master):
@@ -124,23 +83,14 @@ class CapMoment(Master):
     lowers k by two.
     """
 
-    nargs = 4
+    nargs, end = 4, (1, sp.S.Zero)
 
-    @classmethod
-    def eval(cls, k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr | None:
-        """Zero at b = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.Zero if b.is_zero else None
+    @staticmethod
+    def _slope(k: sp.Expr, b: sp.Expr, R: sp.Expr, a: sp.Expr) -> sp.Expr:
+        boundary = sp.sqrt(R**2 - b**2) * (a**2 - b**2) ** ((k - 1) / 2) - R * a ** (k - 1)
+        return -a * (boundary + k * CapMoment(k, b, R, a)) / (R**2 - a**2)
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in b or in a; `ArgumentIndexError` for k and R."""
-        k, b, R, a = self.args
-        if argindex == 2:
-            return b * (R**2 - b**2) ** (-sp.S.Half) * (a**2 - b**2) ** ((k - 1) / 2)
-        if argindex != 4:
-            raise ArgumentIndexError(self, argindex)
-        half = (k - 1) / 2
-        boundary = sp.sqrt(R**2 - b**2) * (a**2 - b**2) ** half - R * a ** (k - 1)
-        return -a * (boundary + k * self) / (R**2 - a**2)
+    slopes = {2: lambda k, b, R, a: b * (R**2 - b**2) ** (-sp.S.Half) * (a**2 - b**2) ** ((k - 1) / 2), 4: _slope}
 
     @staticmethod
     def numeric(k: Number, b: Number, R: Number, a: Number) -> Number:
@@ -194,12 +144,7 @@ class C0(Master):
             return sp.S.Zero
         return None
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in the upper limit a; `ArgumentIndexError` for b and r."""
-        b, r, a = self.args
-        if argindex != 3:
-            raise ArgumentIndexError(self, argindex)
-        return sp.acos(b / a) / sp.sqrt(a**2 - r**2)
+    slopes = {3: lambda b, r, a: sp.acos(b / a) / sp.sqrt(a**2 - r**2)}
 
     @staticmethod
     def numeric(b: Number, r: Number, a: Number) -> Number:
@@ -222,38 +167,16 @@ class C0(Master):
 class LegendreChi2(Master):
     """chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1."""
 
-    nargs = 1
-
-    @classmethod
-    def eval(cls, x: sp.Expr) -> sp.Expr | None:
-        """Zero at x = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.Zero if x.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in the argument, atanh(x)/x."""
-        (x,) = self.args
-        return sp.atanh(x) / x
-
-    @staticmethod
-    def numeric(x: Number) -> Number:
-        """Half the difference of the dilogarithms at x and -x, its real part."""
-        return mp.re(mp.polylog(2, x) - mp.polylog(2, -x)) / 2
+    nargs, end = 1, (0, sp.S.Zero)
+    slopes = {1: lambda x: sp.atanh(x) / x}
+    numeric = staticmethod(lambda x: mp.re(mp.polylog(2, x) - mp.polylog(2, -x)) / 2)
 
 
 class ArctanIntegral(Master):
     """Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)."""
 
-    nargs = 1
-
-    @classmethod
-    def eval(cls, x: sp.Expr) -> sp.Expr | None:
-        """Zero at x = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.Zero if x.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in the argument, atan(x)/x."""
-        (x,) = self.args
-        return sp.atan(x) / x
+    nargs, end = 1, (0, sp.S.Zero)
+    slopes = {1: lambda x: sp.atan(x) / x}
 
     @staticmethod
     def numeric(x: Number) -> Number:
@@ -267,57 +190,28 @@ class StruveH(Master):
     """Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0."""
 
     nargs = 2
-    _sign = -1
+    slopes = {2: lambda nu, z: 2 / sp.pi - StruveH(1, z) if nu == 0 else StruveH(nu - 1, z) - nu / z * StruveH(nu, z)}
+    numeric = staticmethod(mp.struveh)
 
     @classmethod
     def eval(cls, nu: sp.Expr, z: sp.Expr) -> sp.Expr | None:
         """Zero at z = 0 for an order that is known to be above -1; otherwise None."""
         return sp.S.Zero if z.is_zero and (nu + 1).is_positive else None
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in z, by the order below or, for order 0, by order 1; `ArgumentIndexError` for nu."""
-        nu, z = self.args
-        if argindex != 2:
-            raise ArgumentIndexError(self, argindex)
-        if nu == 0:
-            return 2 / sp.pi + self._sign * self.func(1, z)
-        return self.func(nu - 1, z) - nu / z * self
-
-    @staticmethod
-    def numeric(nu: Number, z: Number) -> Number:
-        """H_nu(z) by the `struveh` of mpmath."""
-        return mp.struveh(nu, z)
-
 
 class StruveL(StruveH):
     """Modified Struve function L_nu(z); L_0' = 2/pi + L_1 and (z L_1)' = z L_0."""
 
-    _sign = 1
-
-    @staticmethod
-    def numeric(nu: Number, z: Number) -> Number:
-        """L_nu(z) by the `struvel` of mpmath."""
-        return mp.struvel(nu, z)
+    slopes = {2: lambda nu, z: 2 / sp.pi + StruveL(1, z) if nu == 0 else StruveL(nu - 1, z) - nu / z * StruveL(nu, z)}
+    numeric = staticmethod(mp.struvel)
 
 
 class Dawson(Master):
     """D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D."""
 
-    nargs = 1
-
-    @classmethod
-    def eval(cls, x: sp.Expr) -> sp.Expr | None:
-        """Zero at x = 0; otherwise None, which leaves the function as it is."""
-        return sp.S.Zero if x.is_zero else None
-
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        """The derivative in the argument, 1 - 2 x D(x)."""
-        return 1 - 2 * self.args[0] * self
-
-    @staticmethod
-    def numeric(x: Number) -> Number:
-        """D(x) by the `erfi` of mpmath."""
-        return mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x)
+    nargs, end = 1, (0, sp.S.Zero)
+    slopes = {1: lambda x: 1 - 2 * x * Dawson(x)}
+    numeric = staticmethod(lambda x: mp.sqrt(mp.pi) / 2 * mp.exp(-x * x) * mp.erfi(x))
 
 
 class Oblate(Master):
@@ -373,8 +267,3 @@ MASTERS: tuple[type[Master], ...] = (
     C0, LegendreChi2, ArctanIntegral, IncompleteBeta, StruveH, StruveL, Dawson, Hypergeometric, Kummer, CapMoment, Xi,
     Eta,
 )  # fmt: skip
-
-__all__ = [
-    "C0", "MASTERS", "ArctanIntegral", "CapMoment", "Dawson", "Eta", "Hypergeometric", "IncompleteBeta", "Kummer",
-    "LegendreChi2", "Master", "StruveH", "StruveL", "Xi", "gamma_normalised",
-]  # fmt: skip

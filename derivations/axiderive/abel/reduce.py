@@ -15,11 +15,9 @@ import sympy as sp
 from ..entry import Primitive
 from ..notation import r
 from ..profiles.profile import Piece
-from .atoms import Atom, PowerAtom
+from .atoms import Atom, CosineAtom, ExponentialAtom, GaussianAtom, HyperboloidAtom, PowerAtom, SphereAtom
 from .form import Form, Order
 from .moments import ZERO
-from .radicals import HyperboloidAtom, SphereAtom
-from .transcendental import CosineAtom, ExponentialAtom, GaussianAtom
 
 
 class NotReducibleError(ValueError):

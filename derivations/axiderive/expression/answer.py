@@ -13,8 +13,7 @@ import numpy as np
 import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
-from ..abel.atoms import PowerAtom
-from ..abel.radicals import HyperboloidAtom, SphereAtom
+from ..abel.atoms import HyperboloidAtom, PowerAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..build.pool import Beside
 from ..code.bodies.general import least_power, library_source

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
-from ..abel.radicals import HyperboloidAtom, SphereAtom
+from ..abel.atoms import HyperboloidAtom, SphereAtom
 from ..abel.reduce import NotReducibleError, parse
 from ..notation import r, theta
 from ..physics.general import layers

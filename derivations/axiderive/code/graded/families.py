@@ -6,10 +6,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...abel.atoms import PowerAtom
-from ...abel.radicals import HyperboloidAtom, SphereAtom
+from ...abel.atoms import CosineAtom, GaussianAtom, HyperboloidAtom, PowerAtom, SphereAtom
 from ...abel.reduce import NotReducibleError, parse
-from ...abel.transcendental import CosineAtom, GaussianAtom
 from ...notation import coefficients, j
 from ...profiles.profile import Profile
 from ..physics.branches import root_beyond
