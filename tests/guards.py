@@ -18,9 +18,9 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "peak", "complete", "adhesive", "detachment", "superposed", "viscoelastic",
-    "plane", "plane_threshold", "tilted", "loads", "materials", "statement", "identity", "functions", "tower",
-    "elements", "domain", "graded", "special",
+    "certificate", "frame", "compact", "peak", "complete", "adhesive", "superposed", "viscoelastic",
+    "plane", "plane_threshold", "loads", "materials", "statement", "identity", "functions", "tower",
+    "domain", "graded", "special",
 )  # fmt: skip
 ROOMS = ("axiderive.proof", "axiderive.proof.rules", "axiderive.proof.algebra")
 """What certificates are made of, and where."""

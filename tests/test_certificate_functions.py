@@ -12,9 +12,9 @@ from axiderive import notation as nt
 from axiderive.abel.masters import CapMoment, Hypergeometric, IncompleteBeta, Kummer, StruveH, StruveL
 from axiderive.proof.algebra import special
 from axiderive.proof.algebra.domain import Domain, NotProvedError
-from axiderive.proof.algebra.elements import spelled
 from axiderive.proof.algebra.functions import require_analytic, sign
 from axiderive.proof.algebra.identity import at, is_zero
+from axiderive.proof.algebra.tower import spelled
 from axiderive.proof.rules import graded
 from axiderive.proof.statement import require_integral
 

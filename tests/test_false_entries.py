@@ -10,7 +10,6 @@ from false_entries import PROBLEMS, FalseEntry, below, candidates, derived, diff
 
 from axiderive.physics import systems
 from axiderive.proof import certificate
-from axiderive.proof.rules import plane
 from axiderive.store.records import ReadingError, RecordError
 from axiderive.verifier.problem import Problem
 
@@ -35,8 +34,7 @@ ALL = [
 
 def certified(found: FalseEntry) -> bool:
     problem = systems.problem(found.problem)
-    prover = plane if problem.system.pool.strip else certificate
-    return prover.certify(problem.profile, dict(found.entries), found.suffix).proved
+    return certificate.certify(problem.profile, dict(found.entries), found.suffix).proved
 
 
 @pytest.mark.parametrize("problem", ALL)

@@ -26,7 +26,6 @@ from axiderive.proof.algebra import functions, identity
 from axiderive.proof.algebra.domain import Domain, NotProvedError
 from axiderive.proof.rules import graded, materials, plane
 from axiderive.proof.rules import plane_threshold as threshold
-from axiderive.proof.rules import tilted as punch
 from axiderive.proof.rules import viscoelastic as relaxing
 
 Claim = Callable[[], str]
@@ -69,8 +68,7 @@ def derived(key: str) -> Entries:
 
 
 def certified(profile: Profile, entries: Entries, suffix: str) -> Claim:
-    prover = plane if next(iter(entries.values())).key.startswith("plane.") else certificate
-    return lambda: prover.certify(profile, entries, suffix).reason
+    return lambda: certificate.certify(profile, entries, suffix).reason
 
 
 def stated(key: str, suffix: str, /, **fields: Any) -> Claim:
@@ -474,16 +472,16 @@ def eccentric(suffix: str, change: Change, regime: int = 0) -> Claim:
 
 def touching_beyond_the_core() -> Claim:
     """The formula of the punch that touches all over, for loads outside of its core."""
-    inside, outside = punch.REGIONS
-    wide = replace(punch.TOUCHING, eccentricity=a * (2 * punch.SHARE - 1))
+    inside, outside = plane.REGIONS
+    wide = replace(plane.TOUCHING, eccentricity=a * (2 * plane.SHARE - 1))
 
     def pressure() -> list[str]:
-        before = punch.REGIONS
-        punch.REGIONS = {inside: wide, outside: punch.LIFTED}
+        before = plane.REGIONS
+        plane.REGIONS = {inside: wide, outside: plane.LIFTED}
         try:
-            return punch.Tilted(derived("plane.eccentric_punch")).pressure()
+            return plane.Tilted(derived("plane.eccentric_punch")).pressure()
         finally:
-            punch.REGIONS = before
+            plane.REGIONS = before
 
     return shown(pressure)
 
@@ -708,11 +706,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         ONCE,
     ),
     # adhesive contact
-    "adhesive.Adhesive.retraction: require_regions(self.entries['Dl'], ((a,),))": (
+    "adhesive.retraction: require_regions(own.entries['Dl'], ((a,),))": (
         lambda: regions("paraboloid.adh", "Dl", (a, R)),
         ONCE,
     ),
-    "adhesive.Adhesive.retraction: the retraction is not shown to be positive": (
+    "adhesive.retraction: the retraction is not shown to be positive": (
         lambda: times("paraboloid.adh", "Dl", -1),
         "is not shown to be positive",
     ),
@@ -747,15 +745,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: regions("truncated_paraboloid.adh", "Fc", (a_c, b)),
         "are not the regimes of the contact",
     ),
-    "detachment.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
-        lambda: regions("flat_punch.adh", "Dl", (a, R)),
+    "adhesive.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
+        lambda: regions("flat_punch.adh", "dc", (a, R)),
         ONCE,
     ),
-    "detachment.Detachment.retraction: the retraction is not shown to be positive": (
-        lambda: times("flat_punch.adh", "Dl", -1),
-        "is not shown to be positive",
-    ),
-    "detachment.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
+    "adhesive.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
         convex_edge,
         "the depth of a smaller contact is not shown to be greater",
     ),
@@ -837,19 +831,19 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         undefined_at_the_ring,
         "is not shown to have no zero at the ring",
     ),
-    "tilted.Tilted._expr: the sign of ... is not shown": (
+    "plane.Tilted._expr: the sign of ... is not shown": (
         lambda: eccentric("p", lambda expr: expr + P / a * sp.sign(4 * e * x - a**2)),
         "the sign of",
     ),
-    "tilted.Tilted._mirrored: ... is not mirrored by x -> -x, e -> -e": (
+    "plane.Tilted._mirrored: ... is not mirrored by x -> -x, e -> -e": (
         lambda: eccentric("p", lambda expr: expr.subs(sp.sign(e), 1), 1),
         "is not mirrored",
     ),
-    "tilted.Tilted.pressure: p > 0 at both edges for abs(e) < a/2 is not shown": (
+    "plane.Tilted.pressure: p > 0 at both edges for abs(e) < a/2 is not shown": (
         touching_beyond_the_core,
         "at both edges",
     ),
-    "tilted.Tilted.pressure: require_analytic(beyond, LIFTED.domain)": (
+    "plane.Tilted.pressure: require_analytic(beyond, LIFTED.domain)": (
         undefined_where_lifted,
         "is not shown to be positive",
     ),
@@ -975,11 +969,11 @@ WORDING: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: times("concave_paraboloid", "dmin", sp.sqrt(2)),
         "the weighted pressure is not a polynomial in r",
     ),
-    "tilted.Tilted._expr: require_regions(self.entries[suffix], tuple(REGIONS))": (
+    "plane.Tilted._expr: require_regions(self.entries[suffix], tuple(REGIONS))": (
         lambda: beside("plane.eccentric_punch", "cw", Case((a, sp.Abs(e)), 7 * a)),
         ONCE,
     ),
-    "tilted.Tilted._numerator: p sqrt(c^2 - xi^2) is not of first degree in xi": (
+    "plane.Tilted._numerator: p sqrt(c^2 - xi^2) is not of first degree in xi": (
         lambda: eccentric("p", lambda expr: expr * (1 + x**2 / a**2)),
         "is not of first degree in xi",
     ),
@@ -1018,8 +1012,8 @@ WORDING: dict[str, tuple[Callable[[], Claim], str]] = {
 
 EFFORT = {
     "tower.Tower._repeated: a power with exponent ... is not expanded": "the exact power takes long",
-    "elements.Elements.mul: the expressions of the proof grow beyond all bounds": "the exact product takes long",
-    "elements.Elements.factors: a polynomial with ... terms is not factored": "the exact factors take long",
+    "tower.Tower.mul: the expressions of the proof grow beyond all bounds": "the exact product takes long",
+    "tower.Tower.factors: a polynomial with ... terms is not factored": "the exact factors take long",
 }
 """Refusals that only bound the time of a proof, and what they spare."""
 
@@ -1093,8 +1087,8 @@ ALTERED: dict[str, Altered] = {
         "not shown",
     ),
     "symbols that may be negative": (
-        "elements",
-        "Elements.polynomial_sign",
+        "tower",
+        "Tower.polynomial_sign",
         "all(s.is_positive for s in plain)",
         "True",
         lambda: shown(lambda: functions.sign(1 + nt.nu, Domain((a,))) > 0),

@@ -17,7 +17,7 @@ from axiderive.oracle.evaluate import case_at, evaluate, evaluated
 from axiderive.oracle.sampling import points
 from axiderive.physics.plane import PHYSICS, derive
 from axiderive.profiles import plane as profiles
-from axiderive.proof.rules import plane as proof
+from axiderive.proof import certificate as proof
 
 COMPACT = {"load", "pressure", "slope", "depth", "half_width_from_load"}
 COMPLETE = {"pressure", "slope"}

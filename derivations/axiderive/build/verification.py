@@ -10,7 +10,6 @@ from ..checks import checks
 from ..checks.comparison import Evidence
 from ..physics import systems
 from ..proof import certificate
-from ..proof.rules import plane
 from ..store.records import entry_record, profile_record
 from ..verifier import reasons, rests_on
 
@@ -36,8 +35,7 @@ def verify(
         second prover says of it, worst residual, a summary, the certificate and the
         checks) and `failures`, a list of key and message.
     """
-    prover = plane if problem.system.pool.strip else certificate
-    certificates = prover.certify_profile(problem.profile, dict(entries))
+    certificates = certificate.certify_profile(problem.profile, dict(entries))
     second = reasons(*_stored(problem, entries))
     if kept is None:
         found = checks.check_problem(problem, entries, **settings.record())

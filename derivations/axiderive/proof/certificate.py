@@ -23,7 +23,7 @@ from ..profiles.profile import Profile
 from . import frame
 from .algebra.domain import NotProvedError
 from .frame import Frames
-from .rules import adhesive, detachment, graded, loads, materials, peak, subsurface, superposed, viscoelastic
+from .rules import adhesive, graded, loads, materials, peak, plane, subsurface, superposed, viscoelastic
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
@@ -35,10 +35,10 @@ COMPACT: dict[str, Rule] = {
     "w": (("d",), Compact.displacement),
     "k": (("F",), Compact.stiffness),
     "pm": (("F",), Compact.mean_pressure),
-    "ad": (("d",), lambda proof: proof.composition("ad", d, "d", None)),
-    "aF": (("F",), lambda proof: proof.composition("aF", F, "F", None)),
-    "Fd": (("F",), lambda proof: proof.composition("Fd", d, "d", "F")),
-    "dF": (("F",), lambda proof: proof.composition("dF", F, "F", "d")),
+    "ad": (("d",), Compact.composition, "ad", d, "d", None),
+    "aF": (("F",), Compact.composition, "aF", F, "F", None),
+    "Fd": (("F",), Compact.composition, "Fd", d, "d", "F"),
+    "dF": (("F",), Compact.composition, "dF", F, "F", "d"),
     "rp": (("p",), peak.radius),
     "pp": (("p", "rp"), peak.pressure),
 }
@@ -97,10 +97,10 @@ class Prover:
             root = self.entries[suffix].status == "root"
             reason = f"{key} is the root of an equation" if root else f"there is no rule for the quantity {suffix}"
             return Certificate(key, False, reason=reason)
-        needed, rule = self.rules[suffix]
+        needed, rule, *given = self.rules[suffix]
         try:
             self.frames[suffix].require(self.entries[suffix])
-            steps = tuple(dict.fromkeys(rule(self.built())))
+            steps = tuple(dict.fromkeys(rule(self.built(), *given)))
         except NotProvedError as error:
             return Certificate(key, False, reason=str(error))
         except Exception as error:  # a wrong formula may break any step; the caller gets the reason, not the error
@@ -150,8 +150,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     if profile == materials.PROFILE:
         return Prover(entries, frame.elastic(), materials.RULES, lambda: materials.Materials(entries))
     if system.pool.strip:
-        message = "entries of a plane contact are certified by proof.plane"
-        raise ValueError(message)
+        return Prover(entries, frame.strip(profile, entries), *plane.statements(profile, entries))
     if physics.over is None:
         return _normal_prover(profile, entries, medium)
     plain = _derived(profile, medium)
@@ -171,7 +170,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         frames = frame.adhering(profile, medium)
         return Prover(entries, frames, adhesive.RULES, lambda: adhesive.Adhesive(plain.built(), found), plain)
     frames = frame.peeling(profile, medium)
-    return Prover(entries, frames, detachment.RULES, lambda: detachment.Detachment(plain.built(), found), plain)
+    return Prover(entries, frames, adhesive.EDGE, lambda: adhesive.Detachment(plain.built(), found), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

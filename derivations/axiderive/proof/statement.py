@@ -15,8 +15,8 @@ from .algebra.domain import Domain, NotProvedError
 from .algebra.functions import require_analytic, sign
 from .algebra.identity import is_zero, logarithmic
 
-Rule = tuple[tuple[str, ...], Callable[[Any], list[str]]]
-"""What a quantity rests on, and what has to be shown for it."""
+Rule = tuple[tuple[str, ...], Callable[..., list[str]], *tuple[Any, ...]]
+"""What a quantity rests on, what shows it, of the statements of the profile, and what that is told besides."""
 
 
 def closed(entry: Entry) -> Entry:

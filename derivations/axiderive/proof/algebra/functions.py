@@ -25,8 +25,7 @@ from ...abel.masters import (
 from ...notation import theta
 from . import special
 from .domain import Domain, NotProvedError
-from .elements import ONE, Element
-from .tower import Tower
+from .tower import ONE, Element, Tower
 
 ODD = sp.asin | sp.atan | sp.atanh | sp.sinh | sp.asinh | LegendreChi2 | ArctanIntegral
 PLAIN = (sp.Add, sp.Mul, sp.Pow, sp.Symbol, sp.Rational, sp.NumberSymbol, sp.Sum, sp.Tuple, sp.Indexed, sp.IndexedBase)

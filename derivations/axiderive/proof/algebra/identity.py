@@ -11,9 +11,8 @@ import sympy as sp
 from ...abel.masters import C0, Hypergeometric, IncompleteBeta
 from ...notation import a
 from .domain import Domain, NotProvedError
-from .elements import Element
 from .functions import as_given, canonical, margins, normal, require_analytic, sign, tower
-from .tower import Tower
+from .tower import Element, Tower
 
 DEPTH = 6
 INFINITE = (sp.zoo, sp.nan, sp.oo, -sp.oo)

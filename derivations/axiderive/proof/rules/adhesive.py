@@ -7,18 +7,17 @@ or the depth is stationary: what is shown there is rational in D.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import sympy as sp
 
 from ...abel.form import Chain
 from ...entry import Case, Entry
-from ...notation import F, a, a_c, d, dgamma, n
+from ...notation import C, F, a, a_c, d, dgamma, n
 from ...physics.adhesive import CONTROLS
 from ..algebra.domain import Domain, NotProvedError
 from ..algebra.functions import normal, require_analytic, sign
 from ..statement import Rule, closed, paired, require_regions, require_zero
 from .compact import Compact
+from .complete import Complete
 
 PUNCH = {
     "d": lambda medium: sp.S.One,
@@ -32,25 +31,26 @@ SHARE = sp.Symbol("s_c", positive=True)
 """Retraction over the retraction at which the load is stationary; below 1 on the stable branch."""
 
 
+def retraction(own: Adhesive | Detachment) -> list[str]:
+    """Griffith: the energy released at the edge equals the work of separation."""
+    require_regions(own.entries["Dl"], ((a,),))
+    shift, domain = own.entries["Dl"].cases[0].expr, own.normal.domain((a,))
+    gap = own.medium.modulus * a**own.medium.k * shift**2 - 2 * sp.pi * a * dgamma
+    if sign(shift, domain) <= 0:
+        message = "the retraction is not shown to be positive"
+        raise NotProvedError(message)
+    return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
+
+
 class Adhesive:
     """The adhesive entries of one profile, above those of the contact without adhesion."""
 
     def __init__(self, normal: Compact, entries: dict[str, Entry]) -> None:
         self.normal, self.entries, self.medium = normal, entries, normal.medium
 
-    def retraction(self) -> list[str]:
-        """Griffith: the energy released equals the work of separation."""
-        require_regions(self.entries["Dl"], ((a,),))
-        (case,), domain = self.entries["Dl"].cases, self.normal.domain((a,))
-        gap = self.medium.modulus * a**self.medium.k * case.expr**2 - 2 * sp.pi * a * dgamma
-        if sign(case.expr, domain) <= 0:
-            message = "the retraction is not shown to be positive"
-            raise NotProvedError(message)
-        return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
-
     def superposed(self, suffix: str) -> list[str]:
         """d, F, p or w is that of the contact without adhesion less Dl times the one of a flat punch of unit depth."""
-        entry, plain, steps = self.entries[suffix], self.normal.entries[suffix], self.retraction()
+        entry, plain, steps = self.entries[suffix], self.normal.entries[suffix], retraction(self)
         (shift,) = self.entries["Dl"].cases
         unit = PUNCH[suffix](self.medium)
         for case, own in paired(entry, plain):
@@ -80,7 +80,7 @@ class Adhesive:
             message = f"{self.entries[suffix].key} is not shown to be the stable branch"
             raise NotProvedError(message)
         statement = f"{suffix}({source}(a)) = a for 2 pi a dgamma = s^2 c_N(a) Dl_c^2, s < 1"
-        return [*self.retraction(), require_zero(found - a, domain, statement)]
+        return [*retraction(self), require_zero(found - a, domain, statement)]
 
     # pull-off
 
@@ -99,7 +99,7 @@ class Adhesive:
             require_regions(entry, ((),))
             (case,), ((regime, level),) = entry.cases, regimes
             return self._closed_radius(case, regime, level, control)
-        steps = self.retraction()
+        steps = retraction(self)
         (shift,) = self.entries["Dl"].cases
         own = {_moved(regime.chain): (regime, level) for regime, level in regimes}
         require_regions(entry, tuple(own))
@@ -131,7 +131,7 @@ class Adhesive:
         balance = self.medium.modulus * a**self.medium.k * level**2 - 2 * sp.pi * a * dgamma
         statement = f"with the retraction at which the {control} is stationary, c_N(a) Dl^2 = 2 pi a dgamma at a = a_c"
         least = f"the {control} falls before and grows after: a d/da log(D/Dl) = {rise} > 0"
-        return [*self.retraction(), least, require_zero(balance.subs(a, case.expr), domain, statement)]
+        return [*retraction(self), least, require_zero(balance.subs(a, case.expr), domain, statement)]
 
     def _steep(self, chain: Chain) -> Domain:
         """Where a power law has a pull-off: n > (1 - k)/2, so that a^((1+k)/2) g'(a) grows with a."""
@@ -165,31 +165,54 @@ def _moved(chain: Chain) -> Chain:
     return tuple(length.subs(a, a_c) for length in chain)
 
 
+class Detachment:
+    """The same of a fixed edge, which peels where the edge term of the pressure reaches that of the retraction."""
+
+    def __init__(self, normal: Complete, entries: dict[str, Entry]) -> None:
+        self.normal, self.entries, self.medium = normal, entries, normal.medium
+
+    def _expr(self, suffix: str) -> sp.Expr:
+        require_regions(self.entries[suffix], ((a,),))
+        return self.entries[suffix].cases[0].expr
+
+    def depth(self) -> list[str]:
+        """w1D(a) = -Dl, and a smaller radius needs a greater depth."""
+        domain, shift = self.normal.domain((a,)), self._expr("Dl")
+        edge = self.normal.gap.subs(C, self.normal.coefficient).subs(d, self._expr("dc"))
+        steps = [*self.normal.face(), *retraction(self)]
+        steps.append(require_zero(edge + shift, domain, "w1D(a) = d - g(a) = -Dl"))
+        # for a fixed face: C is no function of a
+        depth = d - self.normal.gap
+        if depth != 0 and sign(sp.diff(depth, a), domain) >= 0:
+            message = "the depth of a smaller contact is not shown to be greater"
+            raise NotProvedError(message)
+        return [*steps, "g(a) - Dl(a) falls with a: an edge that peels does not stop"]
+
+    def force(self) -> list[str]:
+        """Fc is the force of complete contact at the depth dc."""
+        (case,) = self.normal.entries["F"].cases
+        gap = self._expr("Fc") - case.expr.subs(d, self._expr("dc"))
+        return [*self.depth(), require_zero(gap, self.normal.domain((a,)), "Fc = F at dc")]
+
+
 def _pull_off_rules() -> dict[str, Rule]:
     rules: dict[str, Rule] = {}
     for control, (radius, force, depth) in CONTROLS.items():
         base = "plain.F" if control == "force" else "plain.d"
-        rules[radius] = ((base,), _radius(control))
-        rules[force] = (("F", base), _at_pull_off(control, "F"))
-        rules[depth] = (("d", base), _at_pull_off(control, "d"))
+        rules[radius] = ((base,), Adhesive.radius, control)
+        rules[force] = (("F", base), Adhesive.at_pull_off, control, "F")
+        rules[depth] = (("d", base), Adhesive.at_pull_off, control, "d")
     return rules
 
 
-def _radius(control: str) -> Callable[[Adhesive], list[str]]:
-    return lambda proof: proof.radius(control)
-
-
-def _at_pull_off(control: str, suffix: str) -> Callable[[Adhesive], list[str]]:
-    return lambda proof: proof.at_pull_off(control, suffix)
-
-
 RULES: dict[str, Rule] = {
-    "Dl": ((), Adhesive.retraction),
-    "d": (("plain.d",), lambda proof: proof.superposed("d")),
-    "F": (("plain.F",), lambda proof: proof.superposed("F")),
-    "p": (("plain.p",), lambda proof: proof.superposed("p")),
-    "w": (("plain.w",), lambda proof: proof.superposed("w")),
-    "ad": (("d",), lambda proof: proof.stable_radius("ad")),
-    "aF": (("F",), lambda proof: proof.stable_radius("aF")),
+    "Dl": ((), retraction),
+    **{suffix: ((f"plain.{suffix}",), Adhesive.superposed, suffix) for suffix in PUNCH},
+    **{suffix: ((source,), Adhesive.stable_radius, suffix) for suffix, (source, _) in STABLE.items()},
     **_pull_off_rules(),
+}
+EDGE: dict[str, Rule] = {
+    "Dl": ((), retraction),
+    "dc": ((), Detachment.depth),
+    "Fc": (("dc", "plain.F"), Detachment.force),
 }

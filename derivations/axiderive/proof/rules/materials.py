@@ -95,8 +95,8 @@ class Materials:
 
 
 RULES: dict[str, Rule] = {
-    "E_star": ((), lambda proof: proof.reciprocal("E_star")),
-    "G_star": ((), lambda proof: proof.reciprocal("G_star")),
+    "E_star": ((), Materials.reciprocal, "E_star"),
+    "G_star": ((), Materials.reciprocal, "G_star"),
     "H": (("h_N",), Materials.graded),
     "h_N": ((), Materials.factor),
 }

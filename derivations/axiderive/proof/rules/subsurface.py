@@ -150,8 +150,8 @@ class Subsurface:
 
 def rules(grows: bool) -> dict[str, Rule]:
     """What each number rests on, and what is shown for it, of a contact that grows or has a fixed edge."""
-    found: dict[str, Rule] = {"W": ((f"plain.{Compact.base}",) if grows else (), lambda proof: proof.grown("W"))}
+    below = (f"plain.{Compact.base}",) if grows else ()
+    found: dict[str, Rule] = {"W": (below, Subsurface.grown, "W")}
     for m in range(4):
-        found[f"S{m}"] = found["W"][0], lambda proof, own=f"S{m}": proof.grown(own)  # type: ignore[misc]
-        found[f"D{m}"] = (f"S{m}",), lambda proof, own=f"D{m}": proof.lost(own)  # type: ignore[misc]
+        found |= {f"S{m}": (below, Subsurface.grown, f"S{m}"), f"D{m}": ((f"S{m}",), Subsurface.lost, f"D{m}")}
     return found

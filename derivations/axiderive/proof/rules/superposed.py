@@ -76,8 +76,4 @@ def _applies(case: Case, shown: Shown) -> bool:
 
 def rules(proofs: Mapping[str, Proof]) -> dict[str, Rule]:
     """What every quantity rests on, and its steps."""
-
-    def shown(suffix: str) -> Rule:
-        return ((f"plain.{proofs[suffix].over}",), lambda own: own.show(suffix))
-
-    return {suffix: shown(suffix) for suffix in proofs}
+    return {suffix: ((f"plain.{proof.over}",), Superposed.show, suffix) for suffix, proof in proofs.items()}

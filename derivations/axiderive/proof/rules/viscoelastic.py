@@ -6,7 +6,7 @@ and the factor of a ramp are known in closed form.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import sympy as sp
 
@@ -151,12 +151,8 @@ def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[s
     for suffix, entry in entries.items():
         kind = suffix.split("_")[0]
         own = "plain.F" if kind == "step" and entry.status == "root" else force
-        out[suffix] = (("plain.aF" if kind == "load" else own,), _shown(KINDS[kind], suffix))
+        out[suffix] = (("plain.aF" if kind == "load" else own,), KINDS[kind], suffix)
     return out
 
 
 KINDS = {"ramp": Viscoelastic.ramp, "step": Viscoelastic.step, "load": Viscoelastic.load}
-
-
-def _shown(method: Callable[[Viscoelastic, str], list[str]], suffix: str) -> Callable[[Viscoelastic], list[str]]:
-    return lambda proof: method(proof, suffix)
