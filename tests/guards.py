@@ -18,8 +18,8 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "peak", "complete", "adhesive", "superposed", "viscoelastic",
-    "plane", "plane_threshold", "loads", "materials", "statement", "identity", "functions", "tower",
+    "certificate", "frame", "compact", "complete", "adhesive", "detachment", "superposed", "viscoelastic",
+    "plane", "rings", "loads", "materials", "statement", "identity", "functions", "tower",
     "domain", "graded", "special",
 )  # fmt: skip
 ROOMS = ("axiderive.proof", "axiderive.proof.rules", "axiderive.proof.algebra")
@@ -59,8 +59,10 @@ def _refuses(node: ast.AST) -> bool:
 
 
 def _text(function: ast.FunctionDef, refusal: ast.stmt) -> str:
-    """The message without its values, or the call with two arguments."""
+    """The message without its values, or the call with two arguments where it is another's."""
     if isinstance(refusal, ast.Expr) and isinstance(refusal.value, ast.Call):
+        if ast.unparse(refusal.value.func) == "require":
+            return ast.literal_eval(refusal.value.args[1]).replace("{}", "...")
         return f"{ast.unparse(refusal.value.func)}({', '.join(map(ast.unparse, refusal.value.args[:2]))})"
     body = refusal.body if isinstance(refusal, ast.If) else function.body
     said = body[-2].value if isinstance(body[-2], ast.Assign) else None
@@ -81,6 +83,9 @@ def found() -> Iterator[Guard]:
     for module in MODULES:
         tree = ast.parse(inspect.getsource(_module(module)))
         for function, node in _functions(tree.body):
+            if function == "require":
+                # which refuses what another one asks for
+                continue
             inner = [each for each in ast.walk(node) if isinstance(each, ast.stmt) and _refuses(each)]
             inner += [node.body[-1]] if _raises(node.body[-1]) else []
             for each in sorted(inner, key=lambda stmt: stmt.lineno):

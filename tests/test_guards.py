@@ -24,8 +24,7 @@ from axiderive.profiles.profile import Piece, Profile, Rule
 from axiderive.proof import certificate, statement
 from axiderive.proof.algebra import functions, identity
 from axiderive.proof.algebra.domain import Domain, NotProvedError
-from axiderive.proof.rules import graded, materials, plane
-from axiderive.proof.rules import plane_threshold as threshold
+from axiderive.proof.rules import graded, materials, plane, rings
 from axiderive.proof.rules import viscoelastic as relaxing
 
 Claim = Callable[[], str]
@@ -442,7 +441,7 @@ def ring_of_another_equation() -> Claim:
         strip = a * sp.diff(own.face.depth_of((a,)), a) / sp.pi
         slope = ((n - 1) * a**2 - n * x**2) * face.expr - strip * sp.sqrt(a**2 - x**2)
         domain = own.domain((x, a))
-        return threshold._ring(true["xz"], slope * (x**2 - a**2 / 4), own.exponent, domain, sp.S.Zero)
+        return rings._ring(true["xz"], slope * (x**2 - a**2 / 4), own.exponent, domain, sp.S.Zero)
 
     return shown(ring)
 
@@ -455,7 +454,7 @@ def turned_face() -> Claim:
         own = plane.PlaneComplete(true["p"].profile, true)
         (face,) = own.face.entry("p").cases
         strip = a * sp.diff(own.face.depth_of((a,)), a) / sp.pi
-        return threshold.by_root(-face.expr, -strip, true["xz"], own.exponent, own.domain((x, a)))
+        return rings.by_root(-face.expr, -strip, true["xz"], own.exponent, own.domain((x, a)))
 
     return shown(by_root)
 
@@ -657,41 +656,41 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         "does not end where that of",
     ),
     # the greatest pressure
-    "peak.radius: require_regions(entry, regimes)": (lambda: regions("quartic", "rp", (a, h)), ONCE),
-    "peak._formula: one change of the sign of dp/dr, from positive to negative,": (
+    "rings.greatest: require_regions(entry, regimes)": (lambda: regions("quartic", "rp", (a, h)), ONCE),
+    "rings._formula: one change of the sign of dp/dr, from positive to negative,": (
         lambda: hollowed("quartic"),
         "one change of the sign of dp/dr",
     ),
-    "peak._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
-    "peak._of_power: require_regions(entry, ((one, n, two), (two, n)))": (
+    "rings._formula: ... > 0 is not shown": (lambda: times("quartic", "rp", -1), "> 0 is not shown"),
+    "rings._of_power: require_regions(entry, ((one, n, two), (two, n)))": (
         lambda: beside("power_law", "rp", Case((a, h), sp.Integer(7))),
         ONCE,
     ),
-    "peak._of_power: one change of the sign of dp/dr for n > 2, and none for n <=": (
+    "rings._of_power: one change of the sign of dp/dr for n > 2, and none for n <=": (
         lambda: hollowed("power_law"),
         "one change of the sign of dp/dr for n > 2",
     ),
-    "peak._pressure_of_power: require_regions(entry, ((sp.Integer(1), n),))": (
+    "rings._pressure_of_power: require_regions(entry, ((sp.Integer(1), n),))": (
         lambda: regions("power_law", "pp", (a, h)),
         ONCE,
     ),
-    "peak._balance: require_analytic(left, outside)": (
+    "rings._balance: require_analytic(left, outside)": (
         lambda: balance(lambda left, right: (left + Leap(a - nt.r_peak), right)),
         "the real range of Leap",
     ),
-    "peak._balance: (g'(a)/a)' > 0, over a falling with a and beyond all bounds": (
+    "rings._balance: (g'(a)/a)' > 0, over a falling with a and beyond all bounds": (
         lambda: hollowed("rounded_punch"),
         "beyond all bounds as a -> b",
     ),
-    "peak._factor: ... is no positive factor that does not depend on a": (
+    "rings._factor: ... is no positive factor that does not depend on a": (
         lambda: balance(lambda left, right: (left * (nt.r_peak - 2 * b), right * (nt.r_peak - 2 * b))),
         "is no positive factor",
     ),
-    "peak.pressure: require_regions(entry, (ring.chain,))": (
+    "rings.greatest_pressure: require_regions(entry, (ring.chain,))": (
         lambda: regions("quartic", "pp", (a, h)),
         ONCE,
     ),
-    "peak.pressure: ... > 0 is not shown": (lambda: times("quartic", "pp", -1), "> 0 is not shown"),
+    "rings.greatest_pressure: ... > 0 is not shown": (lambda: times("quartic", "pp", -1), "> 0 is not shown"),
     # complete contact
     "complete.Complete._fixed: require_regions(entry, before + after)": (
         lambda: regions("flat_punch", "p", (a, r)),
@@ -706,11 +705,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         ONCE,
     ),
     # adhesive contact
-    "adhesive.retraction: require_regions(own.entries['Dl'], ((a,),))": (
+    "statement.retraction: require_regions(own.entries['Dl'], ((a,),))": (
         lambda: regions("paraboloid.adh", "Dl", (a, R)),
         ONCE,
     ),
-    "adhesive.retraction: the retraction is not shown to be positive": (
+    "statement.retraction: the retraction is not shown to be positive": (
         lambda: times("paraboloid.adh", "Dl", -1),
         "is not shown to be positive",
     ),
@@ -745,11 +744,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: regions("truncated_paraboloid.adh", "Fc", (a_c, b)),
         "are not the regimes of the contact",
     ),
-    "adhesive.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
+    "detachment.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
         lambda: regions("flat_punch.adh", "dc", (a, R)),
         ONCE,
     ),
-    "adhesive.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
+    "detachment.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
         convex_edge,
         "the depth of a smaller contact is not shown to be greater",
     ),
@@ -802,32 +801,32 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: regions("plane.concave_parabola", "xz", (a, h)),
         ONCE,
     ),
-    "plane_threshold.by_squares: p >= 0 at the least load is not shown": (
+    "rings.by_squares: p >= 0 at the least load is not shown": (
         ring_elsewhere,
         "p >= 0 at the least load is not shown",
     ),
-    "plane_threshold.by_squares: 0 <= ... < a is not shown": (
+    "rings.by_squares: 0 <= ... < a is not shown": (
         lambda: times("concave_quartic", "rz", -1),
         "< a is not shown",
     ),
-    "plane_threshold.by_root: ... > 0 is not shown": (turned_face, "> 0 is not shown"),
-    "plane_threshold._case: require_regions(place, regions)": (
+    "rings.by_root: ... > 0 is not shown": (turned_face, "> 0 is not shown"),
+    "rings._case: require_regions(place, regions)": (
         lambda: beside("plane.concave_power", "xz", Case((sp.S.One, n), a / 3)),
         ONCE,
     ),
-    "plane_threshold._ring: _require_no_zero(sp.diff(linear, level), n)": (
+    "rings._ring: _require_no_zero(sp.diff(linear, level), n)": (
         ring_of_another_equation,
         "is not shown to have no zero at the ring",
     ),
-    "plane_threshold._require_no_zero: ... is not shown to have no zero at the ring": (
+    "rings._require_no_zero: ... is not shown to have no zero at the ring": (
         undefined_at_the_ring,
         "is not shown to have no zero at the ring",
     ),
-    "plane_threshold._centre: ... is not the centre": (
+    "rings._centre: ... is not the centre": (
         lambda: set_to("plane.concave_power", "xz", a / 2),
         "is not the centre",
     ),
-    "plane_threshold.at_root: _require_no_zero(denominator, n)": (
+    "rings.at_root: _require_no_zero(denominator, n)": (
         undefined_at_the_ring,
         "is not shown to have no zero at the ring",
     ),
@@ -965,7 +964,7 @@ WORDING: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: shown(lambda: identity.is_zero(sp.I * a, Domain((a,)))),
         "is not an algebraic expression",
     ),
-    "plane_threshold.by_squares: the weighted pressure is not a polynomial in ...": (
+    "rings.by_squares: the weighted pressure is not a polynomial in ...": (
         lambda: times("concave_paraboloid", "dmin", sp.sqrt(2)),
         "the weighted pressure is not a polynomial in r",
     ),
@@ -1115,7 +1114,7 @@ ALTERED: dict[str, Altered] = {
     "the retraction of the least force": (
         "adhesive",
         "Adhesive._closed_radius",
-        "sign(level, domain) <= 0 or ",
+        "sign(level, domain) > 0 and ",
         "",
         lambda: hollow("ac", lambda expr: expr.subs(R, -HOLLOW)),
         "is not shown to have a minimum",
@@ -1123,13 +1122,13 @@ ALTERED: dict[str, Altered] = {
     "the least force": (
         "adhesive",
         "Adhesive._closed_radius",
-        " or sign(rise, domain) <= 0",
+        " and sign(rise, domain) > 0",
         "",
         sharp_tip,
         "is not shown to have a minimum",
     ),
     "pressure and not tension": (
-        "plane_threshold",
+        "rings",
         "by_squares",
         "unit < 0 or ",
         "",
@@ -1137,9 +1136,9 @@ ALTERED: dict[str, Altered] = {
         "p >= 0 at the least load is not shown",
     ),
     "the ring inside the contact": (
-        "plane_threshold",
+        "rings",
         "by_squares",
-        "sign(a - place, edge) <= 0 or ",
+        "sign(a - place, edge) > 0 and ",
         "",
         lambda: bulging("concave_paraboloid", 2 * a),
         "< a is not shown",

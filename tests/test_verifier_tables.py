@@ -15,10 +15,9 @@ from false_entries import below, derived, record
 
 from axiderive.abel import masters
 from axiderive.verifier.field import Element, Field
-from axiderive.verifier.functions import FUNCTIONS
 from axiderive.verifier.problem import Problem
 from axiderive.verifier.reading import UnknownError, definition, tree
-from axiderive.verifier.theory import THEORY, statements
+from axiderive.verifier.theory import FUNCTIONS, THEORY, statements
 
 VALUES = {
     "a": "1.7",

@@ -23,7 +23,7 @@ from ..profiles.profile import Profile
 from . import frame
 from .algebra.domain import NotProvedError
 from .frame import Frames
-from .rules import adhesive, graded, loads, materials, peak, plane, subsurface, superposed, viscoelastic
+from .rules import adhesive, detachment, graded, loads, materials, plane, rings, subsurface, superposed, viscoelastic
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
@@ -39,8 +39,8 @@ COMPACT: dict[str, Rule] = {
     "aF": (("F",), Compact.composition, "aF", F, "F", None),
     "Fd": (("F",), Compact.composition, "Fd", d, "d", "F"),
     "dF": (("F",), Compact.composition, "dF", F, "F", "d"),
-    "rp": (("p",), peak.radius),
-    "pp": (("p", "rp"), peak.pressure),
+    "rp": (("p",), rings.greatest),
+    "pp": (("p", "rp"), rings.greatest_pressure),
 }
 
 COMPLETE: dict[str, Rule] = {
@@ -170,7 +170,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         frames = frame.adhering(profile, medium)
         return Prover(entries, frames, adhesive.RULES, lambda: adhesive.Adhesive(plain.built(), found), plain)
     frames = frame.peeling(profile, medium)
-    return Prover(entries, frames, adhesive.EDGE, lambda: adhesive.Detachment(plain.built(), found), plain)
+    return Prover(entries, frames, detachment.RULES, lambda: detachment.Detachment(plain.built(), found), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

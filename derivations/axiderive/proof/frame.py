@@ -55,7 +55,7 @@ from ..physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
 from ..profiles.materials import PROFILE as ELASTIC
 from ..profiles.profile import Profile
-from .algebra.domain import NotProvedError
+from .algebra.domain import NotProvedError, require
 
 Symbols = tuple[sp.Symbol, ...]
 Frames = dict[str, "Frame"]
@@ -88,15 +88,13 @@ class Frame:
         if (entry.key, entry.profile, entry.quantity) != (self.key, self.profile, self.quantity):
             message = f"{entry.key} is not {self.quantity.function} of {self.key}"
             raise NotProvedError(message)
-        if entry.status != _status(entry):
-            message = f"the formulas of {entry.key} are not {entry.status}"
-            raise NotProvedError(message)
+        require(entry.status == _status(entry), "the formulas of {} are not {}", entry.key, entry.status)
         if entry.definition != self.definition:
             message = f"{entry.key} is defined as {entry.definition}, not as {self.definition}"
             raise NotProvedError(message)
-        if entry.composed not in (None, ROUTES.get(entry.suffix)):
-            message = f"{entry.key} is no composition of {entry.composed}"
-            raise NotProvedError(message)
+        require(
+            entry.composed in (None, ROUTES.get(entry.suffix)), "{} is no composition of {}", entry.key, entry.composed
+        )
         if entry.partial != self.partial:
             message = f"{entry.key} is not the contact of the unbounded profile before the edge is reached"
             raise NotProvedError(message)
@@ -115,9 +113,7 @@ class Frame:
             own = known.union(*(member.free_symbols for member in case.chain))
             if entry.status == "closed":
                 own -= {self.quantity.symbol} - known
-            if case.expr.has(sp.Float):
-                message = f"{entry.key} holds a rounded number"
-                raise NotProvedError(message)
+            require(not case.expr.has(sp.Float), "{} holds a rounded number", entry.key)
             strange = case.expr.free_symbols - own
             if strange:
                 message = f"{', '.join(sorted(map(str, strange)))} is neither argument nor parameter of {entry.key}"

@@ -9,9 +9,9 @@ import sympy as sp
 
 from ..abel.form import Chain
 from ..entry import Case, Entry
-from ..notation import N, coefficients, j
+from ..notation import N, a, coefficients, dgamma, j
 from .algebra import special
-from .algebra.domain import Domain, NotProvedError
+from .algebra.domain import Domain, NotProvedError, require
 from .algebra.functions import require_analytic, sign
 from .algebra.identity import is_zero, logarithmic
 
@@ -62,9 +62,7 @@ def require_integral(expr: sp.Expr, wanted: sp.Expr, variable: sp.Symbol, domain
     terms = [sp.diff(linear, stand_in) * pieces[function] for function, stand_in in stand_ins.items()]
     rest = linear - sp.Add(*(sp.diff(linear, stand_in) * stand_in for stand_in in stand_ins.values()))
     # a sum of multiples of the integrals, or any other function of them that its slopes make up
-    if not is_zero(rest, domain):
-        message = f"{expr} is not a combination of functions whose integrals are stated"
-        raise NotProvedError(message)
+    require(is_zero(rest, domain), "{} is not a combination of functions whose integrals are stated", expr)
     return require_zero(sp.Add(*terms) - wanted, domain, f"integrand of {expr} over 0 < {variable} < 1 = {wanted}")
 
 
@@ -105,3 +103,12 @@ def paired(entry: Entry, plain: Entry) -> list[tuple[Case, Case]]:
         message = f"the cases of {entry.key} are not those of {plain.key}"
         raise NotProvedError(message)
     return list(zip(entry.cases, plain.cases, strict=True))
+
+
+def retraction(own: Any) -> list[str]:
+    """Griffith: the energy released at the edge of an adhesive contact equals the work of separation."""
+    require_regions(own.entries["Dl"], ((a,),))
+    shift, domain = own.entries["Dl"].cases[0].expr, own.normal.domain((a,))
+    gap = own.medium.modulus * a**own.medium.k * shift**2 - 2 * sp.pi * a * dgamma
+    require(sign(shift, domain) > 0, "the retraction is not shown to be positive")
+    return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]

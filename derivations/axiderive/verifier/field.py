@@ -15,8 +15,8 @@ from typing import Any
 
 from flint import fmpq, fmpq_mpoly_ctx, fmpz
 
-from .functions import FUNCTIONS, Condition, Equation
-from .reading import Tree, UnknownError, symbols
+from .reading import Tree, UnknownError, require, symbols
+from .theory import FUNCTIONS, Condition, Equation
 
 ROOM, PAIRS = 56, 4
 """Generators of a field; the last ones, in pairs, stand for where bounded ones are between their bounds."""
@@ -56,9 +56,7 @@ class Element:
 
     def __init__(self, field: Field, num: Any, den: Any = ONE) -> None:
         num, den = field.reduced(num), field.reduced(den)
-        if den == 0:
-            message = "a division by zero"
-            raise UnknownError(message)
+        require(den != 0, "a division by zero")
         common = num.gcd(den)
         lead = (den / common).leading_coefficient()
         self.field, self.num, self.den = field, num / common / lead, den / common / lead
@@ -139,9 +137,7 @@ class Field:
         """The generator of a key, made if it is new; `UnknownError` where room or time has run out."""
         if key not in self.keys:
             self.free -= 1
-            if self.free < 0 or time.process_time() > self.end:
-                message = "no proof within the room and the time given"
-                raise UnknownError(message)
+            require(self.free >= 0 and time.process_time() <= self.end, "no proof within the room and the time given")
             self.keys[key], self.kind[self.free], self.signs = self.free, kind, {}
             self.positive |= {self.free} if positive else set()
             self.safe |= {self.free} if safe else set()
@@ -202,14 +198,10 @@ class Field:
                 out += [(RING.constant(prime), way * times) for prime, times in fmpz(number).factor()]
             for factor, times in found:
                 own = self.poly_sign(factor)
-                if not own:
-                    message = "the sign under a root or a logarithm is not shown"
-                    raise UnknownError(message)
+                require(own, "the sign under a root or a logarithm is not shown")
                 sign *= own**times
                 out.append((factor * own, direction * times))
-        if sign < 0 or x.num == 0:
-            message = "a root or a logarithm of a number that is not positive"
-            raise UnknownError(message)
+        require(sign >= 0 and x.num != 0, "a root or a logarithm of a number that is not positive")
         return out
 
     def _root(self, base: Any) -> tuple[Any, Element] | None:
@@ -221,9 +213,7 @@ class Field:
         """Base to an exponent, factor by factor; `UnknownError` if a sign that is needed is not shown."""
         number = exponent.number
         if number is not None and number.denominator == 1:
-            if number < 0 and not self.poly_sign(base.num):
-                message = "a denominator may vanish"
-                raise UnknownError(message)
+            require(number >= 0 or self.poly_sign(base.num), "a denominator may vanish")
             return base**number.numerator
         if base.num == 0 and self.sign(exponent) == 1:
             return base
@@ -329,9 +319,7 @@ class Field:
     def opaque(self, head: str, *args: Element, positive: bool = False) -> Element:
         """A function as a generator of its own, one for equal arguments."""
         known = FUNCTIONS[head]
-        if not (known.slopes or known.margins):
-            message = f"{head} is not known there"
-            raise UnknownError(message)
+        require(known.slopes or known.margins, "{} is not known there", head)
         for index, kind in self.kind.items():
             if kind[0] == head and all((a - b).num == 0 for a, b in zip(kind[1], args, strict=True)):
                 return self._continuous(head, index in self.safe, Element(self, GENS[index]))
@@ -343,9 +331,7 @@ class Field:
         return self._continuous(head, safe, self.generator(key, (head, args), positive=positive, safe=safe))
 
     def _continuous(self, head: str, safe: bool, found: Element) -> Element:
-        if not safe:
-            message = f"{head} is not shown to be analytic"
-            raise UnknownError(message)
+        require(safe, "{} is not shown to be analytic", head)
         return found
 
     def analytic(self, x: Element) -> bool:
@@ -459,9 +445,7 @@ class Field:
         for letter, argument in values.items():
             inner = self.slope(argument, name)
             if inner.num != 0:
-                if letter not in known.slopes:
-                    message = f"the derivative of {head} in a parameter is not known"
-                    raise UnknownError(message)
+                require(letter in known.slopes, "the derivative of {} in a parameter is not known", head)
                 out = out + self.read(known.slopes[letter], values) * inner
         return out
 

@@ -8,8 +8,8 @@ from typing import Any
 from flint import fmpq
 
 from .field import Element, Field, as_fraction, used
-from .functions import FUNCTIONS
-from .reading import Tree, UnknownError
+from .reading import Tree, UnknownError, require
+from .theory import FUNCTIONS
 
 
 class Limit:
@@ -23,9 +23,7 @@ class Limit:
     def ratio(self, x: Element) -> tuple[Element, Element]:
         """The leading power of t of an element, and its coefficient; `UnknownError` if the denominator may vanish."""
         (one, top), (two, bottom) = self.leading(x.num), self.leading(x.den)
-        if not self.face.sign(bottom):
-            message = "a denominator may vanish at the end"
-            raise UnknownError(message)
+        require(self.face.sign(bottom), "a denominator may vanish at the end")
         return one - two, top / bottom
 
     def value(self, x: Element) -> Element:
@@ -89,9 +87,7 @@ class Limit:
             return (face.number(1), face.number(1)) if self.low == 0 else (none, face.read(self.low))
         if head == "power":
             (order, value), exponent = self.leading(rest[0]), self.value(rest[1])
-            if value.num == 0:
-                message = "a power of what vanishes in an unknown way"
-                raise UnknownError(message)
+            require(value.num != 0, "a power of what vanishes in an unknown way")
             return order * exponent, face.power(value, exponent)
         if head == "log":
             order, value = self.leading(rest[0][0].num)

@@ -9,7 +9,7 @@ from typing import Any
 
 from .field import Field, FinerError
 from .proof import Domain, Proof
-from .reading import ASSUMED, Chain, Tree, UnknownError, definition, ordered, summed, symbols, tree
+from .reading import ASSUMED, Chain, Tree, UnknownError, definition, ordered, require, summed, symbols, tree
 from .theory import THEORY, Section
 
 SECONDS = 60.0
@@ -81,9 +81,7 @@ class Problem:
 
     def section(self, suffix: str) -> Section:
         """What the theory says of a quantity; `UnknownError` if it says nothing."""
-        if (self.kind, suffix) not in THEORY.sections:
-            message = "there is no second rule for it"
-            raise UnknownError(message)
+        require((self.kind, suffix) in THEORY.sections, "there is no second rule for it")
         return THEORY.sections[self.kind, suffix]
 
     def proof(self, suffix: str) -> Proof:
@@ -115,9 +113,7 @@ class Problem:
             "its sum": any("j" in symbols(summed(text)) for text in texts),
         }
         for fault, found in faults.items():
-            if found:
-                message = f"{fault}: not what the quantity asks for"
-                raise UnknownError(message)
+            require(not found, "{}: not what the quantity asks for", fault)
 
     def parameters(self, section: Section) -> list[list[str]]:
         """Those of the profile and the material; of the material none where a level strip does not feel it."""

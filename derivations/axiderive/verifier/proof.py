@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .field import Element, Field
 from .limits import Limit, Substitution
-from .reading import SIGNS, Chain, Tree, UnknownError, heads, ordered, put, symbols, tree
+from .reading import SIGNS, Chain, Tree, UnknownError, heads, ordered, put, require, symbols, tree
 from .theory import THEORY, Line, Statement, chain, pairs, statements
 
 if TYPE_CHECKING:
@@ -163,15 +163,11 @@ class Proof:
         places = [(case, tuple(self.place(m, values, domain, asking) for m in case.chain))
                   for case in self.problem.cases(self.suffix, side)]  # fmt: skip
         found = [(case, members) for case, members in places if is_ordered(members, domain)]
-        if len(found) != 1:
-            message = f"not one case of {self.suffix} for this order"
-            raise UnknownError(message)
+        require(len(found) == 1, "not one case of {} for this order", self.suffix)
         self.used.append((*found[0], domain.order))
         expr = found[0][0].expr
         if side in ("left", "right"):
-            if not (isinstance(expr, tuple) and expr[0] in ("Equality", "Eq")):
-                message = "it is no equation"
-                raise UnknownError(message)
+            require(isinstance(expr, tuple) and expr[0] in ("Equality", "Eq"), "it is no equation")
             expr = expr[1 if side == "left" else 2]
         return put(expr, values)
 
@@ -219,12 +215,8 @@ class Proof:
                 (id(case), places) for case, places, order in self.used if order == domain.order and id(case) in own
             }
             seen |= {case for case, _ in found}
-            if {places for _, places in found} != {stated}:
-                message = "its cases are not every place in the order once"
-                raise UnknownError(message)
-        if seen != own:
-            message = "not all of its cases are looked at"
-            raise UnknownError(message)
+            require({places for _, places in found} == {stated}, "its cases are not every place in the order once")
+        require(seen == own, "not all of its cases are looked at")
 
     def check(self, line: Line, domain: Domain) -> None:
         """Raises `UnknownError` unless one of the statements of a line is shown, as it is or in one of `WAYS`."""
@@ -298,9 +290,7 @@ class Proof:
         if index >= 0 and (gap.num.degrees()[index] > 1 or gap.den.degrees()[index]):
             message = "not linear in the coefficients of a polynomial"
             raise UnknownError(message)
-        if not gap.field.zero(gap):
-            message = "it is not shown to vanish"
-            raise UnknownError(message)
+        require(gap.field.zero(gap), "it is not shown to vanish")
 
     def alone(self, verb: str, formula: Tree, domain: Domain) -> None:
         """Raises `UnknownError` unless a formula is shown to be analytic, or a product of positive ones and squares."""
@@ -312,9 +302,7 @@ class Proof:
             unit, factors = own.num.factor()
             odd = [field.poly_sign(factor) or 0 for factor, times in factors if times % 2]
             shown = field.poly_sign(own.den) == 1 and (1 if unit > 0 else -1) * math.prod(odd) > 0
-        if not shown:
-            message = "it is not shown"
-            raise UnknownError(message)
+        require(shown, "it is not shown")
 
     def limit(self, formula: Tree, domain: Domain, name: str, point: Tree, way: int) -> Element:
         """The value of a formula as a length tends to its neighbour in the order, from above or from below."""
@@ -351,9 +339,7 @@ class Proof:
         found: Any = next((v for key, v in stored if tuple(ordered(tree(m["="])) for m in key) == domain.order), [])
         parts = [tuple(tree(one[end]["="]) for end in ("lo", "hi", "expr")) for one in found]
         ends = [0, *(m for m in domain.order[: domain.order.index("a")] if m in self.problem.breaks), "a"]
-        if not all(lo in ends and hi in ends for lo, hi, _ in parts):
-            message = "an antiderivative does not end at the breaks"
-            raise UnknownError(message)
+        require(all(lo in ends and hi in ends for lo, hi, _ in parts), "an antiderivative does not end at the breaks")
         total = self.field(domain).read(0)
         for lo, hi in itertools.pairwise(ends):
             i = domain.order.index(hi)

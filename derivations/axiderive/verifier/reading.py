@@ -26,6 +26,12 @@ class UnknownError(Exception):
     """Nothing is shown."""
 
 
+def require(shown: object, reason: str, *about: object) -> None:
+    """Raises `UnknownError` for what is not shown: the reason has {} where it names what it is about."""
+    if not shown:
+        raise UnknownError(reason.format(*about))
+
+
 @cache
 def tree(text: str) -> Tree:
     """Stored text, or a formula in Python's notation."""

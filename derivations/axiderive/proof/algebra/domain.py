@@ -18,6 +18,12 @@ class NotProvedError(ValueError):
     """A step of a certificate that fails; the message is the reason in one sentence."""
 
 
+def require(shown: object, reason: str, *about: object) -> None:
+    """Refuse what is not shown: the reason has {} where it names what it is about."""
+    if not shown:
+        raise NotProvedError(reason.format(*about))
+
+
 class Domain:
     """Positive symbols with lower bounds; a chain (r, b, a) says 0 < r < b < a.
 
@@ -47,9 +53,7 @@ class Domain:
 
     def _largest_lower_bound(self, symbol: sp.Expr) -> sp.Expr:
         bounds = self._bounds(symbol)
-        if symbol in bounds:
-            message = f"{symbol} would be less than itself"
-            raise NotProvedError(message)
+        require(symbol not in bounds, "{} would be less than itself", symbol)
         largest = [bound for bound in bounds if bounds - {bound} <= self._bounds(bound)]
         if bounds and not largest:
             message = f"the order of the lower bounds {', '.join(sorted(map(str, bounds)))} of {symbol} is not known"

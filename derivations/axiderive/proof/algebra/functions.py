@@ -24,7 +24,7 @@ from ...abel.masters import (
 )
 from ...notation import theta
 from . import special
-from .domain import Domain, NotProvedError
+from .domain import Domain, NotProvedError, require
 from .tower import ONE, Element, Tower
 
 ODD = sp.asin | sp.atan | sp.atanh | sp.sinh | sp.asinh | LegendreChi2 | ArctanIntegral
@@ -155,14 +155,10 @@ def require_analytic(expr: sp.Expr, domain: Domain) -> None:
     if key in domain.memo:
         return
     for node in sp.preorder_traversal(expr):
-        if not isinstance(node, PLAIN) and not node.is_Function:
-            message = f"{node} is no formula of real numbers"
-            raise NotProvedError(message)
+        require(isinstance(node, PLAIN) or node.is_Function, "{} is no formula of real numbers", node)
         if node.is_Pow and not (node.exp.is_Integer and node.exp > 0) and not node.base.is_positive:
             found = sign(node.base, domain)
-            if found == 0 or (found < 0 and not node.exp.is_Integer):
-                message = f"{node.base} is not shown to be positive"
-                raise NotProvedError(message)
+            require(found != 0 and (found >= 0 or node.exp.is_Integer), "{} is not shown to be positive", node.base)
         elif node.is_Function and not isinstance(node, sp.Abs):
             # the tower asks for the sign of every absolute value
             _require_range(node, domain)
@@ -171,9 +167,7 @@ def require_analytic(expr: sp.Expr, domain: Domain) -> None:
 
 def _require_range(function: sp.Expr, domain: Domain) -> None:
     for margin in margins(function):
-        if sign(margin, domain) <= 0:
-            message = f"{margin} > 0, needed for {function}, is not shown"
-            raise NotProvedError(message)
+        require(sign(margin, domain) > 0, "{} > 0, needed for {}, is not shown", margin, function)
 
 
 def margins(function: sp.Expr) -> tuple[sp.Expr, ...]:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from ...abel.masters import C0, Hypergeometric, IncompleteBeta
 from ...notation import a
-from .domain import Domain, NotProvedError
+from .domain import Domain, NotProvedError, require
 from .functions import as_given, canonical, margins, normal, require_analytic, sign, tower
 from .tower import Element, Tower
 
@@ -141,8 +141,6 @@ def _log_of_sum(argument: sp.Expr, domain: Domain) -> sp.Expr:
     argument = canonical(argument, domain)
     arithmetic = tower(domain, argument)
     element = arithmetic.convert(argument)
-    if arithmetic.sign(element) <= 0:
-        message = f"{argument} is not shown to be positive"
-        raise NotProvedError(message)
+    require(arithmetic.sign(element) > 0, "{} is not shown to be positive", argument)
     factors, rest = arithmetic.primitive(element)
     return sp.log(arithmetic.expr(rest)) + sp.Add(*(e * sp.log(f.as_expr()) for f, e in factors.items()))

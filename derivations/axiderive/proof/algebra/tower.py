@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from .domain import Domain, NotProvedError, stretched_to
+from .domain import Domain, NotProvedError, require, stretched_to
 
 Monomial = frozenset[tuple[PolyElement, sp.Expr]]
 Element = dict[Monomial, PolyElement]
@@ -192,9 +192,7 @@ class Tower:
         if exponent.is_Integer and exponent >= 0:
             return self._repeated(element, int(exponent))
         element = self.collect(element)
-        if not element:
-            message = "division by zero, or a root of zero"
-            raise NotProvedError(message)
+        require(element, "division by zero, or a root of zero")
         if len(element) == 1:
             return self._single_power(element, exponent)
         if exponent.is_Integer:
@@ -205,9 +203,7 @@ class Tower:
         raise NotProvedError(message)
 
     def _repeated(self, element: Element, count: int) -> Element:
-        if count > LARGEST_POWER:
-            message = f"a power with exponent {count} is not expanded"
-            raise NotProvedError(message)
+        require(count <= LARGEST_POWER, "a power with exponent {} is not expanded", count)
         result = {ONE: self.ring.one}
         for _ in range(count):
             result = self.mul(result, element)

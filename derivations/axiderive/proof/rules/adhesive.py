@@ -11,13 +11,12 @@ import sympy as sp
 
 from ...abel.form import Chain
 from ...entry import Case, Entry
-from ...notation import C, F, a, a_c, d, dgamma, n
+from ...notation import F, a, a_c, d, dgamma, n
 from ...physics.adhesive import CONTROLS
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, require
 from ..algebra.functions import normal, require_analytic, sign
-from ..statement import Rule, closed, paired, require_regions, require_zero
+from ..statement import Rule, closed, paired, require_regions, require_zero, retraction
 from .compact import Compact
-from .complete import Complete
 
 PUNCH = {
     "d": lambda medium: sp.S.One,
@@ -29,17 +28,6 @@ STABLE = {"ad": ("d", d), "aF": ("F", F)}
 """What an inverse inverts, and its symbol."""
 SHARE = sp.Symbol("s_c", positive=True)
 """Retraction over the retraction at which the load is stationary; below 1 on the stable branch."""
-
-
-def retraction(own: Adhesive | Detachment) -> list[str]:
-    """Griffith: the energy released at the edge equals the work of separation."""
-    require_regions(own.entries["Dl"], ((a,),))
-    shift, domain = own.entries["Dl"].cases[0].expr, own.normal.domain((a,))
-    gap = own.medium.modulus * a**own.medium.k * shift**2 - 2 * sp.pi * a * dgamma
-    if sign(shift, domain) <= 0:
-        message = "the retraction is not shown to be positive"
-        raise NotProvedError(message)
-    return [require_zero(gap, domain, "c_N(a) Dl^2 = 2 pi a dgamma, Dl > 0")]
 
 
 class Adhesive:
@@ -76,9 +64,7 @@ class Adhesive:
             sp.powdenest(sp.expand_power_base(forward.expr.subs(dgamma, work), force=True), force=True)
         )
         found = inverse.expr.subs({value: given, dgamma: work}, simultaneous=True)
-        if sign(level, domain) <= 0:
-            message = f"{self.entries[suffix].key} is not shown to be the stable branch"
-            raise NotProvedError(message)
+        require(sign(level, domain) > 0, "{} is not shown to be the stable branch", self.entries[suffix].key)
         statement = f"{suffix}({source}(a)) = a for 2 pi a dgamma = s^2 c_N(a) Dl_c^2, s < 1"
         return [*retraction(self), require_zero(found - a, domain, statement)]
 
@@ -122,12 +108,8 @@ class Adhesive:
     def _closed_radius(self, case: Case, regime: Case, level: sp.Expr, control: str) -> list[str]:
         domain, k = self._steep(regime.chain), self.medium.k
         rise = normal(a * sp.diff(level, a) / level, domain) - (1 - k) / 2
-        if sign(level, domain) <= 0 or sign(rise, domain) <= 0:
-            message = f"the {control} is not shown to have a minimum"
-            raise NotProvedError(message)
-        if sign(case.expr, domain) <= 0:
-            message = f"{case.expr} is not shown to be positive"
-            raise NotProvedError(message)
+        require(sign(level, domain) > 0 and sign(rise, domain) > 0, "the {} is not shown to have a minimum", control)
+        require(sign(case.expr, domain) > 0, "{} is not shown to be positive", case.expr)
         balance = self.medium.modulus * a**self.medium.k * level**2 - 2 * sp.pi * a * dgamma
         statement = f"with the retraction at which the {control} is stationary, c_N(a) Dl^2 = 2 pi a dgamma at a = a_c"
         least = f"the {control} falls before and grows after: a d/da log(D/Dl) = {rise} > 0"
@@ -148,9 +130,9 @@ class Adhesive:
             (plain,) = (own for own in self.normal.entry(suffix).cases if own.chain == regime.chain)
             reduced = plain.expr - unit * level
             if case.chain:
-                if case.chain != _moved(regime.chain):
-                    message = f"the cases of {entry.key} are not the regimes of the contact"
-                    raise NotProvedError(message)
+                require(
+                    case.chain == _moved(regime.chain), "the cases of {} are not the regimes of the contact", entry.key
+                )
                 gap = case.expr.subs(a_c, a) - reduced
             else:
                 (closed,) = self.entries[radius].cases
@@ -163,36 +145,6 @@ class Adhesive:
 def _moved(chain: Chain) -> Chain:
     """The radius at pull-off for that of the contact."""
     return tuple(length.subs(a, a_c) for length in chain)
-
-
-class Detachment:
-    """The same of a fixed edge, which peels where the edge term of the pressure reaches that of the retraction."""
-
-    def __init__(self, normal: Complete, entries: dict[str, Entry]) -> None:
-        self.normal, self.entries, self.medium = normal, entries, normal.medium
-
-    def _expr(self, suffix: str) -> sp.Expr:
-        require_regions(self.entries[suffix], ((a,),))
-        return self.entries[suffix].cases[0].expr
-
-    def depth(self) -> list[str]:
-        """w1D(a) = -Dl, and a smaller radius needs a greater depth."""
-        domain, shift = self.normal.domain((a,)), self._expr("Dl")
-        edge = self.normal.gap.subs(C, self.normal.coefficient).subs(d, self._expr("dc"))
-        steps = [*self.normal.face(), *retraction(self)]
-        steps.append(require_zero(edge + shift, domain, "w1D(a) = d - g(a) = -Dl"))
-        # for a fixed face: C is no function of a
-        depth = d - self.normal.gap
-        if depth != 0 and sign(sp.diff(depth, a), domain) >= 0:
-            message = "the depth of a smaller contact is not shown to be greater"
-            raise NotProvedError(message)
-        return [*steps, "g(a) - Dl(a) falls with a: an edge that peels does not stop"]
-
-    def force(self) -> list[str]:
-        """Fc is the force of complete contact at the depth dc."""
-        (case,) = self.normal.entries["F"].cases
-        gap = self._expr("Fc") - case.expr.subs(d, self._expr("dc"))
-        return [*self.depth(), require_zero(gap, self.normal.domain((a,)), "Fc = F at dc")]
 
 
 def _pull_off_rules() -> dict[str, Rule]:
@@ -210,9 +162,4 @@ RULES: dict[str, Rule] = {
     **{suffix: ((f"plain.{suffix}",), Adhesive.superposed, suffix) for suffix in PUNCH},
     **{suffix: ((source,), Adhesive.stable_radius, suffix) for suffix, (source, _) in STABLE.items()},
     **_pull_off_rules(),
-}
-EDGE: dict[str, Rule] = {
-    "Dl": ((), retraction),
-    "dc": ((), Detachment.depth),
-    "Fc": (("dc", "plain.F"), Detachment.force),
 }

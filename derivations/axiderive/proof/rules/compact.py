@@ -15,7 +15,7 @@ from ...entry import Case, Entry, Primitive
 from ...notation import a, r, t, x
 from ...physics.medium import HOMOGENEOUS, Medium
 from ...profiles.profile import Profile
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, NotProvedError, require
 from ..algebra.functions import require_analytic
 from ..algebra.identity import at, is_zero, logarithmic
 from ..statement import closed, require_integral, require_regions, require_zero, summand
@@ -71,9 +71,7 @@ class Compact:
 
     def _by_definition(self, rest: sp.Expr, integrand: sp.Expr, chain: Chain) -> str:
         """With x = a t the integrand is that of the functions of the rest over 0 < t < 1."""
-        if len(self._intervals(chain)) > 1:
-            message = f"the antiderivatives at hand leave {integrand}"
-            raise NotProvedError(message)
+        require(len(self._intervals(chain)) <= 1, "the antiderivatives at hand leave {}", integrand)
         domain = Domain((t, 1), *self.domain(chain).chains())
         return require_integral(rest, a * integrand.subs(x, a * t), t, domain)
 
@@ -248,9 +246,7 @@ class Compact:
         statement = f"{value} = {below} at a = {lower}"
         steps = [require_zero(gap, domain.at(a, lower), statement)]
         above, beyond = region[at_value + 1 :], forward.chain[place + 1 :]
-        if len(above) != len(beyond[:1]):
-            message = f"the region of the inverse does not end where that of {value}(a) does"
-            raise NotProvedError(message)
+        require(len(above) == len(beyond[:1]), "the region of the inverse does not end where that of {}(a) does", value)
         for high, end in zip(above, beyond, strict=False):
             gap = at(given, a, end, domain) - high
             steps.append(require_zero(gap, domain.at(a, end), f"{value} = {high} at a = {end}"))

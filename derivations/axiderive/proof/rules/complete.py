@@ -20,7 +20,7 @@ from ..algebra.domain import Domain
 from ..algebra.functions import canonical, normal, require_analytic
 from ..algebra.identity import at
 from ..statement import closed, require_regions, require_zero
-from . import plane_threshold
+from . import rings
 from .compact import Compact
 
 REGIONS: dict[str, Chain] = {"F": (a,), "p": (r, a), "w": (a, r), "k": (a,), "dF": (a,)}
@@ -180,7 +180,7 @@ class Complete:
         weighted = (a**2 - r**2) ** ((1 - self.medium.k) / 2) * pressure.expr.subs(d, least.expr)
         # p grows with d: its part with d is the punch
         steps.append("dp/dd > 0")
-        return steps + plane_threshold.by_squares(weighted, r, ring.expr, domain, self.domain((a,)))
+        return steps + rings.by_squares(weighted, r, ring.expr, domain, self.domain((a,)))
 
     def _alone(self, suffix: str) -> Case:
         """The only case of what is asked of complete contact as a whole."""
@@ -198,9 +198,9 @@ class Complete:
         exponent = self._exponent(self.unbounded.pieces[0].expr)
         # below n = 1 - k the pressure in the middle has no bound, and no depth makes the contact complete
         domain = Domain((x, a), (1 - self.medium.k, exponent), *self.compact.bounds)
-        shown = plane_threshold.by_root(face.expr.xreplace(named), growth, place, exponent, domain, self.medium.k)
+        shown = rings.by_root(face.expr.xreplace(named), growth, place, exponent, domain, self.medium.k)
         found = pressure.expr.xreplace(named), least.xreplace(named)
-        shown += plane_threshold.at_root(*found, place, exponent, domain, self.medium.k)
+        shown += rings.at_root(*found, place, exponent, domain, self.medium.k)
         return self.pressure() + self.compact.pressure() + [f"with x = r, P = d: {step}" for step in shown]
 
     def minimum_force(self) -> list[str]:
@@ -210,6 +210,6 @@ class Complete:
         gap, domain = case.expr - force.expr.subs(d, least.expr), self.domain((a,))
         if gap.has(r_zero):
             k, exponent = self.medium.k, self._exponent(self.unbounded.pieces[0].expr)
-            gap = plane_threshold.on_the_ring(gap, r_zero, exponent, k)
-            domain = Domain((a,), (1 - k, exponent), (plane_threshold.SHARE, 1), *self.compact.bounds)
+            gap = rings.on_the_ring(gap, r_zero, exponent, k)
+            domain = Domain((a,), (1 - k, exponent), (rings.SHARE, 1), *self.compact.bounds)
         return [*steps, *self.force(), require_zero(gap, domain, "F_min = F(d_min)")]

@@ -12,7 +12,7 @@ import sympy as sp
 from ...entry import Case, Entry
 from ...notation import E_star, a, p_0, r, sigma, t
 from ...profiles.loads import Load
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, require
 from ..algebra.functions import require_analytic, sign
 from ..algebra.identity import at
 from ..statement import Rule, require_integral, require_regions, require_zero
@@ -38,9 +38,7 @@ class Loads:
         s = self.load.exponent.subs(sigma, SHIFTED - 1)
         expr, domain = case.expr.subs(sigma, SHIFTED - 1), Domain(case.chain, (t, 1))
         require_analytic(expr, domain)
-        if sign(s + 1, domain) <= 0:
-            message = f"the pressure of exponent {s} has no resultant"
-            raise NotProvedError(message)
+        require(sign(s + 1, domain) > 0, "the pressure of exponent {} has no resultant", s)
         reach = case.chain[0]
         beta = sp.gamma(sp.S.Half) * sp.gamma(s + 1) / sp.gamma(s + sp.Rational(3, 2))
         w1D = p_0 * a * beta / E_star * (1 - (reach * t) ** 2 / a**2) ** (s + sp.S.Half)

@@ -14,7 +14,7 @@ from ... import notation as nt
 from ...entry import Entry
 from ...notation import nu_1, nu_2, young_1, young_2
 from ...profiles.materials import PROFILE as PROFILE
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, NotProvedError, require
 from ..statement import Rule, require_regions, require_zero
 
 DEPTH = sp.Symbol("z", positive=True)
@@ -88,9 +88,7 @@ class Materials:
 
     @staticmethod
     def _equal(left: sp.Expr, right: sp.Expr, statement: str) -> str:
-        if sp.cancel(left / right) != 1:
-            message = f"{statement}: not shown"
-            raise NotProvedError(message)
+        require(sp.cancel(left / right) == 1, "{}: not shown", statement)
         return statement
 
 

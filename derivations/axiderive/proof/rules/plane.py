@@ -19,11 +19,11 @@ from ...notation import C, E_star, L, P, a, e, r, x
 from ...notation import c as half
 from ...physics.plane import derive
 from ...profiles.profile import Piece, Profile
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, NotProvedError, require
 from ..algebra.functions import normal, require_analytic, sign, tower
 from ..algebra.identity import at
 from ..statement import Rule, require_regions, require_zero
-from . import plane_threshold as threshold
+from . import rings
 from .compact import Compact
 
 
@@ -88,9 +88,7 @@ class Plane(Compact):
             domain, load = self.domain(case.chain), loads[case.chain]
             steps.append(require_zero(case.expr.lhs - load, domain, "the equation is P(a) = P"))
             steps.append(require_zero(case.expr.rhs - P, domain, "the equation is P(a) = P"))
-            if sign(sp.diff(load, a), domain) <= 0:
-                message = "dP/da > 0 is not shown"
-                raise NotProvedError(message)
+            require(sign(sp.diff(load, a), domain) > 0, "dP/da > 0 is not shown")
         return [*steps, "dP/da > 0: the equation has one root"]
 
     def _at_the_edge(self, entry: Entry, case: Case) -> str:
@@ -161,12 +159,12 @@ class PlaneComplete:
         if self.entries["xz"].status == "root":
             (face,) = self.face.entry("p").cases
             strip = a * sp.diff(self.face.depth_of((a,)), a) / sp.pi
-            steps += threshold.by_root(face.expr, strip, self.entries["xz"], self.exponent, domain)
-            return steps + threshold.at_root(case.expr, least.expr, self.entries["xz"], self.exponent, domain)
+            steps += rings.by_root(face.expr, strip, self.entries["xz"], self.exponent, domain)
+            return steps + rings.at_root(case.expr, least.expr, self.entries["xz"], self.exponent, domain)
         require_regions(self.entries["xz"], ((a,),))
         (place,) = self.entries["xz"].cases
         weighted = sp.sqrt(a**2 - x**2) * case.expr.subs(P, least.expr)
-        return steps + threshold.by_squares(weighted, x, place.expr, domain, self.domain((a,)))
+        return steps + rings.by_squares(weighted, x, place.expr, domain, self.domain((a,)))
 
 
 PLACE, SHARE = sp.symbols("place share", positive=True)
@@ -222,9 +220,7 @@ class Tilted:
 
         def signed(inside: sp.Expr) -> int:
             found = sign(sp.expand(inside), regime.domain)
-            if found == 0:
-                message = f"the sign of {inside} is not shown"
-                raise NotProvedError(message)
+            require(found != 0, "the sign of {} is not shown", inside)
             return found
 
         def greater(*terms: sp.Expr) -> sp.Expr:
@@ -240,9 +236,7 @@ class Tilted:
         """With an edge lifted the contact for e < 0 is the mirror image of that for e > 0."""
         for case in self.entries[suffix].cases:
             mirrored = case.expr.subs({x: -x, e: -e}, simultaneous=True)
-            if sp.expand(mirrored - parity * case.expr) != 0:
-                message = f"{suffix} is not mirrored by x -> -x, e -> -e"
-                raise NotProvedError(message)
+            require(sp.expand(mirrored - parity * case.expr) == 0, "{} is not mirrored by x -> -x, e -> -e", suffix)
         return f"{suffix} for e < 0 is the mirror image"
 
     def _numerator(self, regime: Regime) -> tuple[sp.Expr, sp.Expr]:
@@ -252,9 +246,7 @@ class Tilted:
         arithmetic = tower(domain, weighted)
         plain = sp.expand(arithmetic.expr(arithmetic.collect(arithmetic.convert(weighted))))
         beta = sp.expand(sp.diff(plain, PLACE) / (2 * regime.width))
-        if beta.has(PLACE):
-            message = "p sqrt(c^2 - xi^2) is not of first degree in xi"
-            raise NotProvedError(message)
+        require(not beta.has(PLACE), "p sqrt(c^2 - xi^2) is not of first degree in xi")
         return plain.subs(PLACE, sp.S.Half), beta
 
     def pressure(self) -> list[str]:

@@ -16,7 +16,7 @@ from ...abel.masters import Eta, Xi
 from ...entry import Entry
 from ...notation import C, a, d, r, z
 from ...physics.subsurface import derive
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, NotProvedError, require
 from ..algebra.functions import canonical, normal, require_analytic
 from ..algebra.identity import at
 from ..statement import Rule, closed, require_regions, require_zero
@@ -36,9 +36,7 @@ SINKS = {x: y * (x**2 + a**2) / SIZE, y: x * (1 - y**2) / SIZE}
 def placed(expr: sp.Expr) -> sp.Expr:
     """A formula in xi, y and a."""
     found = expr.xreplace({Xi(r, z, a): x, Eta(r, z, a): a * y})
-    if found.has(Xi, Eta):
-        message = f"{expr} has coordinates about another radius than a"
-        raise NotProvedError(message)
+    require(not found.has(Xi, Eta), "{} has coordinates about another radius than a", expr)
     return found.subs(PLACE)
 
 

@@ -14,7 +14,7 @@ from ...abel.masters import IncompleteBeta, Kummer
 from ...entry import Case, Entry
 from ...notation import E_star, F, alpha, d, time, v, x
 from ...physics.viscoelastic import LAWS, Law
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain, require
 from ..algebra.functions import normal, require_analytic, sign
 from ..algebra.identity import at
 from ..statement import Rule, closed, paired, require_regions, require_zero
@@ -38,9 +38,7 @@ def terms(expr: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
             else:
                 base, exponent = factor.as_base_exp()
                 power = power + exponent if base == time else sp.nan if factor != 1 else power
-        if power.has(time, sp.nan) or rate.has(time):
-            message = f"{term} is not c t^p exp(-q t)"
-            raise NotProvedError(message)
+        require(not power.has(time, sp.nan) and not rate.has(time), "{} is not c t^p exp(-q t)", term)
         yield constant, power, rate
 
 
@@ -48,9 +46,7 @@ def transform(expr: sp.Expr, domain: Domain) -> sp.Expr:
     """Laplace transform, term by term: c Gamma(p + 1)/(s + q)**(p + 1), for p > -1."""
     total = sp.S.Zero
     for constant, power, rate in terms(expr):
-        if sign(power + 1, domain) <= 0:
-            message = f"t^({power}) has no Laplace transform"
-            raise NotProvedError(message)
+        require(sign(power + 1, domain) > 0, "t^({}) has no Laplace transform", power)
         total += constant * sp.gamma(power + 1) / (LAPLACE + rate) ** (power + 1)
     return total
 
@@ -106,9 +102,9 @@ class Viscoelastic:
         domain = self.domain(elastic)
         steps = [duality(law), *ramp(law), self._linear(elastic)]
         exponent = normal(d * sp.diff(elastic.expr, d) / elastic.expr, domain)
-        if exponent.has(d) or sign(exponent, domain) <= 0:
-            message = f"{self.force.key} is not shown to be a power of d"
-            raise NotProvedError(message)
+        require(
+            not exponent.has(d) and sign(exponent, domain) > 0, "{} is not shown to be a power of d", self.force.key
+        )
         wanted = elastic.expr.subs(d, v * time) / E_star * law.ramp.subs(POWER, exponent)
         statement = f"with d = v t, F = F_el/E* times the ramp factor for F_el ~ d^({exponent})"
         return [*steps, require_zero(case.expr - wanted, domain, statement)]
