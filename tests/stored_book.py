@@ -13,8 +13,7 @@ from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
 from axiderive.readback import fields, front
-from axiderive.readback.claims import Line
-from axiderive.readback.compare import residuals, worst_residual
+from axiderive.readback.claims import Line, residuals, worst_residual
 from axiderive.readback.ranges import Place, misplaced, places_of
 from axiderive.rows import blocks
 from axiderive.rows.blocks import rows_of

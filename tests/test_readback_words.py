@@ -15,8 +15,7 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive.physics.systems import pool_of, problem
 from axiderive.readback import front, ranges
-from axiderive.readback.claims import Line
-from axiderive.readback.compare import ENDS, KINDS, wrong
+from axiderive.readback.claims import ENDS, KINDS, Line, wrong
 from axiderive.readback.front import LISTED
 from axiderive.readback.source import Inline, further, inline
 

@@ -18,8 +18,7 @@ from test_misprints import NOT_A_NUMBER
 
 from axiderive import notation as nt
 from axiderive.oracle.evaluate import case_at, evaluate
-from axiderive.readback.claims import Claim, named
-from axiderive.readback.compare import wrong
+from axiderive.readback.claims import Claim, named, wrong
 from axiderive.readback.source import Further, formulas
 from axiderive.rows.claims import points_of
 from axiderive.rows.special import COLUMNS, HOSTS, MEMBERS, SUMS, TIPS, elsewhere, hosted, sum_rows, tip_rows, told

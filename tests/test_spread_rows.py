@@ -14,7 +14,7 @@ from axiderive.figures.given import axes_of
 from axiderive.figures.plots import frames
 from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
-from axiderive.readback.compare import wrong
+from axiderive.readback.claims import wrong
 from axiderive.readback.source import Further
 from axiderive.rows.approaches import Further as Printed
 from axiderive.rows.approaches import Rows, limit_rows

@@ -48,8 +48,8 @@ from .claims import (
     name_in_print,
     name_of,
     stated,
+    worst_residual,
 )
-from .compare import worst_residual
 from .ranges import in_order
 
 
