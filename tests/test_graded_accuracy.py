@@ -13,8 +13,7 @@ from graded_modules import derived, emitted
 from axiderive.profiles import COMPACT_NAMES
 from axiderive.stable.measure import Sample, samples, ulps, value
 from axiderive.stable.records import DIRECT
-from axiderive.stable.reference import condition
-from axiderive.stable.samples import DOMAINS
+from axiderive.stable.reference import DOMAINS, condition
 
 TOLERANCE = 45.0
 """1e-14 in units of the last place."""

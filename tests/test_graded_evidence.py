@@ -13,7 +13,7 @@ import sympy as sp
 from test_identities import SEED, TWICE, changed, failed
 
 from axiderive import notation as nt
-from axiderive.checks import identities, rings
+from axiderive.checks import identities, quadrature
 from axiderive.checks import viscoelastic as convolution
 from axiderive.checks.comparison import Comparison
 from axiderive.entry import Entry
@@ -94,7 +94,7 @@ def test_a_sum_over_a_pressure_that_is_an_integral_is_said_to_be_missing() -> No
 def test_the_ring_is_known_to_most_of_the_digits(name: str) -> None:
     profile = load(name)
     entries = normal.derive(profile, GRADED)
-    right = rings.check(Comparison(profile, entries, seed=SEED), "rz")
+    right = quadrature.ring(Comparison(profile, entries, seed=SEED), "rz")
     assert right.passed
     assert right.digits >= 40
     near = sp.Rational(1, 10**30)
@@ -105,7 +105,7 @@ def test_the_ring_is_known_to_most_of_the_digits(name: str) -> None:
         return nt.a * near if expr == 0 else expr
 
     wrong = changed(entries, "rz", moved)
-    assert not rings.check(Comparison(profile, wrong, seed=SEED), "rz").passed
+    assert not quadrature.ring(Comparison(profile, wrong, seed=SEED), "rz").passed
 
 
 def test_convolutions_are_checked_to_forty_digits() -> None:

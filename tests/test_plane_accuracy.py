@@ -25,8 +25,7 @@ from axiderive.oracle.plane import GUARD, defined
 from axiderive.profiles import plane
 from axiderive.stable.measure import samples, ulps
 from axiderive.stable.measure import value as measured
-from axiderive.stable.reference import condition
-from axiderive.stable.samples import DOMAINS, Domain, floats
+from axiderive.stable.reference import DOMAINS, Domain, condition, floats
 
 Values = dict[sp.Symbol, float]
 UNITS = 5.0

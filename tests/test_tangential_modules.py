@@ -13,8 +13,7 @@ from axiderive.entry import Entry
 from axiderive.profiles import COMPACT_NAMES, load
 from axiderive.profiles.loads import LOADS
 from axiderive.stable.measure import samples, ulps, value
-from axiderive.stable.reference import condition, enclosed
-from axiderive.stable.samples import DOMAINS, Floats
+from axiderive.stable.reference import DOMAINS, Floats, condition, enclosed
 
 GAPS = (1e-3, 1e-9, 2.0**-45)
 """1 - c/a, down to a few units of the last place of a."""

@@ -29,8 +29,7 @@ from axiderive.physics.systems import problem
 from axiderive.profiles import NAMES, load
 from axiderive.stable.measure import Sample, closure, count_for, form, function_of, naive, samples, ulps, value
 from axiderive.stable.records import drift, jumps, record, settled
-from axiderive.stable.reference import condition, is_inverse, reference
-from axiderive.stable.samples import BENCH, DOMAINS, EXTREME, Domain
+from axiderive.stable.reference import BENCH, DOMAINS, EXTREME, Domain, condition, is_inverse, reference
 
 ROOT = Path(axicontact.__file__).parents[1]
 POINTS, MANY = 4, 270

@@ -31,7 +31,7 @@ from ..physics import subsurface
 from ..physics.normal import derive
 from ..physics.subsurface import ANGLE, NUMBERS
 from .measure import completed
-from .samples import BENCH, SMALLEST, TERMS, Floats, floats
+from .reference import BENCH, SMALLEST, TERMS, Floats, floats
 
 Numbers = dict[sp.Symbol, acb]
 """S_m, D_m and W by their symbols."""

@@ -26,8 +26,7 @@ from .. import notation as nt
 from ..abel.masters import C0
 from ..entry import Case, Entry
 from ..letters import name_of
-from .reference import UnknownError, is_inverse, of_contact, reference
-from .samples import LARGEST, SMALLEST, Domain, Floats, floats
+from .reference import LARGEST, SMALLEST, Domain, Floats, UnknownError, floats, is_inverse, of_contact, reference
 
 
 @dataclass(frozen=True)
@@ -97,11 +96,8 @@ def ulps(got: float, exact: arb) -> float:
     """Distance from the exact value in units of the last place of the exact value."""
     if not math.isfinite(got):
         return math.inf
-    before, ctx.prec = ctx.prec, 256
-    try:
+    with ctx.workprec(256):
         return float(abs(arb(got) - exact) / float(np.spacing(abs(float(exact)))))
-    finally:
-        ctx.prec = before
 
 
 PACKAGE = "axicontact"

@@ -15,8 +15,7 @@ from ..physics.systems import SYSTEMS, System, problem
 from ..profiles.pools import BODIES, ROUND
 from . import fields
 from .measure import Sample, count_for, form, function_of, loaded, naive, samples, ulps, value
-from .reference import UnknownError, condition, is_inverse
-from .samples import DOMAINS
+from .reference import DOMAINS, UnknownError, condition, is_inverse
 
 COUNT, SEED = 30, 17
 MEASURED = tuple(own for own in SYSTEMS if own.pool is not BODIES and not own.physics.laws)

@@ -62,11 +62,13 @@ class Names:
         visit(value)
         return tuple(needed)
 
+    def _known(self, definition: sp.Expr) -> sp.Symbol | None:
+        return next((name for name, expr in self.definitions.items() if expr == definition), None)
+
     def root(self, x: sp.Expr, y: sp.Expr) -> sp.Symbol:
         """The symbol of sqrt(x**2 - y**2), made where there is none yet; it is known to be below x."""
-        for name, expr in self.definitions.items():
-            if expr == Root(x, y):
-                return name
+        if known := self._known(Root(x, y)):
+            return known
         symbol = named(self._root_name(x, y))
         self.definitions[symbol], self.square[symbol] = Root(x, y), x**2 - y**2
         self.facts = self.facts | {(symbol, x)}
@@ -91,9 +93,8 @@ class Names:
     def angle(self, y: sp.Expr, x: sp.Expr) -> sp.Symbol:
         """The symbol of atan(y/x), made where there is none yet."""
         definition = sp.atan(y / x) if self.variant.quotients else Arctan2(y, x)
-        for name, expr in self.definitions.items():
-            if expr == definition:
-                return name
+        if known := self._known(definition):
+            return known
         taken = [name for name in self.definitions if name.name.startswith("angle")]
         symbol = named(f"angle_{len(taken)}" if taken else "angle")
         self.definitions[symbol], self.tangent[symbol] = definition, y / x
@@ -102,9 +103,8 @@ class Names:
     def hyperbolic_angle(self, y: sp.Expr, x: sp.Expr) -> sp.Symbol:
         """atanh(y/x) = asinh(y/sqrt(x**2 - y**2))."""
         definition = sp.asinh(y / self.root(x, y))
-        for name, expr in self.definitions.items():
-            if expr == definition:
-                return name
+        if known := self._known(definition):
+            return known
         symbol = named("angle" if not self.hyperbolic else f"angle_{len(self.hyperbolic)}")
         self.definitions[symbol], self.hyperbolic[symbol] = definition, y / x
         return symbol
