@@ -12,9 +12,9 @@ quotient), in contrast to the even ones of the axisymmetric pressure.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
 import sympy as sp
 
@@ -26,34 +26,28 @@ from .masters import IncompleteBeta
 from .moments import ONE, ZERO, depth_moment, pressure_moment
 
 
-class Kernel(Protocol):
+class Kernel(ABC):
     """1/sqrt(|t^2 - z^2|) over the half-widths t that contribute at the point z."""
 
-    @property
-    def z(self) -> sp.Expr:
-        """The coordinate of the point."""
-        ...
+    z: sp.Expr
+    sign: int
+    """1 where the kernel is 1/sqrt(t^2 - z^2), -1 where it is 1/sqrt(z^2 - t^2)."""
 
-    @property
-    def sign(self) -> int:
-        """1 where the kernel is 1/sqrt(t^2 - z^2), -1 where it is 1/sqrt(z^2 - t^2)."""
-        ...
-
+    @abstractmethod
     def root(self) -> sp.Expr:
         """sqrt(|a^2 - z^2|), the inverse of the kernel at t = a."""
-        ...
 
+    @abstractmethod
     def ends(self, b: sp.Expr) -> tuple[Form, Form]:
         """Integrals of t/sqrt(t^2 - b^2) and of 1/(t sqrt(t^2 - b^2)) times the kernel."""
-        ...
 
+    @abstractmethod
     def power(self, s: sp.Expr) -> Form:
         """Integral of t**s times the kernel, without a break."""
-        ...
 
 
 @dataclass(frozen=True)
-class Inside:
+class Inside(Kernel):
     """1/sqrt(t^2 - x^2) for max(b, x) < t < a, at a point of the contact; `order` tells x from b."""
 
     order: Order
@@ -76,7 +70,7 @@ class Inside:
 
 
 @dataclass(frozen=True)
-class Outside:
+class Outside(Kernel):
     """1/sqrt(z^2 - t^2) for b < t < a, at a point z > a of the free surface."""
 
     z: sp.Expr

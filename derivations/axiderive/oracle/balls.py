@@ -66,17 +66,14 @@ def point(values: Values) -> dict[sp.Symbol, acb]:
 
 def shrinking(value_at: Callable[[], acb], digits: int) -> arb:
     """The value at a precision, doubled until its relative radius is below 10**-digits."""
-    wanted, before = int(digits * 3.33) + 2, ctx.prec
+    wanted = int(digits * 3.33) + 2
     bits = wanted + 64
-    try:
-        while bits <= HIGHEST:
-            ctx.prec = bits
+    while bits <= HIGHEST:
+        with ctx.workprec(bits):
             value = value_at()
-            if value.is_finite() and value.real.rel_accuracy_bits() >= wanted and value.imag.contains(0):
-                return value.real
-            bits *= 2
-    finally:
-        ctx.prec = before
+        if value.is_finite() and value.real.rel_accuracy_bits() >= wanted and value.imag.contains(0):
+            return value.real
+        bits *= 2
     message = f"no enclosure to {digits} digits below {HIGHEST} bits; the point may be a zero or a branch point"
     raise NotAvailableError(message)
 
@@ -159,18 +156,6 @@ class Ball:
             return z.asin()
         return self.log(acb(0, 1) * z + self.sqrt((1 - z) * (1 + z))) * acb(0, -1)
 
-    def acos(self, z: acb) -> acb:
-        """The inverse cosine, pi/2 less the inverse sine if `analytic` is set."""
-        return acb.pi() / 2 - self.asin(z) if self.analytic else z.acos()
-
-    def asinh(self, z: acb) -> acb:
-        """The inverse hyperbolic sine, by a logarithm and a root if `analytic` is set."""
-        return self.log(z + self.sqrt(1 + z * z)) if self.analytic else z.asinh()
-
-    def acosh(self, z: acb) -> acb:
-        """The inverse hyperbolic cosine, by a logarithm and two roots if `analytic` is set."""
-        return self.log(z + self.sqrt(z - 1) * self.sqrt(z + 1)) if self.analytic else z.acosh()
-
     def struve(self, order: acb, z: acb, sign: int) -> acb:
         """The Struve function H for the sign -1, L for the sign 1, by its hypergeometric series."""
         series = (sign * z * z / 4).hypgeom([acb(1)], [acb(fmpq(3, 2)), order + fmpq(3, 2)])
@@ -233,10 +218,10 @@ FUNCTIONS: dict[Any, Callable[..., acb]] = {
     sp.cosh: lambda ball, z: z.cosh(),
     sp.log: Ball.log,
     sp.asin: Ball.asin,
-    sp.acos: Ball.acos,
+    sp.acos: lambda ball, z: acb.pi() / 2 - ball.asin(z) if ball.analytic else z.acos(),
     sp.atan: Ball.atan,
-    sp.asinh: Ball.asinh,
-    sp.acosh: Ball.acosh,
+    sp.asinh: lambda ball, z: ball.log(z + ball.sqrt(1 + z * z)) if ball.analytic else z.asinh(),
+    sp.acosh: lambda ball, z: ball.log(z + ball.sqrt(z - 1) * ball.sqrt(z + 1)) if ball.analytic else z.acosh(),
     sp.atanh: Ball.atanh,
     sp.gamma: lambda ball, z: z.gamma(),
     sp.elliptic_f: lambda ball, phi, m: ball.real_only(acb.elliptic_f(phi, m)),
