@@ -7,6 +7,7 @@ import json
 import math
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
@@ -17,6 +18,7 @@ import pytest
 from test_agreement import FIELDS, NUMBERS, size
 from test_interface import PARAMETERS
 
+from axiderive.languages.c import File
 from axiderive.languages.javascript import HELPERS, Script
 from axiderive.languages.reach import NoProgramError, Package
 
@@ -66,18 +68,97 @@ def drawn(name: str, function: Callable[..., Any], dice: np.random.Generator) ->
     return fields, named
 
 
-def in_javascript(package: Package, group: str, name: str, count: int) -> list[tuple[str, float, float, float]]:
-    """Of drawn arguments: the function, its value here and in JavaScript, and the size that errors are measured by."""
-    module, script, jobs = import_module(f"axicontact.{group}.{name}"), Script(package), []
+Job = tuple[str, list[Any]]
+"""The name of a program and its arguments."""
+
+
+def in_javascript(package: Package, group: str, name: str) -> tuple[Callable[[str], list[str]], Callable[..., Any]]:
+    """What takes a function along and says its arguments, and what runs jobs."""
+    script = Script(package)
+
+    def add(own: str) -> list[str]:
+        script.add(f"{group}.{name}", own)
+        return [one.arg for one in package.program(f"{group}.{name}", own)[1].args.args]
+
+    def run(jobs: list[Job]) -> list[str]:
+        names = {own: script.add(f"{group}.{name}", own) for own, _ in jobs}
+        text = f"""{script.text()}
+const known = {{ {", ".join(f"{own}: {there}" for own, there in names.items())} }};
+for (const [name, given] of {json.dumps(jobs)}) console.log(String(known[name](...given)));
+"""
+        done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=120)
+        return done.stdout.replace("Infinity", "inf").split()
+
+    return add, run
+
+
+def in_c(package: Package, group: str, name: str) -> tuple[Callable[[str], list[str]], Callable[..., Any]]:
+    """The same by the compiler of the machine; a polynomial has its coefficients one by one."""
+    file = File(package)
+    several = {"A": tuple(f"A_{place}" for place in range(len(PARAMETERS.get(name, {}).get("A", ()))))}
+    known = several if name == "polynomial" else {}
+
+    def add(own: str) -> list[str]:
+        file.add(f"{group}.{name}", own, f"own_{own}", known)
+        return [one.arg for one in package.program(f"{group}.{name}", own)[1].args.args]
+
+    def run(jobs: list[Job]) -> list[str]:
+        flat = [(own, [x for one in given for x in (one if isinstance(one, list | tuple) else [one])])
+                for own, given in jobs]  # fmt: skip
+        counts = {own: len(given) for own, given in flat}
+        cases = "".join(
+            f'  if (!strcmp(name, "{own}")) return own_{own}({", ".join(f"x[{n}]" for n in range(count))});\n'
+            for own, count in counts.items()
+        )
+        text = f"""{file.text()}
+#include <stdio.h>
+#include <string.h>
+static double called(const char *name, const double *x) {{
+{cases}  return *x;
+}}
+int main(void) {{
+  char name[80];
+  double x[20];
+  int count, place;
+  while (scanf("%79s %d", name, &count) == 2) {{
+    for (place = 0; place < count; place++) if (scanf("%lf", x + place) != 1) return 1;
+    printf("%.17g\\n", called(name, x));
+  }}
+  return 0;
+}}
+"""
+        lines = "\n".join(f"{own} {len(given)} {' '.join(map(repr, given))}" for own, given in flat)
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "program"
+            command = ["cc", "-std=c99", "-Wall", "-Werror", "-O2", "-x", "c", "-", "-o", str(program), "-lm"]
+            made = subprocess.run(command, input=text, capture_output=True, text=True, check=False, timeout=300)
+            assert not made.returncode, made.stderr[:2000]
+            done = subprocess.run([str(program)], input=lines, capture_output=True, text=True, check=True, timeout=120)
+        return done.stdout.split()
+
+    return add, run
+
+
+LANGUAGES = {"javascript": in_javascript, "c": in_c}
+needs_node = pytest.mark.skipif(NODE is None, reason="no node 18 or later: apt-get install nodejs")
+needs_cc = pytest.mark.skipif(shutil.which("cc") is None, reason="no C compiler: apt-get install gcc libc6-dev")
+SPOKEN = [pytest.param("javascript", marks=needs_node), pytest.param("c", marks=needs_cc)]
+
+
+def compared(
+    package: Package, language: str, group: str, name: str, count: int
+) -> list[tuple[str, float, float, float]]:
+    """Of drawn arguments: the function, its value here and there, and the size that errors are measured by."""
+    module, jobs = import_module(f"axicontact.{group}.{name}"), []
+    add, run = LANGUAGES[language](package, group, name)
     dice, found = np.random.default_rng(5), []
     for own in module.__all__:
-        try:
-            program = script.add(f"{group}.{name}", own)
-        except NoProgramError:
-            continue
-        order = [one.arg for one in package.program(f"{group}.{name}", own)[1].args.args]
         function = getattr(module, own)
         if inspect.signature(function).return_annotation == "PeakPressure":
+            continue
+        try:
+            order = add(own)
+        except NoProgramError:
             continue
         for _ in range(count):
             fields, named = drawn(name, function, dice)
@@ -85,27 +166,20 @@ def in_javascript(package: Package, group: str, name: str, count: int) -> list[t
             parted = float(np.max(size(f"{name}.{own}", group, list(fields), named, *fields.values())))
             found.append((f"{group}.{name}.{own}", here, max(abs(here), parted)))
             given = fields | named
-            jobs.append([program, [given[one] for one in order]])
-    calls = json.dumps(jobs)
-    names = ", ".join(sorted({program for program, _ in jobs}))
-    text = f"""{script.text()}
-const known = {{ {names} }};
-for (const [name, given] of {calls}) console.log(String(known[name](...given)));
-"""
-    done = subprocess.run([str(NODE), "-"], input=text, capture_output=True, text=True, check=True, timeout=120)
-    there = [math.nan if line == "NaN" else float(line.replace("Infinity", "inf")) for line in done.stdout.split()]
+            jobs.append((own, [given[one] for one in order]))
+    there = list(map(float, run(jobs)))
     assert len(there) == len(found)
     return [(own, here, value, scale) for (own, here, scale), value in zip(found, there, strict=True)]
 
 
-@pytest.mark.skipif(NODE is None, reason="no node 18 or later: apt-get install nodejs")
 @pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("language", SPOKEN)
 @pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
-def test_javascript_gives_the_numbers_of_the_package(package: Package, group: str, count: int) -> None:
+def test_programs_give_the_numbers_of_the_package(package: Package, language: str, group: str, count: int) -> None:
     names = [own for own in import_module(f"axicontact.{group}").__all__ if count > 8 or own in FEW]
     rows, beyond, total = [], 0, 0
     for name in names:
-        for own, here, there, scale in in_javascript(package, group, name, count):
+        for own, here, there, scale in compared(package, language, group, name, count):
             total += 1
             if here == there or (math.isnan(here) and math.isnan(there)):
                 continue

@@ -113,10 +113,7 @@ class Package:
             message = f"{module}.{function} has no program over single numbers"
             raise NoProgramError(message)
         guarded = next(node for node in ast.walk(found) if isinstance(node, ast.Try))
-        first = guarded.body[0]
-        body = guarded.body
-        if isinstance(first, ast.Assign) and ast.unparse(first.targets[0]) == "value":
-            body = [ast.Return(first.value)]
+        body = _unasked(guarded.body)
         if (own := self.body(module, f"_{function}")) is not None:
             # what a program leaves to the arrays is left to its body
             body = [_Otherwise(own).visit(statement) for statement in body]
@@ -127,6 +124,20 @@ class Package:
         found = (self.module(f"{place}{module}") for place in (f"{BODIES}.", ""))
         own = (home.bound.get(name) for home in found if home)
         return next((one for one in own if isinstance(one, ast.FunctionDef)), None)
+
+
+def _unasked(body: list[ast.stmt]) -> list[ast.stmt]:
+    """Statements that return a value at once, where they ask whether it is in its range."""
+    found: list[ast.stmt] = []
+    for statement in body:
+        match statement:
+            case ast.If(_, [ast.Return(ast.Name("value") as value)], []):
+                return [*found, ast.Return(value)]
+            case ast.If(test, inner, other):
+                found.append(ast.If(test, _unasked(inner), _unasked(other)))
+            case _:
+                found.append(statement)
+    return found
 
 
 class _Otherwise(ast.NodeTransformer):
