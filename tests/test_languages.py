@@ -18,7 +18,8 @@ import pytest
 from test_agreement import FIELDS, NUMBERS, size
 from test_interface import PARAMETERS
 
-from axiderive.languages.c import File
+from axiderive.languages.c.file import File
+from axiderive.languages.c.values import Number
 from axiderive.languages.javascript import HELPERS, Script
 from axiderive.languages.reach import NoProgramError, Package
 
@@ -95,8 +96,8 @@ for (const [name, given] of {json.dumps(jobs)}) console.log(String(known[name](.
 def in_c(package: Package, group: str, name: str) -> tuple[Callable[[str], list[str]], Callable[..., Any]]:
     """The same by the compiler of the machine; a polynomial has its coefficients one by one."""
     file = File(package)
-    several = {"A": tuple(f"A_{place}" for place in range(len(PARAMETERS.get(name, {}).get("A", ()))))}
-    known = several if name == "polynomial" else {}
+    coefficients = PARAMETERS.get(name, {}).get("A", ())
+    known = {"A": tuple(Number("A") for _ in coefficients)} if name == "polynomial" else {}
 
     def add(own: str) -> list[str]:
         file.add(f"{group}.{name}", own, f"own_{own}", known)

@@ -1,0 +1,1 @@
+"""Programs over single numbers as C99."""

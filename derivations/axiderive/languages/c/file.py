@@ -1,0 +1,118 @@
+"""A file of C: public functions of the package, and all that they need.
+
+A program of the package is run once with its arguments as names.  Numbers that depend on none are folded, as Python has
+them; a loop over something of a known length is written out; a function that is given a function is written where it is
+called, so that the file needs no pointers to functions, no memory of its own and no library but that of C.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from ..reach import Module, NoProgramError, Package
+from .lines import like
+from .natives import NODES
+from .statements import Writer
+from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, shape
+
+HELPERS = Path(__file__).with_name("numbers.h")
+"""What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""
+
+
+class File:
+    """The functions of one file of C, and all that they need."""
+
+    def __init__(self, package: Package) -> None:
+        self.package = package
+        self.public: list[str] = []
+        self.written: dict[str, Text] = {}
+        self.variables: set[str] = set()
+        self._names: dict[object, str] = {}
+        """Of what is known of its arguments the name of a function of C; empty if there is none."""
+        self._constants: dict[tuple[str, str], Value] = {}
+
+    def add(self, module: str, function: str, name: str, known: Mapping[str, Value] | None = None) -> None:
+        """Take a public function along under a name, with the arguments of its program in their order.
+
+        Those `known` are none: a number is written into the file.  What is a sequence of numbers, as the coefficients
+        of a polynomial are, has to be known, or is as many arguments as there are numbers of C in it.
+
+        Raises
+        ------
+        NoProgramError
+            If it, or something it calls, is evaluated over arrays only, or gives more than one number.
+        """
+        home, node = self.package.program(module, function)
+        given = [(known or {}).get(own.arg, Number(own.arg)) for own in node.args.args]
+        try:
+            self.written[name] = Writer(self).whole(Closure(node, home), given, name, "double")
+        except SeveralValuesError:
+            message = f"{module}.{function} gives no single number"
+            raise NoProgramError(message) from None
+        self.public.append(name)
+
+    def text(self) -> str:
+        """The whole file; what is needed stands in front of what needs it."""
+        needed, pending = set[str](), list(self.public)
+        while pending:
+            name = pending.pop()
+            if name not in needed:
+                needed.add(name)
+                pending += self.written[name].needs if name in self.written else ()
+        nodes = self.package.module("_runtime.nodes")
+        assert nodes is not None
+        halves = ast.literal_eval(bound_value(nodes.bound["_LOWER_HALVES"]))
+        tables = [table(name, half) for size, half in halves.items() if (name := NODES.format(size)) in needed]
+        functions = [own.text for name, own in self.written.items() if name in needed]
+        return "\n".join([HELPERS.read_text(encoding="utf-8"), *tables, *functions])
+
+    def function(self, closure: Closure, given: Sequence[Value]) -> tuple[str, list[Number]]:
+        """The name of the function of C for what is known of the arguments, and those that are left."""
+        left: list[Number] = []
+        known = tuple(shape(value, left) for value in given)
+        assert isinstance(closure.node, ast.FunctionDef)
+        key = (closure.module.name, closure.node.name, known)
+        name = self._names.get(key)
+        if name == "":
+            raise SeveralValuesError
+        if name is None:
+            home = closure.module.name.rpartition(".")[2].lstrip("_")
+            plain = f"{home}_{closure.node.name.lstrip('_')}"
+            name = next(one for one in like(plain) if one not in self.written and one not in self.variables)
+            self._names[key], self.written[name] = name, Text("", frozenset())
+            try:
+                text = Writer(self).whole(closure, given, name, "static double")
+            except (NoProgramError, SeveralValuesError):
+                self._names[key] = ""
+                raise
+            # behind what it needs
+            del self.written[name]
+            self.written[name] = text
+        return name, left
+
+    def constant(self, module: Module, name: str) -> Value:
+        """What a module binds to a name."""
+        key = (module.name, name)
+        if key not in self._constants:
+            node = module.bound[name]
+            if isinstance(node, ast.FunctionDef):
+                made: Value = Closure(node, module)
+                for decorator in node.decorator_list:
+                    if isinstance(decorator, ast.Name) and decorator.id == "in_groups":
+                        writer = Writer(self)
+                        scope = Scope(module)
+                        made = writer.call(writer.named(scope, "in_groups"), [made], {})
+            elif isinstance(node, ast.ClassDef):
+                made = Kind(node, module)
+            else:
+                made = Writer(self).expr(bound_value(node), Scope(module))
+            self._constants[key] = made
+        return self._constants[key]
+
+
+def table(name: str, half: Sequence[tuple[float, float]]) -> str:
+    """Nodes and weights as C has them."""
+    rows = ",\n".join(f"  {{{node!r}, {weight!r}}}" for node, weight in half)
+    return f"static const double {name}[{len(half)}][2] = {{\n{rows}\n}};\n"

@@ -1,0 +1,243 @@
+"""Statements: branches and loops that are known are written out, the others are those of C."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from ..reach import PLAIN
+from .calls import Calls
+from .lines import declared, inside
+from .values import (
+    Closure,
+    Counted,
+    Number,
+    Over,
+    Scope,
+    SeveralValuesError,
+    Text,
+    Value,
+    is_number,
+    missing,
+    names_of,
+    number_of,
+)
+
+SPELLED = 32
+"""Turns of a loop that are written out, at most."""
+
+
+class Writer(Calls):
+    """Writes one function of C."""
+
+    def whole(self, closure: Closure, given: Sequence[Value], name: str, returns: str) -> Text:
+        """The text of a function with as many arguments as there are numbers of C among those given."""
+        assert isinstance(closure.node, ast.FunctionDef)
+        letters: list[Number] = []
+
+        def letter(argument: str, value: Value) -> Value:
+            if isinstance(value, tuple | list):
+                return type(value)(letter(f"{argument}_{place}", one) for place, one in enumerate(value, 1))
+            if isinstance(value, Number):
+                letters.append(replace(self.variable(argument, "argument"), kind=value.kind))
+                return letters[-1]
+            return value
+
+        names = {own: letter(own, value) for own, value in zip(names_of(closure.node.args), given, strict=True)}
+        scope = Scope(closure.module, names=names, alone=True)
+        try:
+            self.block(closure.node.body, scope)
+        except Over:
+            pass
+        else:
+            raise missing(scope, f"{name} without a result")
+        kept = self._needed()
+        needs = frozenset(need for _, _, own, needs in kept for need in (*needs, *([own] if own else [])))
+        kinds = {own: kind for own, kind in self.kinds.items() if own in needs and kind != "argument"}
+        variables = [f"  {declared(kind, own)};" for own, kind in kinds.items()]
+        unused = [f"  (void){own.text};" for own in letters if own.text not in needs]
+        body = [f"{'  ' * depth}{text}" for depth, text, _, _ in kept]
+        head = f"{returns} {name}({', '.join(f'{own.kind} {own.text}' for own in letters) or 'void'})"
+        return Text("\n".join([head, "{", *variables, *unused, *body, "}", ""]), needs)
+
+    def block(self, body: Sequence[ast.stmt], scope: Scope) -> None:
+        """Statements, one after another."""
+        for statement in body:
+            self.statement(statement, scope)
+
+    def inside(self, body: Sequence[ast.stmt], scope: Scope) -> bool:
+        """The statements of a branch or a loop, deeper by one; whether they end there."""
+        self.depth += 1
+        scope.divided += 1
+        try:
+            self.block(body, scope)
+        except Over:
+            return True
+        finally:
+            self.depth -= 1
+            scope.divided -= 1
+        return False
+
+    def statement(self, node: ast.stmt, scope: Scope) -> None:
+        """One statement; what is known decides branches here."""
+        match node:
+            case ast.Expr(ast.Constant()) | ast.Pass() | ast.ImportFrom():
+                return
+            case ast.Expr(ast.Call(ast.Attribute(ast.Name(name), "append"), [item])):
+                self._append(scope, name, self.expr(item, scope))
+            case ast.Expr(value):
+                self.expr(value, scope)
+            case ast.Return(value):
+                self._return(scope, self.expr(value, scope) if value else None)
+            case ast.Assign(targets, value):
+                made = self.expr(value, scope)
+                for target in targets:
+                    self.assign(target, made, scope)
+            case ast.AugAssign(ast.Name(name), kind, value):
+                self.bind(scope, name, self._arithmetic(kind, scope.names[name], self.expr(value, scope), scope))
+            case ast.If(test, body, orelse):
+                self._if(self.expr(test, scope), body, orelse, scope)
+            case ast.For(target, iterated, body):
+                self._for(target, self.expr(iterated, scope), body, scope)
+            case ast.FunctionDef():
+                scope.names[node.name] = Closure(node, scope.module, scope)
+            case ast.Break():
+                self._leave(scope.loops[-1], "break;")
+            case ast.Raise():
+                # panels that Python leaves to the arrays are summed here
+                if scope.module.name != PLAIN:
+                    self._return(scope, math.nan)
+            case _:
+                raise missing(scope, ast.unparse(node))
+
+    def _leave(self, label: str, otherwise: str) -> None:
+        self.emit(f"goto {label};" if label else otherwise, None, [label] if label else [])
+        raise Over
+
+    def assign(self, target: ast.expr, value: Value, scope: Scope) -> None:
+        """What stands left of an equals sign gets a value."""
+        match target:
+            case ast.Name(name):
+                self.bind(scope, name, value)
+            case ast.Tuple(targets) | ast.List(targets):
+                for one, own in zip(targets, self._items(value, scope), strict=True):
+                    self.assign(one, own, scope)
+            case _:
+                raise missing(scope, ast.unparse(target))
+
+    def _append(self, scope: Scope, name: str, value: Value) -> None:
+        known = scope.names[name]
+        if isinstance(known, list) and not scope.divided:
+            known.append(value)
+            return
+        if not (isinstance(known, Number) and known.kind == "sum"):
+            raise missing(scope, f"{name}.append")
+        self.add_to(known, value)
+
+    def _if(self, test: Value, body: Sequence[ast.stmt], orelse: Sequence[ast.stmt], scope: Scope) -> None:
+        if not isinstance(test, Number):
+            self.block(body if test else orelse, scope)
+            return
+        self.divide(scope, [*body, *orelse])
+        before = dict(scope.names)
+        self.emit(f"if ({test.text}) {{", None, test.names)
+        over = self.inside(body, scope)
+        first = dict(scope.names)
+        scope.names.update({name: own for name, own in before.items()})
+        otherwise = False
+        if orelse:
+            for name in first.keys() - before.keys():
+                if not isinstance(first[name], Closure):
+                    scope.names[name] = first[name]
+            self.emit("} else {")
+            otherwise = self.inside(orelse, scope)
+        self.emit("}")
+        if not over:
+            scope.names.update({name: own for name, own in first.items() if name not in before or over})
+        if over and otherwise:
+            raise Over
+
+    def _for(self, target: ast.expr, iterated: Value, body: Sequence[ast.stmt], scope: Scope) -> None:
+        if isinstance(iterated, Number) and iterated.kind == "pairs":
+            self.divide(scope, body, loop=True)
+            node, weight = self._start_rule(iterated)
+            self._loop(body, scope, lambda: self.assign(target, (node, weight), scope))
+        elif isinstance(iterated, Counted) or (isinstance(iterated, range) and len(iterated) > SPELLED):
+            self.divide(scope, body, loop=True)
+            own = self.variable(ast.unparse(target), "int")
+            start, stop = number_of(iterated.start, "int"), number_of(iterated.stop, "int")
+            sign = "<" if iterated.step > 0 else ">"
+            step = f"{own.text} += {iterated.step}"
+            head = f"for ({own.text} = {start.text}; {own.text} {sign} {stop.text}; {step}) {{"
+            self.emit(head, None, own.names | start.names | stop.names)
+            self._loop(body, scope, lambda: self.assign(target, own, scope))
+        else:
+            self._turns(target, self._items(iterated, scope), body, scope)
+
+    def _loop(self, body: Sequence[ast.stmt], scope: Scope, begin: Callable[[], None]) -> None:
+        scope.loops.append("")
+        self.depth += 1
+        scope.divided += 1
+        begin()
+        self.depth -= 1
+        scope.divided -= 1
+        self.inside(body, scope)
+        self.emit("}")
+        scope.loops.pop()
+
+    def _turns(self, target: ast.expr, items: Sequence[Value], body: Sequence[ast.stmt], scope: Scope) -> None:
+        left = any(isinstance(one, ast.Break) for node in body for one in inside(node))
+        label = self._label("done") if left else ""
+        if left:
+            self.divide(scope, body)
+            scope.divided += 1
+        scope.loops.append(label)
+        try:
+            for item in items:
+                self.assign(target, item, scope)
+                self.block(body, scope)
+        except Over:
+            if not left:
+                raise
+        finally:
+            scope.loops.pop()
+            scope.divided -= left
+        self._place(label)
+
+    def _return(self, scope: Scope, value: Value) -> None:
+        if scope.alone:
+            number = self._single(value)
+            self.emit(f"return {number.text};", None, number.names)
+        elif scope.divided or scope.result is not None:
+            scope.result = self._joined(scope, value)
+            self._leave(scope.end, "")
+        else:
+            scope.result = value
+        raise Over
+
+    @staticmethod
+    def _single(value: Value) -> Number:
+        if not is_number(value) or (isinstance(value, Number) and value.kind in ("pairs", "sum")):
+            raise SeveralValuesError
+        return number_of(value)
+
+    def _joined(self, scope: Scope, value: Value) -> Value:
+        """The variables in which a function that returns at several places leaves what it gives."""
+
+        def joined(known: Value, one: Value) -> Value:
+            if isinstance(one, tuple | list):
+                knowns = known if known is not None else [None] * len(one)
+                return type(one)(map(joined, knowns, one))
+            if not is_number(one):
+                if known is not None and known != one:
+                    raise missing(scope, "a function that gives one thing or another")
+                return one
+            if known is None:
+                kind = one.kind if isinstance(one, Number) else "double"
+                known = self.variable("result", "double" if kind == "int" else kind)
+            self.set(known, one)
+            return known
+
+        return joined(scope.result, value)
