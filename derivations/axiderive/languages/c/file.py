@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from ..reach import Module, NoProgramError, Package
@@ -33,11 +34,20 @@ class File:
         """Of what is known of its arguments the name of a function of C; empty if there is none."""
         self._constants: dict[tuple[str, str], Value] = {}
 
-    def add(self, module: str, function: str, name: str, known: Mapping[str, Value] | None = None) -> None:
+    def add(
+        self,
+        module: str,
+        function: str,
+        name: str,
+        known: Mapping[str, Value] | None = None,
+        parity: str = "",
+        doc: str = "",
+    ) -> None:
         """Take a public function along under a name, with the arguments of its program in their order.
 
         Those `known` are none: a number is written into the file.  What is a sequence of numbers, as the coefficients
-        of a polynomial are, has to be known, or is as many arguments as there are numbers of C in it.
+        of a polynomial are, has to be known, or is as many arguments as there are numbers of C in it.  With a `parity`,
+        "even" or "odd", the first argument may be negative.
 
         Raises
         ------
@@ -46,11 +56,19 @@ class File:
         """
         home, node = self.package.program(module, function)
         given = [(known or {}).get(own.arg, Number(own.arg)) for own in node.args.args]
+        inner, returns = (f"{name}_of_size", "static double") if parity else (name, "double")
         try:
-            self.written[name] = Writer(self).whole(Closure(node, home), given, name, "double")
+            text = self.written[inner] = Writer(self).whole(Closure(node, home), given, inner, returns)
         except SeveralValuesError:
             message = f"{module}.{function} gives no single number"
             raise NoProgramError(message) from None
+        if parity:
+            first, *others = (own.partition(" ")[2] for own in text.arguments)
+            sign = f"copysign(1.0, {first}) * " if parity == "odd" else ""
+            called = f"{sign}{inner}({', '.join([f'fabs({first})', *others])})"
+            head = f"double {name}({', '.join(text.arguments)})"
+            text = Text(f"{head}\n{{\n  return {called};\n}}\n", frozenset((inner,)), text.arguments)
+        self.written[name] = replace(text, text=f"/* {doc} */\n{text.text}") if doc else text
         self.public.append(name)
 
     def text(self) -> str:
@@ -81,7 +99,7 @@ class File:
             home = closure.module.name.rpartition(".")[2].lstrip("_")
             plain = f"{home}_{closure.node.name.lstrip('_')}"
             name = next(one for one in like(plain) if one not in self.written and one not in self.variables)
-            self._names[key], self.written[name] = name, Text("", frozenset())
+            self._names[key], self.written[name] = name, Text("", frozenset(), ())
             try:
                 text = Writer(self).whole(closure, given, name, "static double")
             except (NoProgramError, SeveralValuesError):

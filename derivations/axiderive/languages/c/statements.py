@@ -59,8 +59,9 @@ class Writer(Calls):
         variables = [f"  {declared(kind, own)};" for own, kind in kinds.items()]
         unused = [f"  (void){own.text};" for own in letters if own.text not in needs]
         body = [f"{'  ' * depth}{text}" for depth, text, _, _ in kept]
-        head = f"{returns} {name}({', '.join(f'{own.kind} {own.text}' for own in letters) or 'void'})"
-        return Text("\n".join([head, "{", *variables, *unused, *body, "}", ""]), needs)
+        arguments = tuple(f"{own.kind} {own.text}" for own in letters)
+        head = f"{returns} {name}({', '.join(arguments) or 'void'})"
+        return Text("\n".join([head, "{", *variables, *unused, *body, "}", ""]), needs, arguments)
 
     def block(self, body: Sequence[ast.stmt], scope: Scope) -> None:
         """Statements, one after another."""

@@ -26,10 +26,11 @@ class Number:
 
 @dataclass(frozen=True)
 class Text:
-    """A function of C, and the names in it."""
+    """A function of C, the names in it, and its arguments as they are declared."""
 
     text: str
     needs: frozenset[str]
+    arguments: tuple[str, ...]
 
 
 @dataclass
