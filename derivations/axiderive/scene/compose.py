@@ -22,6 +22,7 @@ from .linker.linking import OWN, Wanted
 from .page import page_sources
 from .reading import Scene
 from .references import check_values
+from .translation import translated
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -105,9 +106,11 @@ class _Composition:
         values = check_values(self.contact, {one.name: one.keywords for one in wanted})
         run = measured(text, values, free, self.contact)
         files: dict[str, bytes] = {}
-        if "python" in request.formats:
-            files[request.module] = text.encode()
-            files[f"test_{stem}.py"] = test_text(stem, run, free, self._origin()).encode()
+        if request.language in request.formats:
+            head = module.head(request, self.profile, self.answer, self.contact)
+            own = {request.module: text, f"test_{stem}.py": test_text(stem, run, free, self._origin())}
+            written = own if request.language == "python" else translated(self.contact, head.strip(), run)
+            files |= {name: content.encode() for name, content in written.items()}
         if "tex" in request.formats:
             files |= page
         if "json" in request.formats:

@@ -147,13 +147,17 @@ TOLERANCE = 1e-11
 """Relative; the rules of the catalogue are within 1e-13, inverses within 1e-12 of a curve of any steepness."""
 
 
+def tolerance(run: Run) -> float:
+    """How far values may be from those wanted, relative."""
+    return float(f"{max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)]):.1e}")
+
+
 def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> str:
     """The test that goes with a module; it runs with plain Python.
 
     It has its own name for the module, whose name may be one that it needs itself, as len or wanted.
     """
-    rule = max([TOLERANCE, *(4.0 * e for e in run.errors.values() if e > TOLERANCE)])
-    lines = [TEMPLATES["test"].format(stem=stem, origin=origin, digits=DIGITS, rule=float(f"{rule:.1e}"))]
+    lines = [TEMPLATES["test"].format(stem=stem, origin=origin, digits=DIGITS, rule=tolerance(run))]
     tests, count = list[str](), dict[str, str]()
     if run.values:
         keyed = any(v.keywords for v in run.values)

@@ -15,6 +15,7 @@ import sympy as sp
 from .. import notation as nt
 from ..expression import ExpressionError, own_profile
 from ..expression.profile import OwnProfile
+from ..languages.standalone import LANGUAGES
 from ..physics.medium import GRADED, HOMOGENEOUS
 from ..physics.systems import SYSTEMS, on
 from ..physics.viscoelastic import LAWS, Law
@@ -53,6 +54,7 @@ class Scene:
     values: dict[str, float] = field(default_factory=dict)
     folder: str = ""
     module: str = ""
+    language: str = "python"
     formats: Sequence[str] = ("python", "json")
     at: tuple[str, float] | None = None
     """Name and value of what the worked example is given at: a, d or F."""
@@ -343,14 +345,17 @@ def _model(text: SceneText, raw: Any) -> Law | None:
     return known.get(model)
 
 
-FORMATS = ("python", "tex", "pdf", "json")
+ENDINGS = {"python": "py", **{name: language.suffix for name, language in LANGUAGES.items()}}
+"""Languages in which a module can be written, and how the names of their files end."""
+FORMATS = ("tex", "pdf", "json")
+"""Beside the module itself, which goes by the name of its language."""
 OF_COMPLETE = ("retraction", "minimum_depth", "minimum_force", "minimum_load", "tilt", "contact_width")
 SYMBOLS = {"d": "depth", "g": "depth", "F": "force", "p": "pressure", "w": "displacement", "f": "profile",
            "a": "radius_from_force", "u": "displacement", "F_N": "force", "P": "load"}  # fmt: skip
 """Letters by which a quantity may be asked for."""
 HIDDEN = sys.stdlib_module_names | {"axiderive", "axicontact", "numpy"}
 """Names of modules that the written one, its test or a program beside them may import."""
-FILE = re.compile(r"[A-Za-z]\w{0,60}\.py")
+FILE = r"[A-Za-z]\w{{0,60}}\.{ending}"
 
 
 def _want(text: SceneText, scene: Scene) -> None:
@@ -424,15 +429,23 @@ def _available(kind: interface.Kind, contact: str) -> list[str]:
 
 
 def _output(text: SceneText, scene: Scene) -> None:
-    """Reads the section [output] into the scene: folder, module and formats; problems go to the text."""
-    table = text.table("output", ("folder", "module", "formats"))
+    """Reads the section [output] into the scene: folder, module, language and formats; problems go to the text."""
+    table = text.table("output", ("folder", "module", "language", "formats"))
+    language = table.get("language", "python")
+    if not isinstance(language, str) or language not in ENDINGS:
+        known = f"language must be one of {', '.join(ENDINGS)}, not {language!r:.40}"
+        text.problem("output", "language", known)
+        language = "python"
+    scene.language, ending = language, ENDINGS[language]
     stem = _stem(scene.name)
-    scene.module = table.get("module", f"{stem[:60]}.py")
-    own = str(scene.module).removesuffix(".py")
+    scene.module = table.get("module", f"{stem[:60]}.{ending}")
+    own = str(scene.module).removesuffix(f".{ending}")
     place = ("output", "module") if "module" in table else ("name", "")
-    if not isinstance(scene.module, str) or not FILE.fullmatch(scene.module):
-        message = f"module must be the name of a file, as 'needle.py', not {table['module']!r:.60}"
+    if not isinstance(scene.module, str) or not re.fullmatch(FILE.format(ending=ending), scene.module):
+        message = f"module must be the name of a file, as 'needle.{ending}', not {table['module']!r:.60}"
         text.problem("output", "module", message)
+    elif language != "python":
+        pass
     elif keyword.iskeyword(own):
         message = f"module {scene.module!r} cannot be imported, {own} is a word of Python; choose another name"
         text.problem(*place, message)
@@ -445,13 +458,14 @@ def _output(text: SceneText, scene: Scene) -> None:
     elif scene.folder.startswith(("/", "~")) or ".." in scene.folder.split("/") or "\\" in scene.folder:
         message = f"folder {scene.folder[:60]!r} leaves the place of the scene; use a name below it, or --out DIR"
         text.problem("output", "folder", message)
-    scene.formats = table.get("formats", list(FORMATS))
+    formats = (language, *FORMATS)
+    scene.formats = table.get("formats", list(formats))
     if not isinstance(scene.formats, list) or not scene.formats:
-        text.problem("output", "formats", f'formats must be a list out of {", ".join(FORMATS)}, as ["python"]')
+        text.problem("output", "formats", f'formats must be a list out of {", ".join(formats)}, as ["{language}"]')
         return
     for name in scene.formats:
-        if name not in FORMATS:
-            text.problem("output", "formats", f"unknown format {str(name)[:40]!r}{near(str(name).lower(), FORMATS)}")
+        if name not in formats:
+            text.problem("output", "formats", f"unknown format {str(name)[:40]!r}{near(str(name).lower(), formats)}")
 
 
 def _stem(name: str) -> str:

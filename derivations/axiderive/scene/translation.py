@@ -34,8 +34,7 @@ def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
         others = f", or ask for {', '.join(language.functions)}" if language.functions else ""
         reasons = "; ".join(dict.fromkeys(missing.values()))
         message = (
-            f"{', '.join(missing)}: no program in {request.language} ({reasons}); "
-            f'write language = "python"{others}'
+            f'{", ".join(missing)}: no program in {request.language} ({reasons}); write language = "python"{others}'
         )
         raise CommandError(message, USAGE)
     stem, suffix = request.module.rpartition(".")[0], language.suffix
