@@ -113,7 +113,7 @@ class CFile(Standalone):
 
     def text(self, head: str) -> str:
         """See `Standalone`."""
-        comment = head.replace("*/", "* /").replace("\n", "\n   ")
+        comment = "\n   ".join(head.replace("*/", "* /").split("\n")).replace("   \n", "\n")
         return f"/* {comment} */\n{self.file.text()}"
 
     def test(self, stem: str, calls: Sequence[Call], tolerance: float) -> str:

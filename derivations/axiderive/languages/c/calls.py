@@ -66,9 +66,9 @@ class Calls(Expressions):
 
     def _closure(self, closure: Closure, given: Sequence[Value], named: Mapping[str, Value]) -> Value:
         bound = self._bound(closure, given, named)
-        leaves = [leaf for value in bound.values() for leaf in leaves(value)]
-        numbers = all(is_number(leaf) or isinstance(leaf, str) or leaf is None for leaf in leaves)
-        if closure.scope is None and numbers and any(isinstance(leaf, Number) for leaf in leaves):
+        parts = [leaf for value in bound.values() for leaf in leaves(value)]
+        numbers = all(is_number(leaf) or isinstance(leaf, str) or leaf is None for leaf in parts)
+        if closure.scope is None and numbers and any(isinstance(leaf, Number) for leaf in parts):
             try:
                 name, left = self.file.function(closure, list(bound.values()))
             except SeveralValuesError:

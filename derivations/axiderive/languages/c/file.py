@@ -8,6 +8,7 @@ called, so that the file needs no pointers to functions, no memory of its own an
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +19,8 @@ from .natives import NODES
 from .statements import Writer
 from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, shape
 
+DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void)) (\w+)", re.MULTILINE)
+"""What a helper is called."""
 HELPERS = Path(__file__).with_name("numbers.h")
 """What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""
 
@@ -84,7 +87,7 @@ class File:
         halves = ast.literal_eval(bound_value(nodes.bound["_LOWER_HALVES"]))
         tables = [table(name, half) for size, half in halves.items() if (name := NODES.format(size)) in needed]
         functions = [own.text for name, own in self.written.items() if name in needed]
-        return "\n".join([HELPERS.read_text(encoding="utf-8"), *tables, *functions])
+        return "\n".join([*helpers("".join(functions)), *tables, *functions])
 
     def function(self, closure: Closure, given: Sequence[Value]) -> tuple[str, list[Number]]:
         """The name of the function of C for what is known of the arguments, and those that are left."""
@@ -128,6 +131,16 @@ class File:
                 made = Writer(self).expr(bound_value(node), Scope(module))
             self._constants[key] = made
         return self._constants[key]
+
+
+def helpers(text: str) -> list[str]:
+    """The head of a file, and of the helpers those that a text needs.
+
+    Each part of their file is a comment and what it is about.
+    """
+    first, *parts = HELPERS.read_text(encoding="utf-8").split("\n\n/*")
+    needed = [part for part in parts if any(re.search(rf"\b{name}\b", text) for name in DEFINED.findall(part))]
+    return [first, *(f"\n/*{part.rstrip()}" for part in needed), ""]
 
 
 def table(name: str, half: Sequence[tuple[float, float]]) -> str:
