@@ -26,7 +26,7 @@ LINES, FILES = 57623, 364
 LATER = (
     *("physics/subsurface", "proof/rules/subsurface", "oracle/subsurface", "checks/subsurface", "code/subsurface"),
     *("runtime/subsurface/", "stable/fields", "rows/fields", "readback/fields", "figures/contours"),
-    *("abel/field_moments", "languages/", "web/calculator"),
+    *("abel/field_moments", "languages/", "web/calculator", "scene/translation"),
 )
 """What came since, and is counted by itself: the fields below the surface; other languages and calculators."""
 WHOLE = 60953

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -104,3 +105,14 @@ def test_a_map_has_the_same_bits_on_a_cluster(tmp_path: Path) -> None:
     said = ran(ROOT / "examples" / "force_map.py", "--curves", "20500", "--workers", "2", cwd=tmp_path)
     check_map(said)
     assert "2 workers: the same bits" in said
+
+
+def test_a_contact_law_in_c_gives_the_work_of_the_impact(tmp_path: Path) -> None:
+    needs("scipy")
+    if shutil.which("cc") is None:
+        pytest.skip("no C compiler: apt-get install gcc libc6-dev")
+    said = ran(ROOT / "examples" / "particles.py", "--folder", tmp_path / "law", cwd=tmp_path)
+    assert "6 values agree" in said
+    (energy, work) = re.search(r"energy of the impact (\S+) uJ, work by Python (\S+) uJ", said).groups()
+    (in_c,) = re.search(r"work (\S+) uJ\n", said).groups()
+    assert energy == work == in_c == "0.1625"

@@ -223,3 +223,29 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
     with pytest.raises(NoProgramError, match="no counterpart"):
         script.add("adhesive.gaussian", "radius_from_depth")
     assert script.text() == before
+
+
+LACKING = {("adhesive", own) for own in ("pull_off", "retraction", "radius_from_depth", "radius_from_force")} | {
+    ("tangential", "traction"), ("loads", "displacement"), ("normal", "pressure"), ("adhesive", "pressure"),
+}  # fmt: skip
+"""Several numbers, what all profiles share, branches that are looked for on a grid, and integrals over integrals."""
+MISSING = {"c": (21, 71), "javascript": (23, 74)}
+"""How many of these there are, of few profiles and of all."""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_what_is_a_program_is_one_in_other_languages(package: Package, language: str, every: bool) -> None:
+    missing = []
+    for group in GROUPS:
+        for name in import_module(f"axicontact.{group}").__all__:
+            if not (every or name in FEW):
+                continue
+            add, _ = LANGUAGES[language](package, group, name)
+            for own in import_module(f"axicontact.{group}.{name}").__all__:
+                try:
+                    add(own)
+                except NoProgramError:
+                    missing.append((group, own))
+    assert set(missing) <= LACKING
+    assert len(missing) == MISSING[language][every]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 from ..code.module import PACKAGE
 from ..exits import USAGE, CommandError
@@ -23,7 +24,7 @@ def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
         If a function has no program in the language; it names those that have.
     """
     request = contact.request
-    language = LANGUAGES[request.language](Package(_sources()))
+    language = LANGUAGES[request.language](_catalogue())
     missing: dict[str, str] = {}
     for name in request.quantities:
         try:
@@ -43,11 +44,12 @@ def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
     return {request.module: language.text(head), f"test_{stem}.{suffix}": language.test(stem, calls, tolerance(run))}
 
 
-def _sources() -> dict[str, str]:
-    """The sources of the package by path below its folder."""
+@cache
+def _catalogue() -> Package:
+    """The package as it is installed, read once."""
     root = package()
-    return {f"{PACKAGE}/{path.relative_to(root).as_posix()}": path.read_text(encoding="utf-8")
-            for path in root.rglob("*.py")}  # fmt: skip
+    paths = {f"{PACKAGE}/{path.relative_to(root).as_posix()}": path for path in root.rglob("*.py")}
+    return Package({name: path.read_text(encoding="utf-8") for name, path in paths.items()})
 
 
 def _asked(contact: Contact, name: str) -> Asked:
