@@ -113,6 +113,7 @@ class Calls(Expressions):
         return {name: values[name] if name in values else self.expr(defaults[name], outer) for name in order}
 
     def native(self, native: Native, given: Sequence[Value]) -> Value:
+        """What a function of both languages gives; worked out here where all is known."""
         if native.known and not any(isinstance(one, Number) for one in given):
             try:
                 return native.known(*given)

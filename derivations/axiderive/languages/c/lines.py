@@ -120,6 +120,7 @@ def like(name: str) -> Iterator[str]:
 
 
 def declared(kind: str, name: str) -> str:
+    """The declaration of a variable of a kind."""
     return {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}"}.get(kind, f"{kind} {name} = 0")
 
 

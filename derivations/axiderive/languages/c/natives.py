@@ -67,4 +67,5 @@ WORDS = frozenset((
 
 
 def word(name: str) -> str:
+    """A name that means nothing else in C."""
     return f"{name}_" if name in WORDS or re.fullmatch(r"x\d+", name) else name

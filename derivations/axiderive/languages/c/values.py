@@ -124,11 +124,13 @@ class Over(Exception):  # noqa: N818 - no error: what stands behind is never rea
 
 
 def bound_value(node: ast.stmt) -> ast.expr:
+    """What a statement binds its name to."""
     assert isinstance(node, ast.Assign | ast.AnnAssign) and node.value
     return node.value
 
 
 def fields_of(node: ast.ClassDef) -> dict[str, ast.expr | None]:
+    """The fields of a class, with what they are if nothing is said."""
     return {
         one.target.id: one.value
         for one in node.body if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name)
@@ -136,11 +138,13 @@ def fields_of(node: ast.ClassDef) -> dict[str, ast.expr | None]:
 
 
 def names_of(arguments: ast.arguments) -> list[str]:
+    """Names of the arguments of a function."""
     own = [*arguments.posonlyargs, *arguments.args, *([arguments.vararg] if arguments.vararg else [])]
     return [one.arg for one in (*own, *arguments.kwonlyargs)]
 
 
 def leaves(value: Value) -> Iterator[Value]:
+    """The values in sequences of sequences, one by one."""
     if isinstance(value, tuple | list):
         for one in value:
             yield from leaves(one)
@@ -149,27 +153,32 @@ def leaves(value: Value) -> Iterator[Value]:
 
 
 def is_number(value: Value) -> bool:
+    """Whether a value is a number, of C or known."""
     return isinstance(value, Number | bool | int | float)
 
 
 def same_shape(one: Value, other: Value) -> bool:
+    """Whether two values are numbers, or sequences of the same form."""
     if isinstance(one, tuple | list) and isinstance(other, tuple | list):
         return len(one) == len(other) and all(map(same_shape, one, other))
     return is_number(one) and is_number(other)
 
 
 def mapped(value: Value, function: Callable[[Value, Value], Value], other: Value) -> Value:
+    """A function of every number of two values of the same form."""
     if isinstance(value, tuple | list):
         return tuple(mapped(one, function, own) for one, own in zip(value, other, strict=True))
     return function(value, other)
 
 
 def joint(one: Value, other: Value) -> str:
+    """The kind of what is one number or another."""
     kinds = {kind_of(one), kind_of(other)}
     return kinds.pop() if len(kinds) == 1 else "double"
 
 
 def kind_of(value: Value) -> str:
+    """The kind of a number."""
     return value.kind if isinstance(value, Number) else "int" if isinstance(value, int) else "double"
 
 
@@ -184,6 +193,7 @@ def shape(value: Value, left: list[Number]) -> object:
 
 
 def literal(value: float) -> str:
+    """A number as C writes it."""
     number = float(value)
     if math.isnan(number):
         return "NAN"
@@ -207,13 +217,16 @@ def number_of(value: Value, kind: str = "double") -> Number:
 
 
 def bracketed(number: Number, rank: int) -> str:
+    """The text of a number, in brackets where it is bound less tightly."""
     return number.text if number.rank >= rank else f"({number.text})"
 
 
 def variables_of(numbers: Iterable[Number]) -> frozenset[str]:
+    """The names in numbers."""
     return frozenset(name for own in numbers for name in own.names)
 
 
 def missing(scope: Scope | None, what: str) -> NoProgramError:
+    """The error that C has no counterpart of something."""
     where = f" in {scope.module.name}" if scope else ""
     return NoProgramError(f"C has no counterpart of {what}{where}")
