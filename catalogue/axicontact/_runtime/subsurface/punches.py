@@ -386,8 +386,7 @@ def _panels(
     start, end = (2.0 * np.arcsinh(np.sqrt(np.maximum(x[beyond], 0.0) / mirror[o])) for x in (left, right))
 
     def after(u: Array, o: Array, _: Array) -> tuple[Array, Array, Array]:
-        e = np.exp(u / 2.0)
-        sinh, cosh = (e - 1.0 / e) / 2.0, (e + 1.0 / e) / 2.0
+        sinh, cosh = _both(u / 2.0)
         return along(mirror[o] * sinh * sinh, mirror[o] * sinh * cosh, o)
 
     found.append(_cut(o, start, end, after))
