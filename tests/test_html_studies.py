@@ -105,6 +105,19 @@ def test_measured_errors_stand_with_the_evidence_of_their_formula(site: dict[str
     assert "evaluation by Gauss rule" in _row(site["rounded_punch.html"], "p")
 
 
+def test_errors_of_functions_below_the_surface_stand_with_the_first_of_its_numbers(site: dict[str, str]) -> None:
+    measured = record("rounded_punch.sub")["evidence"]["evaluation"]
+    row = unescape(re.sub(r"<span[^>]*>|</span>", "", _row(site["rounded_punch.html"], "sub.S0")))
+    for name, found in measured.items():
+        shown = row.partition(f"{name.replace('_', ' ')}: ")[2].partition(";")[0]
+        wanted = [
+            f"{part['worst_ulp']:.2g} ulp at {part['points']} points" for part in found.values() if part["points"]
+        ]
+        assert wanted, name
+        assert all(one in shown for one in wanted), (name, shown)
+    assert "beside the largest component" in row
+
+
 def _shown() -> dict[str, Any]:
     return studies_model(studies_of_book.figures(STUDIES, frozenset({"cone.p"})))
 

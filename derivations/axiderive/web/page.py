@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -75,6 +75,12 @@ def measured(found: Mapping[str, Any]) -> str:
     places = {"error": usual, "at extreme lengths": extreme, "of the formula as printed": usual.get("naive", {})}
     shown = ", ".join(f"{where} {_ulps(one)}" for where, one in places.items() if one.get("points"))
     return (f"evaluation by {form}; " if form else "") + (shown or "error not measured")
+
+
+def _of_functions(found: Mapping[str, Evidence]) -> str:
+    """The worst errors of functions with several components, which are sums of entries."""
+    rows = [f"{name.replace('_', ' ')}: {measured(row)}" for name, row in found.items()]
+    return "; ".join([*rows, "all beside the largest component"]) if rows else ""
 
 
 NO_DIGIT = 2.0**52
@@ -159,7 +165,9 @@ def _below(
         for line in fields.lines(n)
     ]
     block = Block(BELOW.heading, fields.MADE_OF, [], [])
-    shown = [(row, list(map(known, row.anchors, row.entries)))]
+    head, *rest = map(known, row.anchors, row.entries)
+    errors = _of_functions(evidence.get(problem.key, {}).get("evaluation", {}))
+    shown = [(row, [replace(head, measured=errors), *rest])]
     return [(f"about.{BELOW.name}", block, shown, _addressed(further, model["name"]), pictures)]
 
 
