@@ -249,3 +249,75 @@ def test_what_is_a_program_is_one_in_other_languages(package: Package, language:
                     missing.append((group, own))
     assert set(missing) <= LACKING
     assert len(missing) == MISSING[language][every]
+
+
+SMALL = """
+from math import exp, sqrt
+from ..._runtime.plain import MATH as np
+
+
+def swapped(x, y):
+    try:
+        for _ in range(40):
+            x, y = (y, 0.5 * (x + y))
+            if abs(x - y) < 1e-3:
+                break
+        return x - 2.0 * y
+    except ArithmeticError:
+        return None
+
+
+def searched(x, y):
+    def curve(t):
+        return (t * t * y + shift, 2.0 * t * y)
+
+    try:
+        shift = exp(-x)
+        t = 1.0
+        for step in range(60):
+            value, slope = curve(t)
+            before, t = (t, t - (value - x - shift) / slope)
+            if step > 50 or abs(t - before) <= 1e-15 * t:
+                return t if y > 0.5 else -t
+        return t
+    except ArithmeticError:
+        return None
+
+
+def chosen(x, y):
+    try:
+        least, most = (x, y) if x < y else (y, x)
+        total = [sqrt(least * k) for k in range(1, 4)]
+        found = 0.0
+        for own in total[::-1]:
+            if own > most:
+                continue_with = 2.0
+            else:
+                continue_with = 0.5
+            found = found * continue_with + own
+            if found > 3.0:
+                break
+        return found if not (least > 0.3) & (most > 0.9) else np.maximum(found, least // 1.0 if False else most)
+    except ArithmeticError:
+        return None
+"""
+
+
+@needs_cc
+@pytest.mark.parametrize("name", ["swapped", "searched", "chosen"])
+def test_statements_mean_in_c_what_they_mean_in_python(package: Package, name: str, tmp_path: Path) -> None:
+    """Assignments side by side, loops that are left, results at several places, functions within functions."""
+    there = Package({**package.texts, "axicontact/_programs/normal/small.py": SMALL})
+    file = File(there)
+    file.add("normal.small", name, name)
+    rows = "".join(f'  printf("%.17g\\n", {name}({x!r}, {y!r}));\n' for x, y in POINTS)
+    (tmp_path / "small.c").write_text(f"{file.text()}\n#include <stdio.h>\nint main(void)\n{{\n{rows}  return 0;\n}}\n")
+    command = ["cc", "-std=c99", "-Wall", "-Werror", "-O2", "small.c", "-o", "small", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True, timeout=60)
+    done = subprocess.run([str(tmp_path / "small")], capture_output=True, text=True, check=True)
+    space: dict[str, Any] = {}
+    exec(SMALL.replace("from ..._runtime.plain", "from axicontact._runtime.plain"), space)
+    assert [float(line) for line in done.stdout.split()] == [space[name](x, y) for x, y in POINTS]
+
+
+POINTS = [(0.2, 0.7), (0.7, 0.2), (1.3, 0.4), (0.4, 1.3), (2.5, 2.0), (0.05, 0.9)]

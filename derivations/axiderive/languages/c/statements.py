@@ -123,10 +123,24 @@ class Writer(Calls):
             case ast.Name(name):
                 self.bind(scope, name, value)
             case ast.Tuple(targets) | ast.List(targets):
-                for one, own in zip(targets, self._items(value, scope), strict=True):
+                held = self._held(targets, self._items(value, scope), scope)
+                for one, own in zip(targets, held, strict=True):
                     self.assign(one, own, scope)
             case _:
                 raise missing(scope, ast.unparse(target))
+
+    def _held(self, targets: Sequence[ast.expr], values: Sequence[Value], scope: Scope) -> list[Value]:
+        """The values, those aside that rest on what is assigned before them."""
+        changed, held = set[str](), list[Value]()
+        for target, value in zip(targets, values, strict=True):
+            if isinstance(value, Number) and value.names & changed:
+                own = self.variable("held", value.kind)
+                self.set(own, value)
+                value = own
+            held.append(value)
+            old = scope.names.get(target.id) if isinstance(target, ast.Name) else None
+            changed |= old.names if isinstance(old, Number) else set()
+        return held
 
     def _append(self, scope: Scope, name: str, value: Value) -> None:
         known = scope.names[name]
