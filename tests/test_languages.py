@@ -268,10 +268,10 @@ def swapped(x, y):
 
 
 def searched(x, y):
-    def curve(t):
-        return (t * t * y + shift, 2.0 * t * y)
-
     try:
+        def curve(t):
+            return (t * t * y + shift, 2.0 * t * y)
+
         shift = exp(-x)
         t = 1.0
         for step in range(60):
