@@ -36,7 +36,7 @@ from axiderive.scene.reading import Scene
     "text",
     few(
         ["r**2/(2*R) + c*r**4", "Max(0, r - b)*tan(theta)", "A*r**n", "R - sqrt(R**2 - r**2)"],
-        ["Max(0, r - b)*tan(theta)", "A*r**n"],
+        ["Max(0, r - b)*tan(theta)", "A*r**n", "R - sqrt(R**2 - r**2)"],
         pytest.mark.slow,
     ),
 )
