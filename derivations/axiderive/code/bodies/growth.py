@@ -2,8 +2,6 @@
 
 How depth and force of a compact contact grow, measured on the exact formulas for the starts of their inverses.
 
-The rate of growth of a compact contact in the radius alone, to be measured: modules hold it by its regimes.
-
 Proved bounds of the logarithmic slope of depth and force over the unknown of their inverse.
 
 Let q(r) = r f''/f'.  All means have positive weights, as f' >= 0.
@@ -32,40 +30,8 @@ import sympy as sp
 from ...entry import COMPACT
 from ...notation import a, r
 from ...profiles.profile import Profile
-from ...stable.opaque import Root
-from ...stable.slopes import RATE, ROOT
 from ..example import NUMERIC
-from ..function import Function
-from ..plane.compact import Compact as Strips
 from .compact import Compact
-from .regimes import Regimes
-
-
-def add_rate(compact: Regimes | Strips) -> None:
-    """`_rate(a)`: the functions of the rate before and beyond the break, each with its root."""
-    known, b = compact.functions.functions, compact.b
-    name = "growth" if isinstance(compact, Strips) else "slope"
-    tip, beyond = known.get(name), known.get(f"{name}_beyond")
-    lines, values = list[str](), list[str]()
-    if tip is not None:
-        length = compact.scale("tip")[1] if isinstance(compact, Regimes) else None
-        values.append(_called(compact, tip, length, lines, above=False))
-    if beyond is not None and b is not None:
-        values.append(_called(compact, beyond, b, lines, above=True))
-    if len(values) > 1:
-        values = [f"np.where(a < {b}, {', '.join(values)})"]
-    if values:
-        compact.functions.add(RATE.function, ("a",), [*lines, f"return {values[0]}"])
-
-
-def _called(compact: Regimes | Strips, own: Function, length: sp.Expr | None, lines: list[str], *, above: bool) -> str:
-    """The call of one regime, its root in the lines."""
-    if ROOT not in own.fields or length is None:
-        return own.call("a")
-    root = f"root_{'beyond' if above else 'tip'}"
-    lines.append(f"{root} = {compact.functions.definition(Root(a, length) if above else Root(length, a))}")
-    return own.call("a", root)
-
 
 Range = tuple[sp.Expr, sp.Expr]
 SHARE = sp.Symbol("x", positive=True)

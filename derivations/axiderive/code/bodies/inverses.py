@@ -14,7 +14,6 @@ The inverse of a paraboloid with a concentric wave: its curve in the unit and wi
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import sympy as sp
@@ -104,19 +103,6 @@ class Inverses:
         raised = any(expr.has(sp.sinh, sp.cosh) for expr in (form.value, *(expr for _, expr in form.steps)))
         return None if form.cancels or raised else form
 
-    def unknowns(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """Kind of the place, its length and the range in print, where the unknown is not the radius itself."""
-        kind, end = self.compact.scale("tip")
-        b = self.compact.b
-        if b is None and self.compact.rooted:
-            yield "below", end, ""
-        elif b is not None and self.profile.truncated:
-            yield "beyond", b, ""
-        elif b is not None:
-            if kind == "tanh":
-                yield "below", end, f"a<{b}"
-            yield "beyond", b, f"a>{b}"
-
     def _radius(self, suffix: str) -> Function:
         entry, (_, field) = self.compact.entries[suffix], TARGET[suffix]
         form = self.closed(entry)
@@ -144,11 +130,8 @@ class Inverses:
         target = self.functions[outer]
         if not any("inverse" in line for line in radius.lines):
             return self.functions.add(name, (field,), [f"return {target.call(radius.call())}"])
-        return self._corrected(name, field, target, radius, self.functions[TARGET[inner][0]])
-
-    def _corrected(self, name: str, field: str, target: Function, radius: Function, curve: Function) -> Function:
-        """The radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost."""
-        lines = [f"a = {radius.call()}", *changed(field, target, curve, "a")]
+        # the radius is rounded, and says too little next to a break; dF/dd = 2 E* a makes good what it lost
+        lines = [f"a = {radius.call()}", *changed(field, target, self.functions[TARGET[inner][0]], "a")]
         return self.functions.add(name, (field,), lines)
 
     def _contact(self, suffix: str) -> Function:
@@ -186,10 +169,17 @@ class Inverses:
     def _newton(self, suffix: str, name: str) -> Function:
         curve, field = TARGET[suffix]
         if self.compact.scale("tip")[0] == "waves":
-            return self._over_waves(suffix, name)
+            lines = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
+            return self.functions.add(name, (field,), lines)
         if self.compact.b is not None:
             return self._across(suffix, name)
-        lines = self._curve(suffix)
+        target, slope = self.functions[curve], self.functions["slope"]
+        lines = [
+            "def curve(a: Array) -> tuple[Array, Array]:",
+            f"    value = {target.call('a')}",
+            f"    return value, {self._rate(suffix)} * {slope.call('a')} / value",
+            "",
+        ]
         largest = self.profile.largest
         if largest is not None:
             like = start(self.compact, suffix)
@@ -206,22 +196,6 @@ class Inverses:
         lines += self._least_start(suffix)
         lines.append(f"return inverse(curve, {field}, {first}, {self._exponents(suffix)}, smooth=True)")
         return self.functions.add(name, (field,), lines)
-
-    def _over_waves(self, suffix: str, name: str) -> Function:
-        field = TARGET[suffix][1]
-        lines = wave_lines(self.profile, self.compact.entries["d"].cases[0].expr, field)
-        return self.functions.add(name, (field,), lines)
-
-    def _curve(self, suffix: str) -> list[str]:
-        """Value and logarithmic slope over the radius."""
-        target = self.functions[TARGET[suffix][0]]
-        slope = self._slope_of_radius()
-        return [
-            "def curve(a: Array) -> tuple[Array, Array]:",
-            f"    value = {target.call('a')}",
-            f"    return value, {self._rate(suffix)} * {slope} / value",
-            "",
-        ]
 
     @staticmethod
     def _rate(suffix: str) -> str:
@@ -269,14 +243,6 @@ class Inverses:
         """A length of the profile that is small against the largest contact radius."""
         lengths = [p for p in self.profile.parameters if p.name == "b"]
         return lengths[-1] / 1000 if lengths else sp.S.One
-
-    def _slope_of_radius(self) -> str:
-        """Text of g'(a) without a break."""
-        if self.compact.summed:
-            return self.functions["slope"].call("a")
-        tip = self.compact.slopes.get("tip")
-        assert tip is not None
-        return tip[0].call("a")
 
     def _joined_slope(self) -> Function:
         tip, beyond = (self.compact.slopes[side][0] for side in ("tip", "beyond"))
