@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
-from ..code.plane import document
+from ..code.plane import interface as strips
 from ..exits import USAGE, CommandError
 from . import evidence, interface
 from .contact import Contact
@@ -125,7 +125,7 @@ class _Composition:
         record = interface.record(name, self.profile)
         meaning = record.meaning
         if self.request.kind.system.pool.strip:
-            meaning = document.meaning(self.profile, record.symbol)
+            meaning = strips.meaning(self.profile, record.symbol)
         return f"{meaning} [{record.unit}]"
 
     def _module(self) -> tuple[str, list[Wanted]]:

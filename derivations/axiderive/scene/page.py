@@ -13,7 +13,7 @@ from ..book import notation_table
 from ..book.page import PANEL, shape_tex, symbols
 from ..build import pdf
 from ..build.work import read_entries
-from ..code.plane import document
+from ..code.plane import interface as strips
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general
@@ -90,8 +90,8 @@ def _meant(request: Scene, profile: Profile) -> dict[str, str]:
     """What the letters mean under a strip, where they mean something else."""
     if not request.kind.system.pool.strip:
         return {}
-    own = {*document.MEANING, *document.OF_PUNCH}
-    return {nt.describe(s).latex: prose(document.meaning(profile, s)) for s in own}
+    own = {*strips.MEANING, *strips.OF_PUNCH}
+    return {nt.describe(s).latex: prose(strips.meaning(profile, s)) for s in own}
 
 
 def _law(request: Scene) -> str:

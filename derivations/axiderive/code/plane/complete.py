@@ -22,8 +22,7 @@ from ..bodies.complete import threshold
 from ..function import Function
 from ..private import PrivateFunctions
 from ..text import python
-from .compact import add_profile
-from .forms import form_of, lines_of, told_apart
+from .compact import add_profile, form_of, lines_of, told_apart
 
 
 @dataclass

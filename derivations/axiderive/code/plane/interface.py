@@ -1,8 +1,10 @@
-"""Modules `axicontact.plane.<profile>`: strips on the elastic half plane."""
+"""Modules `axicontact.plane.<profile>`: strips on the elastic half plane, and what their docstrings say."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
+
+import sympy as sp
 
 from ... import notation as nt
 from ...entry import Entry, Quantity
@@ -10,17 +12,29 @@ from ...letters import name_of
 from ...physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ...physics.systems import BY_NAME
 from ...profiles.profile import Profile
+from .. import docstring
 from ..bodies.regimes import split
 from ..function import Function, reached
 from ..module import Module
 from ..private import PrivateFunctions
 from ..writer import Writer, check, required
-from . import complete, document
+from . import complete
 from .compact import Compact
 from .complete import Complete
 
 SYSTEM = BY_NAME["plane"]
 SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,), parity="even", summary="Profile f(x) of the indenter.")
+MEANING = {
+    nt.a: "half-width of the contact",
+    nt.d: "depth of the middle of the contact relative to the surface at the distance L",
+    nt.f: "height of the profile above its lowest point in the middle",
+    nt.x: "place across the contact, zero in the middle; of either sign",
+    nt.slope: "slope of the surface, negative where the displacement into the half-space falls with x",
+}
+OF_PUNCH = {nt.a: "half-width of the punch", nt.f: "height of the face"}
+BEYOND = ("depth_beyond", "load_beyond", "slope_beyond")
+"""Rules of the run time over the strips beyond a break."""
+NAMES = {"slope = ": "dw/dx = ", "tilt = ": "phi = ", "width = ": "l = ", "Abs(": "abs(", "Max(": "max("}
 
 
 def module(entries: Mapping[str, Entry]) -> Module:
@@ -59,21 +73,69 @@ def _public(writer: Writer, quantity: Quantity) -> Function:
     private = next(own for own in writer.private if own.name == f"_{quantity.function}")
     used = private.uses.union(*(own.uses for own in reached(writer.private, [private])))
     shown = writer.example.lines(quantity.suffix) if entry else writer.example.shape()
-    doc = document.text(profile, quantity, entry, symbols, document.notes(profile, quantity, used), shown)
+    rows = docstring.parameters(quantity.arguments, symbols, lambda symbol: meaning(profile, symbol))
+    result = f"{docstring.measured(meaning(profile, quantity.symbol), quantity.symbol)}. {docstring.SHAPE}"
+    doc = docstring.document(
+        quantity.summary, _formula(profile, quantity, entry), rows, (docstring.NUMBERS, result),
+        _notes(profile, quantity, used), profile.sources, shown,
+    )  # fmt: skip
     # from the other side of the middle the load is seen at -e
     given = {"e": "turned(x, e)"} if _eccentric(profile) and nt.x in quantity.arguments else {}
     evaluated = writer.evaluated(private.name, fields, keywords, quantity.parity or "elementwise", **given)
     return Function(quantity.function, fields, keywords, [*checks, f"return {evaluated}"], doc, "Result")
 
 
-def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact | None:
+def meaning(profile: Profile, symbol: sp.Symbol) -> str:
+    """What a symbol means in a plane contact, in words; a punch has its own for half-width and face."""
+    own = MEANING | (OF_PUNCH if profile.complete else {})
+    return own.get(symbol) or profile.meaning(symbol)
+
+
+def _formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[str]:
+    """The formula in plain text, for x >= 0 where the field is even or odd."""
+    lines = "\n".join(docstring.formula(profile, quantity, entry))
+    for old, new in NAMES.items():
+        lines = lines.replace(old, new)
+    inside = ["and dw/dx = -f'(x) in the contact."] if quantity.suffix == "s" else []
+    return [*lines.split("\n"), *inside]
+
+
+def _notes(profile: Profile, quantity: Quantity, used: Collection[str]) -> str:
+    """Validity, what gives NaN, parity, evaluation, singularities and the key."""
+    fields = [str(argument) for argument in quantity.arguments if argument != nt.x]
+    out = [f"Valid for {profile.validity}."]
+    if quantity.parity and nt.e not in profile.parameters:
+        out.append(f"The formula is for x >= 0; the function is {quantity.parity}.")
+    out += [_outside(profile, quantity, fields)]
+    if any("_integral" in name or name in BEYOND or name.startswith("power_") for name in used):
+        out.append("Evaluated as an integral over the growing contact by a Gauss-Legendre rule.")
+    if {"ring_of_zero_pressure", "outside_zero_pressure"}.intersection(used):
+        out.append("The place of first zero pressure is found by Newton's method.")
+    if "inverse" in used:
+        out.append("Evaluated by a safeguarded Newton iteration.")
+    if profile.note and quantity.suffix in ("p", "cw"):
+        out.append(f"{docstring.capital(profile.note)}.")
+    defined = ", the definition of the profile" if quantity.suffix == "f" else ""
+    return " ".join([*filter(None, out), f"Handbook: plane.{profile.name}.{quantity.suffix}{defined}."])
+
+
+def _outside(profile: Profile, quantity: Quantity, fields: Sequence[str]) -> str:
+    if not fields:
+        return "NaN gives NaN." if quantity.arguments else ""
+    text = "Negative or NaN field values" if nt.x not in quantity.arguments else f"Negative {fields[-1]} and NaN"
+    more = []
+    if nt.L in quantity.arguments:
+        more.append("points in the contact, L < a")
+    if profile.truncated and nt.a in quantity.arguments:
+        more.append(f"half-widths below {profile.breaks[0]} among larger ones")
+    if "P" in fields and any(rule for rule in profile.pieces if rule.expr != 0) and profile.complete:
+        more.append("loads below minimum_load()")
+    return f"{text}{''.join(f', and {one}' for one in more)}{',' if more else ''} give NaN."
+
+
+def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     """Add the private functions."""
-    if nt.e in functions.profile.parameters:
+    if _eccentric(functions.profile):
         complete.add_all(entries, functions)
-        return None
-    if functions.profile.complete:
-        Complete(entries, functions).add_all()
-        return None
-    compact = Compact(entries, functions)
-    compact.add_all()
-    return compact
+    else:
+        (Complete if functions.profile.complete else Compact)(entries, functions).add_all()
