@@ -35,14 +35,8 @@ def numbers_first(result: Node, given: set[str]) -> Node:
         factor = _power_of_two(node) if node in arrays else None
         if factor is not None:
             made[node] = _times(graph, operands[0], graph.number(factor), numbers)
-        elif node.name in ("argument", "number"):
-            made[node] = graph.copied(node)
-        elif node.name == "where":
-            made[node] = graph.choice(*operands)
-        elif node.name == "unless":
-            made[node] = graph.unless(*operands)
         else:
-            made[node] = graph.operation(node.name, *operands)
+            made[node] = graph.remade(node, operands)
         if node not in arrays:
             numbers.add(made[node])
     return made[result]
@@ -84,13 +78,7 @@ def without_choice(result: Node, given: set[str]) -> Node:
     nodes = needed(inside)
     arrays = depending(nodes, given)
     for node in nodes:
-        operands = [made[x] for x in node.operands]
-        if node.name in ("argument", "number"):
-            made[node] = graph.copied(node)
-        elif node.name == "where":
-            made[node] = graph.choice(*operands)
-        else:
-            made[node] = graph.operation(node.name, *operands)
+        made[node] = graph.remade(node, [made[x] for x in node.operands])
         known = [signs[x] for x in node.operands]
         if node.name == "subtract" and node.operands == (a, r):
             made[node], known = graph.operation("maximum", made[node], graph.number(0.0)), []
@@ -114,12 +102,10 @@ def _sign(node: Node, known: list[int | None]) -> int | None:
         return max(ordered)
     if node.name == "multiply":
         return min(ordered)
-    if node.name in ("divide", "arctan2"):
+    if node.name in ("divide", "arctan2", "power"):
         return known[0] if known[1] == 1 else None
     if node.name == "subtract":
         return known[0] if known[1] == 0 else None
-    if node.name == "power":
-        return known[0] if known[1] == 1 else None
     return known[0] if node.name in ODD else None
 
 

@@ -75,9 +75,13 @@ class Graph:
         """A number that stands in the body."""
         return self._node("number", (), value if isinstance(value, bool) else float(value))
 
-    def copied(self, node: Node) -> Node:
-        """An argument or a number of another graph."""
-        return self._node(node.name, (), node.value)
+    def remade(self, node: Node, operands: Sequence[Node]) -> Node:
+        """An argument, a number, or an operation of another graph on operands of this one."""
+        if node.name in ("argument", "number"):
+            return self._node(node.name, (), node.value)
+        if node.name == "where":
+            return self.choice(*operands)
+        return self.unless(*operands) if node.name == "unless" else self.operation(node.name, *operands)
 
     def operation(self, name: str, *operands: Node) -> Node:
         """One of NumPy's functions of earlier nodes; of numbers alone its value."""
