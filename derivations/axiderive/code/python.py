@@ -15,8 +15,7 @@ from . import subsurface
 from .module import PACKAGE, PLACE, Module, package_source, runtime_sources
 from .private import parameter_name
 from .programs import program_sources
-from .refusals import refusal_source
-from .systems import alone, superposed
+from .systems import alone, refusal_source, superposed
 from .tables import kernels_source, nodes_source, symbols_sources
 
 NODE_COUNTS = (8, 16, 24, 32, 64, 128)

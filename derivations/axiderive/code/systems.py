@@ -1,4 +1,4 @@
-"""The module of a system for one profile: by itself, or on that of the normal contact."""
+"""The module of a system for one profile: by itself, on that of the normal contact, or saying why it is empty."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from ..physics import normal as pressed
 from ..physics import plane as strips
 from ..physics import subsurface as deep
 from ..physics.systems import System
+from ..profiles.profile import Profile
 from . import normal, subsurface
+from .docstring import wrapped
 from .graded import adhesive as graded_adhesive
 from .graded import compact, complete
 from .module import Module
@@ -77,3 +79,42 @@ def _parts(writer: Writer) -> Parts:
     if writer.profile.complete:
         return detachment
     return graded_adhesive if writer.system.medium.graded else adhesive
+
+
+REFUSAL = '''"""{title}: no {group} functions.
+
+{wrapped}
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__: list[str] = []
+
+_REASON = (
+{literal}
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("__"):
+        raise AttributeError(name)
+    message = f"{{name}} is not defined: {{_REASON}}"
+    raise AttributeError(message)
+
+
+def __dir__() -> list[str]:
+    return __all__
+'''
+
+
+def refusal_source(system: System, profile: Profile) -> str:
+    """A module whose functions do not exist, and which says why."""
+    reason = system.refusal(profile).replace(profile.name, profile.title, 1)
+    if system.physics.beside and system.base:
+        reason += f", with F from {system.base.package}.{profile.name}.force"
+    lines = wrapped(reason)
+    literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
+    group = system.physics.name
+    return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)
