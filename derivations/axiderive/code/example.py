@@ -18,7 +18,7 @@ from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
 from ..physics.systems import System
 from ..profiles.profile import Profile
-from .layout import fit
+from .function import fit
 
 Values = dict[sp.Symbol, sp.Expr]
 MODULI: Values = {nt.E_star: sp.S.One, nt.H: sp.S.One, nt.k: sp.Rational(1, 4)}

@@ -1,13 +1,16 @@
-"""A function of a generated module as data: what it takes, its lines, and the names it rests on."""
+"""A function of a generated module as data: what it takes, its lines, and the names it rests on.
+
+Calls, definitions and imports are laid out over lines as the formatter of the project lays them out.
+"""
 
 from __future__ import annotations
 
 import ast
+import re
+import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-
-from .layout import fit
 
 TYPES = {"control": "str"}
 """Of parameters that are neither numbers nor arrays."""
@@ -102,3 +105,78 @@ def reached(functions: Iterable[Function], roots: Iterable[Function]) -> list[Fu
             found.add(name)
             pending += known[name].uses
     return [own for name, own in known.items() if name in found]
+
+
+LINE = 120
+
+
+def call(head: str, parts: Sequence[str], tail: str = ")", indent: int = 4) -> list[str]:
+    """`head(parts)tail` on one line, else its parts on a line of their own, else one part to a line.
+
+    The lines come without the indentation of the block they stand in.
+    """
+    joined = ", ".join(parts)
+    if indent + len(head) + 1 + len(joined) + len(tail) <= LINE:
+        return [f"{head}({joined}{tail}"]
+    if indent + 4 + len(joined) <= LINE:
+        return [f"{head}(", f"    {joined}", tail]
+    return [f"{head}(", *(f"    {part}," for part in parts), tail]
+
+
+def from_import(source: str, names: Sequence[str]) -> list[str]:
+    """An import, its names in the order constants, classes, functions."""
+    ordered = sorted(set(names), key=_kind)
+    line = f"from {source} import {', '.join(ordered)}"
+    return [line] if len(line) <= LINE else [f"from {source} import (", *(f"    {name}," for name in ordered), ")"]
+
+
+def _kind(name: str) -> tuple[int, str]:
+    if name.isupper() and len(name) > 1:
+        return 0, name
+    return (1 if name[:1].isupper() else 2), name
+
+
+def fit(line: str, indent: int = 4) -> list[str]:
+    """A line, or its last bracket opened where it is too long for one."""
+    if indent + len(line) <= LINE or ")" not in line:
+        return [line]
+    close = line.rindex(")")
+    place = _opening(line, close)
+    head, parts = line[:place], split(line[place + 1 : close])
+    # a comma behind the only part of a bracket that calls nothing would make it a tuple
+    if parts[-1].startswith("for ") or (len(parts) == 1 and not re.search(r"\w$", head)):
+        inside = line[place + 1 : close]
+        parts = [inside] if indent + 4 + len(inside) <= LINE else parts
+        return [f"{head}(", *(f"    {part}" for part in parts), line[close:]]
+    return call(head, parts, line[close:], indent)
+
+
+def split(text: str) -> list[str]:
+    """The parts between the commas outside all brackets and quotes; of what is generated the value, and the rest."""
+    parts, depth, quoted = [""], 0, False
+    for place, character in enumerate(text):
+        quoted ^= character == '"'
+        depth += (character in "([{") - (character in ")]}")
+        if depth == 0 and text.startswith(" for ", place):
+            return [text[:place], text[place + 1 :]]
+        if character == "," and depth == 0 and not quoted:
+            parts.append("")
+        else:
+            parts[-1] += character
+    return [part.strip() for part in parts]
+
+
+def _opening(line: str, close: int) -> int:
+    depth = 0
+    for place in range(close, -1, -1):
+        depth += (line[place] == ")") - (line[place] == "(")
+        if depth == 0:
+            return place
+    message = f"unbalanced brackets in {line!r}"
+    raise ValueError(message)
+
+
+def literal(text: str) -> list[str]:
+    """A message as adjacent string literals that fit on their lines."""
+    parts = [text] if len(text) <= 109 else textwrap.wrap(text, 100, drop_whitespace=False)
+    return [f'    "{part}"' for part in parts[:-1]] + [f'    "{parts[-1]}",']

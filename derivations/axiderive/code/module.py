@@ -11,8 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from ..physics.systems import Problem, System
-from .function import Function
-from .layout import LINE, from_import
+from .function import LINE, Function, from_import
 from .tables import KERNELS, STARTS
 
 PACKAGE = "axicontact"

@@ -100,7 +100,7 @@ class PrivateFunctions:
         outside, inside = expr.as_independent(sp.Add, sp.Sum, as_Add=False)
         if isinstance(inside, sp.Sum) and outside != 1:
             total = python(inside)
-            lines += _generator(total.removeprefix("sum("))
+            lines.append(f"terms = ({total.removeprefix('sum(')}")
             return python(outside * named("total")).replace("total", "sum(terms)")
         if inside.is_Add:
             plus = sp.Add(*(term for term in inside.args if not term.could_extract_minus_sign()))
@@ -138,11 +138,6 @@ def through_sine(expr: sp.Expr, abbreviations: Sequence[tuple[sp.Symbol, sp.Expr
                 sine = sines.pop()
                 return SineRoot(length, definition / sine, sine.args[0])
     return expr
-
-
-def _generator(terms: str) -> list[str]:
-    line = f"terms = ({terms}"
-    return [line] if len(line) <= LINE else ["terms = (", f"    {terms.removesuffix(')')}", ")"]
 
 
 def parameter_name(symbol: sp.Symbol | sp.IndexedBase) -> str:

@@ -28,8 +28,7 @@ from ..stable.signs import facts_of
 from ..stable.slopes import singular_at_break, slope_form
 from . import docstring
 from .bodies.regimes import Regimes
-from .function import Function
-from .layout import from_import
+from .function import Function, from_import
 from .module import PLACE, Module
 from .private import PrivateFunctions
 from .text import python

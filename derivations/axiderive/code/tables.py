@@ -24,7 +24,7 @@ from ..physics import normal
 from ..profiles import load
 from ..stable.kernels import fit
 from ..stable.reference import share_of_peak
-from . import layout
+from .function import call
 
 
 def gauss_legendre(count: int) -> list[tuple[float, float]]:
@@ -339,7 +339,7 @@ def _row(record: nt.Notation) -> list[str]:
     instead, letter = INSTEAD.get(record.symbol, ""), record.letter
     named = {"closed": closed, "instead": instead, "letter": letter}
     parts += [f'{name}="{text}"' for name, text in named.items() if text]
-    lines = layout.call(f'"{record.name}": Domain', parts, "),")
+    lines = call(f'"{record.name}": Domain', parts, "),")
     return ["    " + line for line in lines]
 
 

@@ -15,8 +15,7 @@ from ..physics.systems import System
 from ..profiles.profile import Profile
 from . import docstring
 from .example import Example
-from .function import Function
-from .layout import literal
+from .function import Function, literal
 from .module import Module
 from .private import parameter_name
 from .text import python

@@ -8,7 +8,7 @@ import re
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 
-from ...code.layout import fit
+from ...code.function import fit
 from .library import documentation, source, text_in
 
 WIDTH = 110
