@@ -14,7 +14,6 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from types import FunctionType, ModuleType
-from typing import TypeGuard
 
 from ...stable.measure import imported
 from ..module import PACKAGE, PLACE
@@ -109,38 +108,41 @@ def _folders(path: str) -> Iterator[str]:
 
 def _calls(module: ModuleType, text: str) -> Iterator[Call]:
     """The formulas that the functions of a module evaluate."""
-    for public in ast.parse(text).body:
-        if not isinstance(public, ast.FunctionDef):
-            continue
-        calls = [node for node in ast.walk(public) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)]
-        orders = tuple(
-            (call.args[1].id, call.args[0].id)  # type: ignore[attr-defined]
-            for call in calls
-            if call.func.id == REACH  # type: ignore[attr-defined]
-        )
-        required = {k.arg for call in calls if call.func.id == REQUIRE for k in call.keywords}  # type: ignore[attr-defined]
-        for call in calls:
-            if call.func.id not in EVALUATING:  # type: ignore[attr-defined]
+    for _, calls in _functions(text):
+        reaching = [call.args for name, call in calls if name == REACH]
+        orders = tuple((ast.unparse(least), ast.unparse(radius)) for radius, least, *_ in reaching)
+        required = {k.arg for name, call in calls if name == REQUIRE for k in call.keywords}
+        for name, call in calls:
+            if name not in EVALUATING:
                 continue
             named, words = _bound(call.args[0])
             formula = _named(module, named)
             if formula is not None and WORDS.issuperset(words):
                 keywords = tuple(str(k.arg) for k in call.keywords if k.arg != "unused")
-                unused = [n.id for k in call.keywords if k.arg == "unused" for n in ast.walk(k.value) if _is_name(n)]
+                apart = [part for k in call.keywords if k.arg == "unused" for part in ast.walk(k.value)]
+                unused = tuple(part.id for part in apart if isinstance(part, ast.Name))
                 fields = _arguments(formula)[: len(call.args) - 1]
                 signed = () if fields else tuple(name for name in keywords if name not in required)
-                yield Call(formula, fields, keywords, orders, tuple(unused), signed, words)
+                yield Call(formula, fields, keywords, orders, unused, signed, words)
+
+
+def _functions(text: str) -> Iterator[tuple[ast.FunctionDef, list[tuple[str, ast.Call]]]]:
+    """The functions of a module with all calls in them, by the names that are called."""
+    for own in ast.parse(text).body:
+        if isinstance(own, ast.FunctionDef):
+            calls = [node for node in ast.walk(own) if isinstance(node, ast.Call)]
+            yield own, [(call.func.id, call) for call in calls if isinstance(call.func, ast.Name)]
 
 
 def _single(module: ModuleType, text: str) -> dict[str, FunctionType]:
     """The formulas of the functions of a module that evaluate one, by the names of these."""
     found: dict[str, FunctionType] = {}
-    for public in ast.parse(text).body:
-        if not isinstance(public, ast.FunctionDef) or public.name.startswith("_"):
+    for public, calls in _functions(text):
+        evaluated = [call for name, call in calls if name in EVALUATING]
+        if public.name.startswith("_"):
             continue
-        calls = [own for own in ast.walk(public) if isinstance(own, ast.Call) and ast.unparse(own.func) in EVALUATING]
-        if len(calls) == 1:
-            formula = _named(module, _bound(calls[0].args[0])[0])
+        if len(evaluated) == 1:
+            formula = _named(module, _bound(evaluated[0].args[0])[0])
         elif isinstance(own := public.body[-2:][0], ast.ImportFrom):
             # what another contact has too
             home = import_module(f"{'.' * own.level}{own.module}.{own.names[0].name}", module.__package__)
@@ -149,10 +151,6 @@ def _single(module: ModuleType, text: str) -> dict[str, FunctionType]:
             continue
         found |= {public.name: formula} if formula else {}
     return found
-
-
-def _is_name(node: ast.AST) -> TypeGuard[ast.Name]:
-    return isinstance(node, ast.Name)
 
 
 def _arguments(formula: FunctionType) -> tuple[str, ...]:

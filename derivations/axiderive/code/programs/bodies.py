@@ -180,7 +180,7 @@ class Twins:
 
     def _source(self, path: str, twin: Twin) -> str:
         level = "." * (path.count(".") + 3)
-        order = {name: place for place, name in enumerate(_defined(self.texts[path]))}
+        order = {name: place for place, name in enumerate(_bodies(self.texts[path]))}
         functions = sorted(twin.functions.values(), key=lambda one: order[one.__name__])
         lines = ["from __future__ import annotations", "", *(f"import {name}" for name in sorted(twin.others)), ""]
         for name, module in sorted(twin.modules.items()):
@@ -378,10 +378,6 @@ def _imports(text: str) -> list[ast.ImportFrom]:
 def _resolved(path: str, node: ast.ImportFrom) -> str:
     """The module below the package that a relative import in the module `path` stands for."""
     return ".".join([*path.split(".")[: -node.level], node.module or ""])
-
-
-def _defined(text: str) -> list[str]:
-    return list(_bodies(text))
 
 
 @cache
