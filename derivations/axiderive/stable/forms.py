@@ -38,12 +38,6 @@ class EvaluationForm:
     value: sp.Expr
     cancels: bool
 
-    def needs(self) -> set[sp.Symbol]:
-        """The symbols that must be given."""
-        named = {name for name, _ in self.steps}
-        used = self.value.free_symbols.union(*(expr.free_symbols for _, expr in self.steps))
-        return used - named
-
 
 @lru_cache(maxsize=2048)
 def evaluation_form(expr: sp.Expr, facts: Facts, variant: Variant = FULL) -> EvaluationForm:

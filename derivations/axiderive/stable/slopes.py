@@ -2,39 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
 from functools import lru_cache
 
 import sympy as sp
 
-from ..entry import Case, Entry, Quantity
-from ..notation import E_star, a, d, t
+from ..entry import Entry
+from ..notation import a, t
 from .forms import EvaluationForm
 from .rewriting import Rewriting, gamma_ratios
 from .signs import Facts, cancels, squares
 from .variants import FULL, Variant
 
 ROOT = "root"
-RATE = Quantity("slope", "rate", "Rate of growth", d, (a,))
-"""What the choice of its form is recorded as: it is no result of its own, but all rules and iterations call it."""
-
-
-def rate(entries: Mapping[str, Entry]) -> Entry | None:
-    """g'(a) of a compact contact, in the plane P'(a)/E_star beside a break; None where no function evaluates it."""
-    base = entries.get("P", entries.get("d"))
-    if base is None or not base.profile.compact or base.suffix == "P" and not base.profile.breaks:
-        return None
-    if base.status != "closed" or any(case.expr.has(sp.Sum, sp.Integral) for case in base.cases):
-        return None
-    unit = E_star if base.suffix == "P" else sp.S.One
-    cases = tuple(Case(case.chain, sp.diff(case.expr / unit, a)) for case in base.cases)
-    return replace(base, key=rate_key(base), quantity=RATE, cases=cases)
+RATE = "slope"
+"""As what the choice of its form is recorded: it is no result of its own, but all rules and iterations call it."""
 
 
 def rate_key(entry: Entry) -> str:
     """The key under which the form of the rate is chosen, from that of any entry of the problem."""
-    return f"{entry.key.rpartition('.')[0]}.{RATE.suffix}"
+    return f"{entry.key.rpartition('.')[0]}.{RATE}"
 
 
 @lru_cache(maxsize=512)
