@@ -19,7 +19,7 @@ import sympy as sp
 from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries, written
 
 from axiderive import notation as nt
-from axiderive.code.plane.interface import module
+from axiderive.code.plane import module
 from axiderive.entry import Case, Entry
 from axiderive.oracle.plane import GUARD, defined
 from axiderive.profiles import plane

@@ -17,7 +17,7 @@ import pytest
 from plane_modules import ACCURACY, CONCAVE, SMOOTH, entries
 from stored_book import CATALOGUE
 
-from axiderive.code.plane.interface import module as written
+from axiderive.code.plane import module as written
 from axiderive.profiles import plane
 
 EPS = 2.0**-52

@@ -14,13 +14,12 @@ from ..physics import plane as strips
 from ..physics import subsurface as deep
 from ..physics.systems import System
 from ..profiles.profile import Profile
-from . import normal, subsurface
+from . import normal, plane, subsurface
 from .docstring import wrapped
 from .graded import adhesive as graded_adhesive
 from .graded import compact, complete
 from .module import Module
 from .physics import adhesive, detachment, loads, materials, stated
-from .plane import interface as plane
 from .writer import Writer
 
 Entries = Mapping[str, Entry]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .. import notation as nt
-from ..code.plane import interface as strips
+from ..code import plane as strips
 from ..exits import USAGE, CommandError
 from . import evidence, interface
 from .contact import Contact

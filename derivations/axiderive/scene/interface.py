@@ -9,7 +9,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..code.plane.interface import SHAPE
+from ..code.plane import SHAPE
 from ..code.tables import bounds
 from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of

@@ -13,7 +13,7 @@ from ..book import notation_table
 from ..book.page import PANEL, shape_tex, symbols
 from ..build import pdf
 from ..build.work import read_entries
-from ..code.plane import interface as strips
+from ..code import plane as strips
 from ..entry import Entry
 from ..exits import CommandError
 from ..physics import general

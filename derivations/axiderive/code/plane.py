@@ -6,21 +6,19 @@ from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
-from ... import notation as nt
-from ...entry import Entry, Quantity
-from ...letters import name_of
-from ...physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
-from ...physics.systems import BY_NAME
-from ...profiles.profile import Profile
-from .. import docstring
-from ..bodies.regimes import split
-from ..function import Function, reached
-from ..module import Module
-from ..private import PrivateFunctions
-from ..writer import Writer, check, required
-from . import complete
-from .compact import Compact
-from .complete import Complete
+from .. import notation as nt
+from ..entry import Entry, Quantity
+from ..letters import name_of
+from ..physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
+from ..physics.systems import BY_NAME
+from ..profiles.profile import Profile
+from . import docstring
+from .bodies import strips
+from .bodies.regimes import split
+from .function import Function, reached
+from .module import Module
+from .private import PrivateFunctions
+from .writer import Writer, check, required
 
 SYSTEM = BY_NAME["plane"]
 SHAPE = Quantity("f", "profile", "Profile", nt.f, (nt.x,), parity="even", summary="Profile f(x) of the indenter.")
@@ -136,6 +134,6 @@ def _outside(profile: Profile, quantity: Quantity, fields: Sequence[str]) -> str
 def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> None:
     """Add the private functions."""
     if _eccentric(functions.profile):
-        complete.add_all(entries, functions)
+        strips.add_all(entries, functions)
     else:
-        (Complete if functions.profile.complete else Compact)(entries, functions).add_all()
+        (strips.Complete if functions.profile.complete else strips.Compact)(entries, functions).add_all()
