@@ -139,18 +139,19 @@ RATIOS = ("1e-300", "1e-12", "1e-5", "0.01", "0.3", "0.7", "0.99", "0.99999", "0
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
-@pytest.mark.parametrize("scale", [1e-90, 1.0, 1e60])
+@pytest.mark.parametrize("scale", [1e-60, 1.0, 1e60])
 def test_the_module_keeps_its_digits_at_all_sizes_of_the_stick_zone(ratio: str, scale: float) -> None:
     """Everything scales with powers of a; the exact numbers are those of c as the module gets it."""
     a, c = scale, scale * float(ratio)
     with mp.workdps(40):
         share = mp.mpf(c) / mp.mpf(a)
-        at = {**SLIPPING, nt.c: share, nt.R: mp.mpf(GIVEN["R"]), nt.mu: mp.mpf(GIVEN["mu"])}
-        angle = value(SPHERE["b"], at) * a
-        assert abs(paraboloid.slip_angle(a, c, G=2.0, **GIVEN) / angle - 1) < 2e-14
-        torque = value(SPHERE["M"], at) if share > mp.mpf("1e-5") else value(SPHERE["Ms"], at)
-        got = paraboloid.torque(a, c, **GIVEN) / scale / scale / scale / scale
-        assert abs(got / torque - 1) < (1e-13 if share > mp.mpf("1e-5") else 1e-9)
+        at = {**SLIPPING, nt.c: share, nt.mu: mp.mpf(GIVEN["mu"])}
+        # a zone of stick this small takes nothing of the torque, and of the integral all digits
+        torque = value(SPHERE["M" if share > mp.mpf("1e-6") else "Ms"], at)
+    with mp.workdps(640):
+        angle = value(SPHERE["b"], at)
+    assert abs(paraboloid.slip_angle(a, c, G=2.0, **GIVEN) / scale / angle - 1) < 1e-14
+    assert abs(paraboloid.torque(a, c, **GIVEN) / scale / scale / scale / scale / torque - 1) < 1e-13
 
 
 @pytest.mark.parametrize("place", [1e-200, 1e-3, 0.2, 0.5, 0.5999999, 0.61, 0.9999999])

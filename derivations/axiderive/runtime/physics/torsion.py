@@ -16,8 +16,10 @@ from ..special import arctan_gap
 from .circle import SHORTEST, elliptic
 
 NODES = 32
-NEAR = 0.25
-"""Of pi/2: how close the end of a contact comes to the path over the inner half of a ring."""
+NEAR = 0.14
+"""Of pi/2: how close the edge comes to the path over the inner half of a ring; of a narrow one, over its width."""
+LEAST = 1e-9
+"""Share of a stick zone below which it takes nothing of the torque: the loss falls with its third power."""
 
 
 class TorsionStress(NamedTuple):
@@ -88,6 +90,7 @@ def slipping_traction(r: Array, a: Array, c: Array) -> Array:
 
 def slipping_torque(a: Array, c: Array) -> Array:
     """Torque over mu E_star/R: of the disc that turns, and of the ring, inside and outside of half its area."""
+    c = np.maximum(c, LEAST * a)
     length = difference_root(a, c)
     ratio = length / c
     half = np.sqrt(0.5)
@@ -104,5 +107,6 @@ def slipping_torque(a: Array, c: Array) -> Array:
         return cosine * cosine * sine * arm(sine, np.sqrt(c * c + (length * sine) ** 2))
 
     stop = np.arcsinh(half * ratio)
-    ring = integral_in_strip(inner, stop, NEAR) + integral(outer, np.full_like(stop, np.pi / 4.0), NODES)
+    ring = integral_in_strip(inner, stop, NEAR * np.clip(ratio, LEAST, 1.0))
+    ring = ring + integral(outer, np.full_like(stop, np.pi / 4.0), NODES)
     return 16.0 / np.pi * (c**3 / 3.0 * turned(a, c) + length**3 * np.where(a > c, ring, 0.0))
