@@ -134,3 +134,13 @@ def test_a_fixed_edge_and_a_telephone(opened: tuple[Chromium, str]) -> None:
     assert number(found["dF"]) == pytest.approx(flat_punch.depth_from_force(1e3, a=2e-3, E_star=1e11), rel=1e-4)
     assert browser.value("document.documentElement.scrollWidth") <= PHONE
     assert browser.said() == []
+
+
+def test_an_end_that_belongs_to_its_domain(opened: tuple[Chromium, str]) -> None:
+    """A stick zone that has shrunk to nothing is full slip."""
+    browser, root = opened
+    browser.open(f"{root}/{ADDRESS}")
+    typed(browser, "radius of the stick", "0 m")
+    assert faults(browser) == []
+    found = browser.value(SHOWN)
+    assert number(found["tan.F"]) == pytest.approx(0.3 * number(found["F"]), rel=1e-3)
