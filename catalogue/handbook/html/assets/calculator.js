@@ -32,7 +32,8 @@ function valueOf(field, text) {
   const size = value * (unit ? known[unit] : 1);
   const found = half ? Math.PI / 2 - size : size;
   const low = field.low ?? -Infinity, high = field.high ?? Infinity;
-  const inside = (found > low || (field.closed === "low" && found === low)) && (found < high || (field.closed === "high" && found === high));
+  const at = (end, edge) => field.closed.includes(edge) && found === end;
+  const inside = (found > low || at(low, "low")) && (found < high || at(high, "high"));
   if (!inside) throw new Error(`${text.trim()} is outside ${field.rule}`);
   return found;
 }

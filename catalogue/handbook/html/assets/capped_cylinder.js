@@ -133,32 +133,6 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const halves = (x) => {
-  let high;
-  high = (134217729.0 * x);
-  high = (high - (high - x));
-  return [high, (x - high)];
-};
-
-const _lost = (x, y, product) => {
-  let x_high, x_low, y_high, y_low;
-  [[x_high, x_low], [y_high, y_low]] = [halves(x), halves(y)];
-  return (((((x_high * y_high) - product) + (x_high * y_low)) + (x_low * y_high)) + (x_low * y_low));
-};
-
-const difference_of_products = (w, x, y, z) => {
-  let left, right;
-  [left, right] = [(w * x), (y * z)];
-  return ((left - right) + (_lost(w, x, left) - _lost(y, z, right)));
-};
-
-const _force = (d, a, R, E_star) => {
-  let excess, rho;
-  excess = (difference_of_products(R, d, a, a) / R);
-  rho = math.minimum(Math.sqrt((R * d)), a);
-  return (((((4 * E_star) / 3) * rho) * math.minimum(d, (Math.pow(a, 2) / R))) + (((2 * E_star) * a) * math.maximum(excess, 0.0)));
-};
-
 const force = (d, a, R, E_star) => {
   let v10, v11, v12, v14, v15, v24, v26, v27, v38, v39, v4, v48, v5, v8, value;
   v4 = (R * d);
@@ -176,20 +150,7 @@ const force = (d, a, R, E_star) => {
   v39 = Math.sqrt(v4);
   v48 = ((a * a) / R);
   value = (((((4.0 * E_star) / 3.0) * (((v39 < a) || (v39 !== v39)) ? v39 : a)) * (((d < v48) || (d !== d)) ? d : v48)) + (((2.0 * E_star) * a) * (((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force(d, a, R, E_star);
-};
-
-const _pressure = (r, d, a, R, E_star) => {
-  let edge, excess, face, root, square;
-  excess = (difference_of_products(R, d, a, a) / R);
-  square = math.where((excess > 0.0), ((a - r) * (a + r)), difference_of_products(R, d, r, r));
-  root = Math.sqrt(math.maximum(square, 0.0));
-  face = (((2 * E_star) * root) / (Math.PI * R));
-  edge = math.where((excess > 0.0), (((E_star / Math.PI) * excess) / Math.sqrt(((a - r) * (a + r)))), 0.0);
-  return math.where((r <= a), (face + edge), 0.0);
+  return value;
 };
 
 const pressure = (r, d, a, R, E_star) => {
@@ -220,54 +181,9 @@ const pressure = (r, d, a, R, E_star) => {
       v61 = ((v5 - v45) + (v24 - (((((v49 * v49) - v45) + (v49 * v50)) + (v50 * v49)) + (v50 * v50))));
     }
     value = ((((2.0 * E_star) * Math.sqrt((((v61 > 0.0) || (v61 !== v61)) ? v61 : 0.0))) / (3.141592653589793 * R)) + (v41 ? (((E_star / 3.141592653589793) * v39) / Math.sqrt(v44)) : 0.0));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _pressure(r, d, a, R, E_star);
+    return value;
   }
   return 0.0;
-};
-
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _profile = (r, a, R) => {
-  return math.where((r <= a), (Math.pow(r, 2) / (2 * R)), NaN);
-};
-
-const _displacement = (r, d, a, R) => {
-  let angle, edge, excess, face, rho;
-  excess = (difference_of_products(R, d, a, a) / R);
-  rho = math.minimum(Math.sqrt((R * d)), a);
-  face = (math.minimum(d, (Math.pow(a, 2) / R)) * beside(r, rho, OUTSIDE_2));
-  angle = Math.atan2(a, Math.sqrt(((r - a) * (r + a))));
-  edge = math.where((excess > 0.0), (math.maximum(excess, 0.0) * angle), 0.0);
-  return math.where((r > rho), ((2 / Math.PI) * (face + edge)), (d - _profile(r, a, R)));
 };
 
 const displacement = (r, d, a, R) => {
@@ -291,16 +207,10 @@ const displacement = (r, d, a, R) => {
     v50 = (v40 / (r + Math.sqrt(((r - v40) * (r + v40)))));
     v52 = (v50 * v50);
     value = (0.6366197723675814 * (((((d < v43) || (d !== d)) ? d : v43) * ((v40 / r) * (0.6666666666666666 + (v52 * ((((((((((((((((((-0.7327347664453868) * v52) + (-32.15553480435792)) * v52) + (-332.23363563146734)) * v52) + (-1070.7082873491413)) * v52) + (-85.27694715374247)) * v52) + 5044.821368830373) * v52) + 8082.413158212496) * v52) + 3759.725330928701) * v52) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v52) + 32.12935731379798) * v52) + 746.8124983579742) * v52) + 6202.125133759036) * v52) + 23553.080984642995) * v52) + 44404.005348491315) * v52) + 40380.01430284195) * v52) + 14099.684276696918) * v52) + 1.0)))))) + ((v38 > 0.0) ? ((((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0) * Math.atan2(a, Math.sqrt(((r - a) * (r + a))))) : 0.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _displacement(r, d, a, R);
-  }
-  value = (d - ((r <= a) ? ((r * r) / (2.0 * R)) : NaN));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
     return value;
   }
-  return _displacement(r, d, a, R);
+  value = (d - ((r <= a) ? ((r * r) / (2.0 * R)) : NaN));
+  return value;
 };
 
 const stiffness = (d, a, R, E_star) => {

@@ -395,7 +395,9 @@ const _radius_from_depth = (d, theta, E_star, dgamma) => {
 };
 
 const radius_from_depth_of_cone = (d, theta, E_star, dgamma) => {
-  return _radius_from_depth(d, theta, E_star, dgamma);
+  let value;
+  value = _radius_from_depth(d, theta, E_star, dgamma);
+  return value;
 };
 
 const _force = (a, theta, E_star) => {
@@ -419,11 +421,15 @@ const _radius_from_force = (F, theta, E_star, dgamma) => {
 };
 
 const radius_from_force_of_cone = (F, theta, E_star, dgamma) => {
-  return _radius_from_force(F, theta, E_star, dgamma);
+  let value;
+  value = _radius_from_force(F, theta, E_star, dgamma);
+  return value;
 };
 
 const tangential_force = (a, c, theta, E_star, mu) => {
-  return ((mu * ((((3.141592653589793 * E_star) * Math.tan(theta)) * (a * a)) / 2.0)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  let value;
+  value = ((mu * ((((3.141592653589793 * E_star) * Math.tan(theta)) * (a * a)) / 2.0)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const traction = (r, a, c, theta, E_star, mu) => {
@@ -443,31 +449,9 @@ const traction = (r, a, c, theta, E_star, mu) => {
 };
 
 const tangential_displacement = (a, c, theta, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * (((3.141592653589793 * Math.tan(theta)) * a) / 2.0)) * (-Math.expm1(((-1.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-};
-
-const _force_of_cone = (a, theta, E_star) => {
-  return ((((Math.PI * E_star) * Math.tan(theta)) * Math.pow(a, 2)) / 2);
-};
-
-const stick_force = (F, F_x, mu) => {
-  let v10, v4;
-  v4 = (F - (F_x / mu));
-  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
-  if ((v10 >= 0.0)) {
-    return v10;
-  }
-  return NaN;
-};
-
-const _radius_from_force_2 = (F, theta, E_star) => {
-  return Math.sqrt(((2 * F) / ((Math.PI * E_star) * Math.tan(theta))));
-};
-
-const _stick_radius = (F_x, a, theta, E_star, mu) => {
-  let F;
-  F = stick_force(_force_of_cone(a, theta, E_star), F_x, mu);
-  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, theta, E_star));
+  let value;
+  value = (((mu * (E_star / G_star)) * (((3.141592653589793 * Math.tan(theta)) * a) / 2.0)) * (-Math.expm1(((-1.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const stick_radius = (F_x, a, theta, E_star, mu) => {
@@ -480,10 +464,7 @@ const stick_radius = (F_x, a, theta, E_star, mu) => {
   v14 = (v12 - (F_x / mu));
   v20 = ((Math.abs(v14) <= (2e-16 * v12)) ? 0.0 : v14);
   value = Math.sqrt(((2.0 * ((v20 >= 0.0) ? v20 : NaN)) / v8));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _stick_radius(F_x, a, theta, E_star, mu);
+  return value;
 };
 
 const full_slip_displacement = (a, theta, E_star, G_star, mu) => {

@@ -139,19 +139,6 @@ const depth = (a, h, b) => {
   return (((h / b) * a) * (Math.log1p(((2.0 * a) / (b - a))) / 2.0));
 };
 
-const _force = (a, h, b, E_star) => {
-  let v14, v20, v55, v9;
-  v9 = (math.log1p(((2.0 * a) / (b - a))) / 2.0);
-  v14 = (a / b);
-  if ((v9 < 1.0)) {
-    v20 = (v9 * v9);
-    v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
-  } else {
-    v55 = (v9 - v14);
-  }
-  return ((E_star * h) * ((((a * a) * v9) / b) + (b * v55)));
-};
-
 const force = (a, h, b, E_star) => {
   let v14, v20, v55, v9, value;
   v9 = (Math.log1p(((2.0 * a) / (b - a))) / 2.0);
@@ -163,10 +150,7 @@ const force = (a, h, b, E_star) => {
     v55 = (v9 - v14);
   }
   value = ((E_star * h) * ((((a * a) * v9) / b) + (b * v55)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force(a, h, b, E_star);
+  return value;
 };
 
 const difference_root = (x, y) => {
@@ -276,48 +260,61 @@ const pressure = (r, a, h, b, E_star) => {
       v119 = ((v114 * v37) + 0.04000000000042643);
       v124 = ((v119 * v37) + 0.11111111111110937);
       value = (((E_star * h) / 3.141592653589793) * ((Math.asinh((Math.sqrt((v9 * v10)) / Math.sqrt(((b - a) * (a + b))))) / Math.sqrt((v5 * (r + b)))) + ((((2.0 * v26) / v31) * (((v124 * v37) + 1.0) + ((v36 * (v36 + v33)) * (((((((((((v100 + v99) * v38) + v104) * v38) + v109) * v38) + v114) * v38) + v119) * v38) + v124)))) / b)));
-      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-        return value;
-      }
-      return _pressure(r, a, h, b, E_star);
+      return value;
     }
     return 0.0;
   }
   return NaN;
 };
 
+const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const displacement = (r, a, h, b) => {
+  let node, v11, v12, v17, v20, v22, v31, v34, v36, v37, v38, v4, v42, v44, v45, v48, v5, v52, v53, v55, v58, v67, v68, v69, v79, value, weight;
+  if ((a <= b)) {
+    v58 = (h / b);
+    if ((r > a)) {
+      v4 = (((r < b) || (r !== r)) ? r : b);
+      if ((a < v4)) {
+        v5 = (v4 - a);
+        v11 = (a / Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (v4 + a))));
+        v12 = Math.asinh(v11);
+        v17 = (0.0 - Math.expm1(((-2.0) * v12)));
+        v20 = ((v17 > 0.0) ? v17 : Infinity);
+        v38 = (r - b);
+        v42 = Math.sqrt(((((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0) * (r + b)));
+        v44 = (v42 * v42);
+        v48 = (b - r);
+        v52 = Math.sqrt(((((v48 > 0.0) || (v48 !== v48)) ? v48 : 0.0) * (b + r)));
+        v53 = (v52 * v52);
+        v68 = [];
+        for ([node, weight] of RULE_0((v12 / 1.0))) {
+          v22 = (node * v12);
+          v31 = (v11 * ((Math.exp((-v22)) * (0.0 - Math.expm1(((-2.0) * (v12 - v22))))) / v20));
+          v34 = Math.sqrt((1.0 + (v31 * v31)));
+          v36 = (v4 * (v31 / v34));
+          v37 = (v4 / v34);
+          v45 = (v37 * v37);
+          v55 = Math.sqrt((v53 + v45));
+          v67 = ((((v58 * Math.asinh((v36 / v55))) + ((h * v36) / (v55 * v55))) * Math.atan2(v36, Math.sqrt((v44 + v45)))) * (v37 / v34));
+          v68.push((weight * v67));
+        }
+        v68 = (math.fsum(v68) * v12);
+        v69 = v68;
+      } else {
+        v69 = Infinity;
+      }
+      value = (0.6366197723675814 * v69);
+      return value;
+    }
+    v79 = (r / b);
+    return (((v58 * a) * (Math.log1p(((2.0 * a) / (b - a))) / 2.0)) - ((h * (r * r)) / ((b * b) * (Math.sqrt(((1.0 - v79) * (v79 + 1.0))) + 1.0))));
+  }
+  return NaN;
+};
+
 const stiffness = (a, E_star, h = 1.0, b = 1.0) => {
   return ((2.0 * E_star) * a);
-};
-
-const TANH_GAP = [[0.3333333333333333, 0.3073858328214721, 0.08608622548411103, 0.007076196047699156, 0.00019982814521087247, 1.0716932453474512e-06], [1.0, 0.32215749846441627, 0.03639274880225476, 0.001617010334189783, 2.0203143566039827e-05, 2.565078604208634e-08]];
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const tanh_gap = (y, x) => {
-  let t;
-  t = math.minimum(y, 1.0);
-  return math.where((y < 1.0), ((x * (x * x)) * rational((t * t), ...TANH_GAP)), (y - x));
-};
-
-const _force_of_ellipsoid = (a, h, b, E_star) => {
-  let angle;
-  angle = (Math.log1p(((2 * a) / (b - a))) / 2);
-  return ((E_star * h) * (((Math.pow(a, 2) * angle) / b) + (b * tanh_gap(angle, (a / b)))));
-};
-
-const _mean_pressure = (a, h, b, E_star) => {
-  return math.where((a > 0.0), (_force_of_ellipsoid(a, h, b, E_star) / (Math.PI * Math.pow(a, 2))), 0.0);
 };
 
 const mean_pressure = (a, h, b, E_star) => {
@@ -333,10 +330,7 @@ const mean_pressure = (a, h, b, E_star) => {
       v57 = (v11 - v16);
     }
     value = (((E_star * h) * (((v13 * v11) / b) + (b * v57))) / (3.141592653589793 * v13));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _mean_pressure(a, h, b, E_star);
+    return value;
   }
   return 0.0;
 };
@@ -490,7 +484,9 @@ const _radius_from_depth = (d, h, b) => {
 };
 
 const radius_from_depth = (d, h, b) => {
-  return _radius_from_depth(d, h, b);
+  let value;
+  value = _radius_from_depth(d, h, b);
+  return value;
 };
 
 const _force_at = (a, root, h, b, E_star) => {
@@ -525,7 +521,9 @@ const _radius_from_force = (F, h, b, E_star) => {
 };
 
 const radius_from_force = (F, h, b, E_star) => {
-  return _radius_from_force(F, h, b, E_star);
+  let value;
+  value = _radius_from_force(F, h, b, E_star);
+  return value;
 };
 
 const _force_from_depth = (d, h, b, E_star) => {
@@ -536,7 +534,9 @@ const _force_from_depth = (d, h, b, E_star) => {
 };
 
 const force_from_depth = (d, h, b, E_star) => {
-  return _force_from_depth(d, h, b, E_star);
+  let value;
+  value = _force_from_depth(d, h, b, E_star);
+  return value;
 };
 
 const _depth_from_force = (F, h, b, E_star) => {
@@ -547,24 +547,13 @@ const _depth_from_force = (F, h, b, E_star) => {
 };
 
 const depth_from_force = (F, h, b, E_star) => {
-  return _depth_from_force(F, h, b, E_star);
+  let value;
+  value = _depth_from_force(F, h, b, E_star);
+  return value;
 };
 
 const depth_of_ellipsoid = (a, h, b, E_star, dgamma) => {
   return ((((h / b) * a) * (Math.log1p(((2.0 * a) / (b - a))) / 2.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
-};
-
-const _force_2 = (a, h, b, E_star, dgamma) => {
-  let v10, v15, v21, v56;
-  v10 = (math.log1p(((2.0 * a) / (b - a))) / 2.0);
-  v15 = (a / b);
-  if ((v10 < 1.0)) {
-    v21 = (v10 * v10);
-    v56 = ((v15 * (v15 * v15)) * (((((((((((1.0716932453474512e-06 * v21) + 0.00019982814521087247) * v21) + 0.007076196047699156) * v21) + 0.08608622548411103) * v21) + 0.3073858328214721) * v21) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v21) + 2.0203143566039827e-05) * v21) + 0.001617010334189783) * v21) + 0.03639274880225476) * v21) + 0.32215749846441627) * v21) + 1.0)));
-  } else {
-    v56 = (v10 - v15);
-  }
-  return (((E_star * h) * ((((a * a) * v10) / b) + (b * v56))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
 };
 
 const force_of_ellipsoid = (a, h, b, E_star, dgamma) => {
@@ -578,10 +567,7 @@ const force_of_ellipsoid = (a, h, b, E_star, dgamma) => {
     v56 = (v10 - v15);
   }
   value = (((E_star * h) * ((((a * a) * v10) / b) + (b * v56))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force_2(a, h, b, E_star, dgamma);
+  return value;
 };
 
 const _pressure_2 = (r, a, h, b, E_star) => {
@@ -661,10 +647,133 @@ const pressure_of_ellipsoid = (r, a, h, b, E_star, dgamma) => {
     return _pressure_of_ellipsoid(r, a, h, b, E_star, dgamma);
   }
   value = (v148 - v161);
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
+  return value;
+};
+
+const RULE_0_of_ellipsoid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const displacement_of_ellipsoid = (r, a, h, b, E_star, dgamma) => {
+  let node, v105, v13, v14, v19, v22, v24, v33, v36, v38, v39, v40, v44, v46, v47, v50, v54, v55, v57, v6, v60, v69, v7, v70, v71, v81, v94, v95, v97, v98, value, weight;
+  v94 = (r > a);
+  if ((a <= b)) {
+    v60 = (h / b);
+    if (v94) {
+      v6 = (((r < b) || (r !== r)) ? r : b);
+      if ((a < v6)) {
+        v7 = (v6 - a);
+        v13 = (a / Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (v6 + a))));
+        v14 = Math.asinh(v13);
+        v19 = (0.0 - Math.expm1(((-2.0) * v14)));
+        v22 = ((v19 > 0.0) ? v19 : Infinity);
+        v40 = (r - b);
+        v44 = Math.sqrt(((((v40 > 0.0) || (v40 !== v40)) ? v40 : 0.0) * (r + b)));
+        v46 = (v44 * v44);
+        v50 = (b - r);
+        v54 = Math.sqrt(((((v50 > 0.0) || (v50 !== v50)) ? v50 : 0.0) * (b + r)));
+        v55 = (v54 * v54);
+        v70 = [];
+        for ([node, weight] of RULE_0_of_ellipsoid((v14 / 1.0))) {
+          v24 = (node * v14);
+          v33 = (v13 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v14 - v24))))) / v22));
+          v36 = Math.sqrt((1.0 + (v33 * v33)));
+          v38 = (v6 * (v33 / v36));
+          v39 = (v6 / v36);
+          v47 = (v39 * v39);
+          v57 = Math.sqrt((v55 + v47));
+          v69 = ((((v60 * Math.asinh((v38 / v57))) + ((h * v38) / (v57 * v57))) * Math.atan2(v38, Math.sqrt((v46 + v47)))) * (v39 / v36));
+          v70.push((weight * v69));
+        }
+        v70 = (math.fsum(v70) * v14);
+        v71 = v70;
+      } else {
+        v71 = Infinity;
+      }
+      v95 = (0.6366197723675814 * v71);
+    } else {
+      v81 = (r / b);
+      v95 = (((v60 * a) * (Math.log1p(((2.0 * a) / (b - a))) / 2.0)) - ((h * (r * r)) / ((b * b) * (Math.sqrt(((1.0 - v81) * (v81 + 1.0))) + 1.0))));
+    }
+    v97 = v95;
+  } else {
+    v97 = NaN;
   }
-  return _pressure_of_ellipsoid(r, a, h, b, E_star, dgamma);
+  if (v94) {
+    v98 = (r - a);
+    v105 = (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v98 > 0.0) || (v98 !== v98)) ? v98 : 0.0) * (r + a)))));
+  } else {
+    v105 = 1.0;
+  }
+  value = (v97 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v105));
+  return value;
+};
+
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const tangential_force = (a, c, h, b, E_star, mu) => {
+  let node, v101, v104, v107, v11, v111, v112, v116, v12, v121, v125, v129, v131, v145, v149, v150, v151, v152, v155, v16, v160, v161, v162, v165, v168, v179, v180, v181, v184, v22, v57, v60, v62, v65, v69, v74, v8, v98, value, weight;
+  v8 = (b - a);
+  v11 = (Math.log1p(((2.0 * a) / v8)) / 2.0);
+  v12 = (E_star * h);
+  v16 = (a / b);
+  if ((v11 < 1.0)) {
+    v22 = (v11 * v11);
+    v57 = ((v16 * (v16 * v16)) * (((((((((((1.0716932453474512e-06 * v22) + 0.00019982814521087247) * v22) + 0.007076196047699156) * v22) + 0.08608622548411103) * v22) + 0.3073858328214721) * v22) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v22) + 2.0203143566039827e-05) * v22) + 0.001617010334189783) * v22) + 0.03639274880225476) * v22) + 0.32215749846441627) * v22) + 1.0)));
+  } else {
+    v57 = (v11 - v16);
+  }
+  v60 = (v12 * ((((a * a) * v11) / b) + (b * v57)));
+  v62 = (b - c);
+  v65 = (Math.log1p(((2.0 * c) / v62)) / 2.0);
+  v69 = (c / b);
+  if ((v65 < 1.0)) {
+    v74 = (v65 * v65);
+    v98 = ((v69 * (v69 * v69)) * (((((((((((1.0716932453474512e-06 * v74) + 0.00019982814521087247) * v74) + 0.007076196047699156) * v74) + 0.08608622548411103) * v74) + 0.3073858328214721) * v74) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v74) + 2.0203143566039827e-05) * v74) + 0.001617010334189783) * v74) + 0.03639274880225476) * v74) + 0.32215749846441627) * v74) + 1.0)));
+  } else {
+    v98 = (v65 - v69);
+  }
+  v101 = (v12 * ((((c * c) * v65) / b) + (b * v98)));
+  v104 = (v101 >= (0.25 * v60));
+  if (v104) {
+    v131 = (a > c);
+    v145 = (v104 && v131);
+    if (v145) {
+      v107 = (b - 0.0);
+      v111 = Math.sqrt(((((v107 > 0.0) || (v107 !== v107)) ? v107 : 0.0) * (b + 0.0)));
+      v112 = (c - 0.0);
+      v116 = Math.sqrt(((((v112 > 0.0) || (v112 !== v112)) ? v112 : 0.0) * (c + 0.0)));
+      if (v145) {
+        v121 = (a - 0.0);
+        v125 = Math.sqrt(((((v121 > 0.0) || (v121 !== v121)) ? v121 : 0.0) * (a + 0.0)));
+        v129 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (b + a)));
+        v149 = (0.5 * Math.log1p((((((2.0 * v111) * (v131 ? (((a - c) * (a + c)) / (v125 + v116)) : 0.0)) / v129) * ((v111 + v125) / (v111 + v116))) / v129)));
+      } else {
+        v149 = 0.0;
+      }
+      v161 = (v111 * Math.sqrt(((((v62 > 0.0) || (v62 !== v62)) ? v62 : 0.0) * (b + c))));
+      v168 = (h / b);
+      v180 = [];
+      for ([node, weight] of RULE_0_2((v149 / 1.0))) {
+        v150 = (node * v149);
+        v151 = Math.cosh(v150);
+        v152 = Math.sinh(v150);
+        v155 = ((v111 * v151) + (v116 * v152));
+        v160 = ((v111 * ((v116 * v151) + (v111 * v152))) / v155);
+        v162 = (v161 / v155);
+        v165 = Math.sqrt((0.0 + (v160 * v160)));
+        v179 = (((((v168 * Math.asinh((v165 / v162))) + ((h * v165) / (v162 * v162))) * (v162 / v111)) * (v162 / v165)) * (v165 * v165));
+        v180.push((weight * v179));
+      }
+      v180 = (math.fsum(v180) * v149);
+      v181 = v180;
+    } else {
+      v181 = 0.0;
+    }
+    v184 = ((2.0 * E_star) * v181);
+  } else {
+    v184 = (v60 - v101);
+  }
+  value = (mu * v184);
+  return value;
 };
 
 const CLOSE = 0.25;
@@ -703,7 +812,72 @@ const _traction = (r, a, c, h, b, E_star, mu) => {
 };
 
 const traction = (r, a, c, h, b, E_star, mu) => {
-  return _traction(r, a, c, h, b, E_star, mu);
+  let value;
+  value = _traction(r, a, c, h, b, E_star, mu);
+  return value;
+};
+
+const tangential_displacement = (a, c, h, b, E_star, G_star, mu) => {
+  let node, v100, v101, v105, v13, v15, v17, v22, v25, v27, v31, v32, v36, v41, v45, v49, v51, v65, v69, v71, v72, v73, v76, v81, v82, v83, v86, v9, v99, value, weight;
+  v9 = (b - a);
+  v13 = (h / b);
+  v15 = ((v13 * a) * (Math.log1p(((2.0 * a) / v9)) / 2.0));
+  v17 = (b - c);
+  v22 = ((v13 * c) * (Math.log1p(((2.0 * c) / v17)) / 2.0));
+  v25 = (v22 >= (0.25 * v15));
+  if (v25) {
+    v51 = (a > c);
+    v65 = (v25 && v51);
+    if (v65) {
+      v27 = (b - 0.0);
+      v31 = Math.sqrt(((((v27 > 0.0) || (v27 !== v27)) ? v27 : 0.0) * (b + 0.0)));
+      v32 = (c - 0.0);
+      v36 = Math.sqrt(((((v32 > 0.0) || (v32 !== v32)) ? v32 : 0.0) * (c + 0.0)));
+      if (v65) {
+        v41 = (a - 0.0);
+        v45 = Math.sqrt(((((v41 > 0.0) || (v41 !== v41)) ? v41 : 0.0) * (a + 0.0)));
+        v49 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (b + a)));
+        v69 = (0.5 * Math.log1p((((((2.0 * v31) * (v51 ? (((a - c) * (a + c)) / (v45 + v36)) : 0.0)) / v49) * ((v31 + v45) / (v31 + v36))) / v49)));
+      } else {
+        v69 = 0.0;
+      }
+      v82 = (v31 * Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (b + c))));
+      v100 = [];
+      for ([node, weight] of RULE_0_2((v69 / 1.0))) {
+        v71 = (node * v69);
+        v72 = Math.cosh(v71);
+        v73 = Math.sinh(v71);
+        v76 = ((v31 * v72) + (v36 * v73));
+        v81 = ((v31 * ((v36 * v72) + (v31 * v73))) / v76);
+        v83 = (v82 / v76);
+        v86 = Math.sqrt((0.0 + (v81 * v81)));
+        v99 = (((((v13 * Math.asinh((v86 / v83))) + ((h * v86) / (v83 * v83))) * (v83 / v31)) * (v83 / v86)) * Math.pow(v86, 1.0));
+        v100.push((weight * v99));
+      }
+      v100 = (math.fsum(v100) * v69);
+      v101 = v100;
+    } else {
+      v101 = 0.0;
+    }
+    v105 = v101;
+  } else {
+    v105 = (v15 - v22);
+  }
+  value = ((mu * (E_star / G_star)) * v105);
+  return value;
+};
+
+const _force = (a, h, b, E_star) => {
+  let v14, v20, v55, v9;
+  v9 = (math.log1p(((2.0 * a) / (b - a))) / 2.0);
+  v14 = (a / b);
+  if ((v9 < 1.0)) {
+    v20 = (v9 * v9);
+    v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
+  } else {
+    v55 = (v9 - v14);
+  }
+  return ((E_star * h) * ((((a * a) * v9) / b) + (b * v55)));
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -723,7 +897,9 @@ const _stick_radius = (F_x, a, h, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, h, b, E_star, mu) => {
-  return _stick_radius(F_x, a, h, b, E_star, mu);
+  let value;
+  value = _stick_radius(F_x, a, h, b, E_star, mu);
+  return value;
 };
 
 const full_slip_displacement = (a, h, b, E_star, G_star, mu) => {
@@ -734,6 +910,7 @@ const formulas = {
   "d": (v) => depth(v.a, v.h, v.b),
   "F": (v) => force(v.a, v.h, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.h, v.b, v.E_star),
+  "w": (v) => displacement(v.r, v.a, v.h, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.h, v.b),
   "pm": (v) => mean_pressure(v.a, v.h, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.h, v.b),
@@ -743,7 +920,10 @@ const formulas = {
   "adh.d": (v) => depth_of_ellipsoid(v.a, v.h, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_ellipsoid(v.a, v.h, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_ellipsoid(v.r, v.a, v.h, v.b, v.E_star, v.dgamma),
+  "adh.w": (v) => displacement_of_ellipsoid(v.r, v.a, v.h, v.b, v.E_star, v.dgamma),
+  "tan.F": (v) => tangential_force(v.a, v.c, v.h, v.b, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.h, v.b, v.E_star, v.mu),
+  "tan.u": (v) => tangential_displacement(v.a, v.c, v.h, v.b, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.h, v.b, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.h, v.b, v.E_star, v.G_star, v.mu),
 };
@@ -943,6 +1123,18 @@ window.calculator = { ...{
    "place": "inside",
    "suffix": "p"
   },
+  "w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "h",
+    "b"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w"
+  },
   "k": {
    "gives": "stiffness",
    "needs": [
@@ -1054,6 +1246,34 @@ window.calculator = { ...{
    "place": "inside",
    "suffix": ""
   },
+  "adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "h",
+    "b",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": ""
+  },
+  "tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "h",
+    "b",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": ""
+  },
   "tan.tau": {
    "gives": "tau",
    "needs": [
@@ -1067,6 +1287,21 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
+   "suffix": ""
+  },
+  "tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "h",
+    "b",
+    "E_star",
+    "G_star",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
    "suffix": ""
   },
   "tan.c": {

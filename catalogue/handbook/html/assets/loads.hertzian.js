@@ -133,51 +133,13 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _displacement = (r, a, p_0, E_star) => {
-  let inside, outside;
-  outside = (((p_0 / E_star) * a) * beside(r, a, OUTSIDE_2));
-  inside = ((((Math.PI * p_0) / (2 * E_star)) * a) * (1 - (Math.pow(r, 2) / (2 * Math.pow(a, 2)))));
-  return math.where((r > a), outside, inside);
-};
-
 const displacement = (r, a, p_0, E_star) => {
   let v11, v13, value;
   if ((r > a)) {
     v11 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
     v13 = (v11 * v11);
     value = (((p_0 / E_star) * a) * ((a / r) * (0.6666666666666666 + (v13 * ((((((((((((((((((-0.7327347664453868) * v13) + (-32.15553480435792)) * v13) + (-332.23363563146734)) * v13) + (-1070.7082873491413)) * v13) + (-85.27694715374247)) * v13) + 5044.821368830373) * v13) + 8082.413158212496) * v13) + 3759.725330928701) * v13) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v13) + 32.12935731379798) * v13) + 746.8124983579742) * v13) + 6202.125133759036) * v13) + 23553.080984642995) * v13) + 44404.005348491315) * v13) + 40380.01430284195) * v13) + 14099.684276696918) * v13) + 1.0))))));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _displacement(r, a, p_0, E_star);
+    return value;
   }
   return ((((3.141592653589793 * p_0) / (2.0 * E_star)) * a) * (1.0 - ((r * r) / (2.0 * (a * a)))));
 };

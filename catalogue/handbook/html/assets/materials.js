@@ -159,11 +159,15 @@ const _graded_modulus = (E_0, c_0, k, nu) => {
 };
 
 const graded_modulus = (E_0, c_0, k, nu) => {
-  return _graded_modulus(E_0, c_0, k, nu);
+  let value;
+  value = _graded_modulus(E_0, c_0, k, nu);
+  return value;
 };
 
 const h_N = (k, nu) => {
-  return _h_N(k, nu);
+  let value;
+  value = _h_N(k, nu);
+  return value;
 };
 
 const formulas = {

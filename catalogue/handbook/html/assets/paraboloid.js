@@ -150,49 +150,6 @@ const pressure = (r, a, R, E_star) => {
   return 0.0;
 };
 
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth = (a, R) => {
-  return (Math.pow(a, 2) / R);
-};
-
-const _profile = (r, R) => {
-  return (Math.pow(r, 2) / (2 * R));
-};
-
-const _displacement = (r, a, R) => {
-  let inside, outside;
-  outside = (((2 * Math.pow(a, 2)) / (Math.PI * R)) * beside(r, a, OUTSIDE_2));
-  inside = (_depth(a, R) - _profile(r, R));
-  return math.where((r > a), outside, inside);
-};
-
 const displacement = (r, a, R) => {
   let v14, v16, v4, value;
   v4 = (a * a);
@@ -200,10 +157,7 @@ const displacement = (r, a, R) => {
     v14 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
     v16 = (v14 * v14);
     value = (((2.0 * v4) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v16 * ((((((((((((((((((-0.7327347664453868) * v16) + (-32.15553480435792)) * v16) + (-332.23363563146734)) * v16) + (-1070.7082873491413)) * v16) + (-85.27694715374247)) * v16) + 5044.821368830373) * v16) + 8082.413158212496) * v16) + 3759.725330928701) * v16) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v16) + 32.12935731379798) * v16) + 746.8124983579742) * v16) + 6202.125133759036) * v16) + 23553.080984642995) * v16) + 44404.005348491315) * v16) + 40380.01430284195) * v16) + 14099.684276696918) * v16) + 1.0))))));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _displacement(r, a, R);
+    return value;
   }
   return ((v4 / R) - ((r * r) / (2.0 * R)));
 };
@@ -253,21 +207,6 @@ const pressure_of_paraboloid = (r, a, R, E_star, dgamma) => {
   return (((r < a) ? (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt((v5 * v6))) : 0.0) - v33);
 };
 
-const lift = (r, a, E_star, dgamma) => {
-  let v15, v5;
-  if ((r > a)) {
-    v5 = (r - a);
-    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
-  } else {
-    v15 = 1.0;
-  }
-  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
-};
-
-const _displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
-  return (_displacement(r, a, R) - lift(r, a, E_star, dgamma));
-};
-
 const displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
   let v11, v12, v16, v18, v6, v80, v81, value;
   v6 = (a * a);
@@ -282,10 +221,7 @@ const displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
     v81 = ((v6 / R) - ((r * r) / (2.0 * R)));
   }
   value = (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v12)))) : 1.0)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _displacement_of_paraboloid(r, a, R, E_star, dgamma);
+  return value;
 };
 
 const _pull_off_radius = (R, E_star, dgamma, control) => {
@@ -298,14 +234,14 @@ const _pull_off_radius = (R, E_star, dgamma, control) => {
   return ((dgamma > 0.0) ? radius : 0.0);
 };
 
-const _depth_of_paraboloid = (a, R) => {
+const _depth = (a, R) => {
   return ((a * a) / R);
 };
 
 const XI = {'force': 3.0, 'depth': 1.0};
 
 const _pull_off_depth = (a, R, E_star, dgamma, control) => {
-  return (_depth_of_paraboloid(a, R) * (1.0 - (4.0 / XI[control])));
+  return (_depth(a, R) * (1.0 - (4.0 / XI[control])));
 };
 
 const _radius_from_depth_of_paraboloid = (d, R) => {
@@ -461,7 +397,9 @@ const _radius_from_depth = (d, R, E_star, dgamma) => {
 };
 
 const radius_from_depth_of_paraboloid = (d, R, E_star, dgamma) => {
-  return _radius_from_depth(d, R, E_star, dgamma);
+  let value;
+  value = _radius_from_depth(d, R, E_star, dgamma);
+  return value;
 };
 
 const _force = (a, R, E_star) => {
@@ -485,11 +423,15 @@ const _radius_from_force = (F, R, E_star, dgamma) => {
 };
 
 const radius_from_force_of_paraboloid = (F, R, E_star, dgamma) => {
-  return _radius_from_force(F, R, E_star, dgamma);
+  let value;
+  value = _radius_from_force(F, R, E_star, dgamma);
+  return value;
 };
 
 const tangential_force = (a, c, R, E_star, mu) => {
-  return ((mu * (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)))) * (-Math.expm1(((-3.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  let value;
+  value = ((mu * (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)))) * (-Math.expm1(((-3.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const traction = (r, a, c, R, E_star, mu) => {
@@ -511,31 +453,9 @@ const traction = (r, a, c, R, E_star, mu) => {
 };
 
 const tangential_displacement = (a, c, R, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * ((a * a) / R)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-};
-
-const _force_of_paraboloid = (a, R, E_star) => {
-  return (((4 * E_star) / (3 * R)) * Math.pow(a, 3));
-};
-
-const stick_force = (F, F_x, mu) => {
-  let v10, v4;
-  v4 = (F - (F_x / mu));
-  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
-  if ((v10 >= 0.0)) {
-    return v10;
-  }
-  return NaN;
-};
-
-const _radius_from_force_2 = (F, R, E_star) => {
-  return Math.cbrt((((3 * R) / (4 * E_star)) * F));
-};
-
-const _stick_radius = (F_x, a, R, E_star, mu) => {
-  let F;
-  F = stick_force(_force_of_paraboloid(a, R, E_star), F_x, mu);
-  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, R, E_star));
+  let value;
+  value = (((mu * (E_star / G_star)) * ((a * a) / R)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const stick_radius = (F_x, a, R, E_star, mu) => {
@@ -549,14 +469,238 @@ const stick_radius = (F_x, a, R, E_star, mu) => {
   v15 = (v13 - (F_x / mu));
   v21 = ((Math.abs(v15) <= (2e-16 * v13)) ? 0.0 : v15);
   value = Math.cbrt(((v8 / v6) * ((v21 >= 0.0) ? v21 : NaN)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _stick_radius(F_x, a, R, E_star, mu);
+  return value;
 };
 
 const full_slip_displacement = (a, R, E_star, G_star, mu) => {
   return ((mu * (E_star / G_star)) * ((a * a) / R));
+};
+
+const LEAST = 1e-09;
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const NEAR = 0.14;
+
+const NODES = 32;
+
+const turned = (a, c) => {
+  let v102, v104, v107, v109, v11, v112, v114, v117, v132, v15, v16, v18, v2, v20, v23, v26, v27, v29, v32, v35, v36, v38, v4, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v81, v84, v88, v90, v92, v94, v97, v99;
+  v2 = (c / a);
+  v4 = (v2 < 1e-08);
+  if (v4) {
+    v132 = (math.log((4.0 / v2)) - 1.0);
+  } else {
+    v11 = (v4 ? 1.0 : v2);
+    v15 = (((v11 > 1e-09) || (v11 !== v11)) ? v11 : 1e-09);
+    v16 = (1.0 + v15);
+    v18 = (2.0 * v16);
+    v20 = (2.0 * math.sqrt(v15));
+    v23 = (2.0 + (v18 / v16));
+    v26 = (2.0 * (v18 + (2.0 * v20)));
+    v27 = (v20 + v16);
+    v29 = (2.0 * math.sqrt((v20 * v16)));
+    v32 = (v23 + (v26 / v27));
+    v35 = (2.0 * (v26 + (v23 * v29)));
+    v36 = (v29 + v27);
+    v38 = (2.0 * math.sqrt((v29 * v27)));
+    v41 = (v32 + (v35 / v36));
+    v44 = (2.0 * (v35 + (v32 * v38)));
+    v45 = (v38 + v36);
+    v47 = (2.0 * math.sqrt((v38 * v36)));
+    v50 = (v41 + (v44 / v45));
+    v53 = (2.0 * (v44 + (v41 * v47)));
+    v54 = (v47 + v45);
+    v56 = (2.0 * math.sqrt((v47 * v45)));
+    v59 = (v50 + (v53 / v54));
+    v62 = (2.0 * (v53 + (v50 * v56)));
+    v63 = (v56 + v54);
+    v65 = (2.0 * math.sqrt((v56 * v54)));
+    v68 = (v59 + (v62 / v63));
+    v71 = (2.0 * (v62 + (v59 * v65)));
+    v72 = (v65 + v63);
+    v74 = (2.0 * math.sqrt((v65 * v63)));
+    v81 = (v74 + v72);
+    v84 = (v81 * v81);
+    v88 = (2.0 * (0.0 + v15));
+    v90 = (1.0 + (v88 / v16));
+    v92 = (2.0 * (v88 + v20));
+    v94 = (v90 + (v92 / v27));
+    v97 = (2.0 * (v92 + (v90 * v29)));
+    v99 = (v94 + (v97 / v36));
+    v102 = (2.0 * (v97 + (v94 * v38)));
+    v104 = (v99 + (v102 / v45));
+    v107 = (2.0 * (v102 + (v99 * v47)));
+    v109 = (v104 + (v107 / v54));
+    v112 = (2.0 * (v107 + (v104 * v56)));
+    v114 = (v109 + (v112 / v63));
+    v117 = (2.0 * (v112 + (v109 * v65)));
+    v132 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v71 + (v68 * v74))) + ((v68 + (v71 / v72)) * v81)) / v84) - (((2.0 * (v117 + (v114 * v74))) + ((v114 + (v117 / v72)) * v81)) / v84)));
+  }
+  return (a * v132);
+};
+
+const slipping_torque = (a, c) => {
+  let arm, half, inner, length, outer, ratio, ring, stop;
+  c = math.maximum(c, (LEAST * a));
+  length = difference_root(a, c);
+  ratio = (length / c);
+  half = Math.sqrt(0.5);
+  arm = (sine, radius) => {
+    return (((0.5 * radius) * Math.atan((ratio * sine))) + ((((0.5 * c) * length) * sine) / radius));
+  };
+  inner = (v) => {
+    let radius, sine;
+    [sine, radius] = [(Math.sinh(v) / ratio), (c * Math.cosh(v))];
+    return ((((Math.sqrt((1.0 - (sine * sine))) * sine) * arm(sine, radius)) * radius) / length);
+  };
+  outer = (angle) => {
+    let cosine, sine;
+    [sine, cosine] = [Math.cos(angle), Math.sin(angle)];
+    return (((cosine * cosine) * sine) * arm(sine, Math.sqrt(((c * c) + Math.pow((length * sine), 2)))));
+  };
+  stop = Math.asinh((half * ratio));
+  ring = math.integral_in_strip(inner, stop, (NEAR * math.clip(ratio, LEAST, 1.0)));
+  ring = (ring + math.integral(outer, math.full(stop, (Math.PI / 4.0)), NODES));
+  return ((16.0 / Math.PI) * (((Math.pow(c, 3) / 3.0) * turned(a, c)) + (Math.pow(length, 3) * ((a > c) ? ring : 0.0))));
+};
+
+const _torque = (a, c, R, E_star, mu) => {
+  return (((E_star * mu) / R) * slipping_torque(a, c));
+};
+
+const torque = (a, c, R, E_star, mu) => {
+  let value;
+  value = _torque(a, c, R, E_star, mu);
+  return value;
+};
+
+const slip_angle = (a, c, R, E_star, G, mu) => {
+  let v101, v103, v106, v108, v11, v111, v113, v116, v118, v121, v123, v126, v13, v141, v20, v24, v25, v27, v29, v32, v35, v36, v38, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v77, v80, v81, v83, v90, v93, v97, v99, value;
+  v11 = (c / a);
+  v13 = (v11 < 1e-08);
+  if (v13) {
+    v141 = (Math.log((4.0 / v11)) - 1.0);
+  } else {
+    v20 = (v13 ? 1.0 : v11);
+    v24 = (((v20 > 1e-09) || (v20 !== v20)) ? v20 : 1e-09);
+    v25 = (1.0 + v24);
+    v27 = (2.0 * v25);
+    v29 = (2.0 * Math.sqrt(v24));
+    v32 = (2.0 + (v27 / v25));
+    v35 = (2.0 * (v27 + (2.0 * v29)));
+    v36 = (v29 + v25);
+    v38 = (2.0 * Math.sqrt((v29 * v25)));
+    v41 = (v32 + (v35 / v36));
+    v44 = (2.0 * (v35 + (v32 * v38)));
+    v45 = (v38 + v36);
+    v47 = (2.0 * Math.sqrt((v38 * v36)));
+    v50 = (v41 + (v44 / v45));
+    v53 = (2.0 * (v44 + (v41 * v47)));
+    v54 = (v47 + v45);
+    v56 = (2.0 * Math.sqrt((v47 * v45)));
+    v59 = (v50 + (v53 / v54));
+    v62 = (2.0 * (v53 + (v50 * v56)));
+    v63 = (v56 + v54);
+    v65 = (2.0 * Math.sqrt((v56 * v54)));
+    v68 = (v59 + (v62 / v63));
+    v71 = (2.0 * (v62 + (v59 * v65)));
+    v72 = (v65 + v63);
+    v74 = (2.0 * Math.sqrt((v65 * v63)));
+    v77 = (v68 + (v71 / v72));
+    v80 = (2.0 * (v71 + (v68 * v74)));
+    v81 = (v74 + v72);
+    v83 = (2.0 * Math.sqrt((v74 * v72)));
+    v90 = (v83 + v81);
+    v93 = (v90 * v90);
+    v97 = (2.0 * (0.0 + v24));
+    v99 = (1.0 + (v97 / v25));
+    v101 = (2.0 * (v97 + v29));
+    v103 = (v99 + (v101 / v36));
+    v106 = (2.0 * (v101 + (v99 * v38)));
+    v108 = (v103 + (v106 / v45));
+    v111 = (2.0 * (v106 + (v103 * v47)));
+    v113 = (v108 + (v111 / v54));
+    v116 = (2.0 * (v111 + (v108 * v56)));
+    v118 = (v113 + (v116 / v63));
+    v121 = (2.0 * (v116 + (v113 * v65)));
+    v123 = (v118 + (v121 / v72));
+    v126 = (2.0 * (v121 + (v118 * v74)));
+    v141 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v80 + (v77 * v83))) + ((v77 + (v80 / v81)) * v90)) / v93) - (((2.0 * (v126 + (v123 * v83))) + ((v123 + (v126 / v81)) * v90)) / v93)));
+  }
+  value = ((((E_star * mu) / R) / (3.141592653589793 * G)) * (a * v141));
+  return value;
+};
+
+const elliptic = (kc, b) => {
+  let v11, v14, v17, v18, v20, v23, v26, v27, v29, v3, v32, v35, v36, v38, v41, v44, v45, v47, v5, v50, v53, v54, v56, v59, v6, v62, v63, v65, v72, v9;
+  v3 = (((kc > 1e-09) || (kc !== kc)) ? kc : 1e-09);
+  v5 = (1.0 + v3);
+  v6 = (1.0 + b);
+  v9 = (2.0 * (b + v3));
+  v11 = (2.0 * math.sqrt(v3));
+  v14 = (v6 + (v9 / v5));
+  v17 = (2.0 * (v9 + (v6 * v11)));
+  v18 = (v11 + v5);
+  v20 = (2.0 * math.sqrt((v11 * v5)));
+  v23 = (v14 + (v17 / v18));
+  v26 = (2.0 * (v17 + (v14 * v20)));
+  v27 = (v20 + v18);
+  v29 = (2.0 * math.sqrt((v20 * v18)));
+  v32 = (v23 + (v26 / v27));
+  v35 = (2.0 * (v26 + (v23 * v29)));
+  v36 = (v29 + v27);
+  v38 = (2.0 * math.sqrt((v29 * v27)));
+  v41 = (v32 + (v35 / v36));
+  v44 = (2.0 * (v35 + (v32 * v38)));
+  v45 = (v38 + v36);
+  v47 = (2.0 * math.sqrt((v38 * v36)));
+  v50 = (v41 + (v44 / v45));
+  v53 = (2.0 * (v44 + (v41 * v47)));
+  v54 = (v47 + v45);
+  v56 = (2.0 * math.sqrt((v47 * v45)));
+  v59 = (v50 + (v53 / v54));
+  v62 = (2.0 * (v53 + (v50 * v56)));
+  v63 = (v56 + v54);
+  v65 = (2.0 * math.sqrt((v56 * v54)));
+  v72 = (v65 + v63);
+  return (((2.0 * (v62 + (v59 * v65))) + ((v59 + (v62 / v63)) * v72)) / (v72 * v72));
+};
+
+const slipping_traction = (r, a, c) => {
+  let held, inside, integrand, outer, root, stop;
+  inside = (r < c);
+  root = difference_root(c, (inside ? r : 0.0));
+  outer = difference_root(a, (inside ? r : 0.0));
+  stop = (inside ? Math.log1p((((a - c) / (c + root)) * (1.0 + ((a + c) / (outer + root))))) : 0.0);
+  integrand = (v) => {
+    let kc, s;
+    s = ((c * Math.cosh(v)) + (root * Math.sinh(v)));
+    kc = math.minimum((s / a), 1.0);
+    return ((a / s) * elliptic(kc, (kc * kc)));
+  };
+  held = ((r / Math.PI) * math.integral_in_strip(integrand, stop));
+  return (inside ? held : ((2.0 / Math.PI) * difference_root(a, math.minimum(r, a))));
+};
+
+const _traction = (r, a, c, R, E_star, mu) => {
+  return (((E_star * mu) / R) * slipping_traction(r, a, c));
+};
+
+const traction_of_paraboloid = (r, a, c, R, E_star, mu) => {
+  let value;
+  value = _traction(r, a, c, R, E_star, mu);
+  return value;
+};
+
+const full_slip_torque = (a, R, E_star, mu) => {
+  let v10;
+  v10 = (a * a);
+  return ((((0.7853981633974483 * E_star) * mu) / R) * (v10 * v10));
 };
 
 const formulas = {
@@ -581,6 +725,10 @@ const formulas = {
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.R, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.R, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.R, v.E_star, v.G_star, v.mu),
+  "tor.M": (v) => torque(v.a, v.c, v.R, v.E_star, v.mu),
+  "tor.b": (v) => slip_angle(v.a, v.c, v.R, v.E_star, v.G, v.mu),
+  "tor.tau": (v) => traction_of_paraboloid(v.r, v.a, v.c, v.R, v.E_star, v.mu),
+  "tor.Ms": (v) => full_slip_torque(v.a, v.R, v.E_star, v.mu),
 };
 window.calculator = { ...{
  "fields": [
@@ -594,6 +742,17 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": 0.005
+  },
+  {
+   "name": "G",
+   "tex": "G",
+   "meaning": "shear modulus of the half-space",
+   "unit": "Pa",
+   "rule": "G > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
   },
   {
    "name": "E_star",
@@ -978,6 +1137,59 @@ window.calculator = { ...{
     "mu"
    ],
    "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.M": {
+   "gives": "torque",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N m",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.b": {
+   "gives": "beta",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "G",
+    "mu"
+   ],
+   "unit": "rad",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": ""
+  },
+  "tor.Ms": {
+   "gives": "full_torque",
+   "needs": [
+    "a",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N m",
    "place": "",
    "suffix": ""
   }

@@ -133,21 +133,6 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const _minimum_load = (h, E_star) => {
-  return ((((3 * Math.PI) * E_star) * h) / 8);
-};
-
-const _pressure = (x, P, a, h, E_star) => {
-  let carried, complete, face, result, root, value;
-  root = Math.sqrt(((a - x) * (a + x)));
-  face = (((((Math.PI * E_star) * h) * Math.pow(((2 * x) - a), 2)) * Math.pow((a + (2 * x)), 2)) / (8 * Math.pow(a, 4)));
-  carried = ((P - _minimum_load(h, E_star)) + face);
-  value = (carried / (Math.PI * root));
-  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
-  result = math.where(((x <= a) & (P > 0.0)), value, 0.0);
-  return math.where(complete, result, NaN);
-};
-
 const pressure = (x, P, a, h, E_star) => {
   let v13, v14, v17, v21, v29, value;
   v29 = (((9.42477796076938 * E_star) * h) / 8.0);
@@ -158,31 +143,11 @@ const pressure = (x, P, a, h, E_star) => {
       v17 = (a + v13);
       v21 = (a * a);
       value = (((P - v29) + (((((3.141592653589793 * E_star) * h) * (v14 * v14)) * (v17 * v17)) / (8.0 * (v21 * v21)))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
-      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-        return value;
-      }
-      return _pressure(x, P, a, h, E_star);
+      return value;
     }
     return 0.0;
   }
   return NaN;
-};
-
-const _profile_slope = (x, a, h) => {
-  return ((((-4) * h) * Math.pow(x, 3)) / Math.pow(a, 4));
-};
-
-const _slope = (x, P, a, h, E_star) => {
-  let complete, conjugate, face, outside, result, root, strip, value;
-  root = Math.sqrt(((x - a) * (a + x)));
-  strip = (((-2) * P) / ((Math.PI * E_star) * root));
-  conjugate = ((((8 * Math.pow(root, 4)) + ((8 * Math.pow(x, 3)) * root)) + (3 * Math.pow(a, 4))) + ((12 * Math.pow(a, 2)) * Math.pow(root, 2)));
-  face = (((h * Math.pow(a, 2)) * (Math.pow(a, 2) + (8 * Math.pow(x, 2)))) / ((2 * conjugate) * root));
-  value = (strip - face);
-  outside = math.where((P > 0.0), value, 0.0);
-  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
-  result = math.where((x >= a), outside, (-_profile_slope(x, a, h)));
-  return math.where(complete, result, NaN);
 };
 
 const slope = (x, P, a, h, E_star) => {
@@ -197,10 +162,7 @@ const slope = (x, P, a, h, E_star) => {
         v8 = Math.sqrt(((x - a) * (a + x)));
         v17 = (v8 * v8);
         value = ((((-2.0) * P) / ((3.141592653589793 * E_star) * v8)) - (((h * v27) * (v27 + (8.0 * v22))) / ((2.0 * ((((8.0 * (v17 * v17)) + ((8.0 * v23) * v8)) + (3.0 * v28)) + ((12.0 * v27) * v17))) * v8)));
-        if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-          return value;
-        }
-        return _slope(x, P, a, h, E_star);
+        return value;
       }
       return 0.0;
     }

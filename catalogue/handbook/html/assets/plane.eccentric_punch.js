@@ -133,19 +133,6 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const _pressure = (x, P, a, e) => {
-  let along, apart, beyond, end, far, near, pressed, reach, root, short, side, touching;
-  root = Math.sqrt(((a - x) * (a + x)));
-  touching = ((P * ((x * ((2 * e) + a)) + (a * (a - x)))) / ((Math.PI * Math.pow(a, 2)) * root));
-  [short, side] = [(a - Math.abs(e)), math.copysign(1.0, e)];
-  [beyond, along] = [((2 * Math.abs(e)) - a), (side * x)];
-  [near, far, end] = [(a - along), (a + along), ((2 * beyond) - a)];
-  reach = math.maximum(math.where((end < ((-a) / 2)), (far - (2 * beyond)), (along - end)), 0.0);
-  apart = ((P * Math.sqrt((reach / near))) / ((2 * Math.PI) * short));
-  pressed = math.where((Math.abs(e) < (a / 2)), touching, apart);
-  return math.where(((x <= a) & (P > 0.0)), pressed, 0.0);
-};
-
 const pressure = (x, P, a, e) => {
   let v20, v26, v29, v30, v36, v4, value;
   if (((x <= a) && (P > 0.0))) {
@@ -159,19 +146,9 @@ const pressure = (x, P, a, e) => {
     v30 = (v29 - a);
     v36 = ((v30 < ((-a) / 2.0)) ? ((a + v26) - v29) : (v26 - v30));
     value = ((P * Math.sqrt(((((v36 > 0.0) || (v36 !== v36)) ? v36 : 0.0) / (a - v26)))) / (6.283185307179586 * (a - v20)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _pressure(x, P, a, e);
+    return value;
   }
   return 0.0;
-};
-
-const _tilt = (P, a, e, E_star) => {
-  let short, side;
-  short = (a - Math.abs(e));
-  side = math.copysign(1.0, e);
-  return math.where((Math.abs(e) < (a / 2)), (((4 * e) * P) / ((Math.PI * E_star) * Math.pow(a, 2))), ((side / ((Math.PI * E_star) * short)) * P));
 };
 
 const tilt = (P, a, e, E_star) => {
@@ -182,10 +159,7 @@ const tilt = (P, a, e, E_star) => {
     return (((4.0 * e) * P) / (v15 * (a * a)));
   }
   value = ((math.copysign(1.0, e) / (v15 * (a - v4))) * P);
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _tilt(P, a, e, E_star);
+  return value;
 };
 
 const contact_width = (a, e) => {

@@ -146,18 +146,6 @@ const pressure = (x, a, A, E_star) => {
   return 0.0;
 };
 
-const _profile_slope = (x, A) => {
-  return ((4 * A) * Math.pow(x, 3));
-};
-
-const _slope = (x, a, A) => {
-  let conjugate, root, value;
-  root = Math.sqrt(((x - a) * (a + x)));
-  conjugate = ((((2 * Math.pow(x, 2)) * root) + (Math.pow(a, 2) * root)) + (2 * Math.pow(x, 3)));
-  value = (((((-2) * A) * Math.pow(a, 4)) * (Math.pow(a, 2) + (3 * Math.pow(x, 2)))) / conjugate);
-  return math.where((x > a), value, (-_profile_slope(x, A)));
-};
-
 const slope = (x, a, A) => {
   let v11, v15, v6, v8, value;
   v8 = (x * x);
@@ -166,21 +154,9 @@ const slope = (x, a, A) => {
     v6 = Math.sqrt(((x - a) * (a + x)));
     v11 = (a * a);
     value = (((((-2.0) * A) * (v11 * v11)) * (v11 + (3.0 * v8))) / ((((2.0 * v8) * v6) + (v11 * v6)) + (2.0 * v15)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _slope(x, a, A);
+    return value;
   }
   return (-((4.0 * A) * v15));
-};
-
-const _depth = (L, a, A) => {
-  let conjugate, root, value;
-  root = Math.sqrt(((L - a) * (a + L)));
-  conjugate = ((2 * Math.pow(L, 3)) + ((Math.pow(a, 2) + (2 * Math.pow(L, 2))) * root));
-  value = (((A * Math.pow(a, 4)) * ((3 * Math.asinh((root / a))) + ((L * (Math.pow(a, 2) + (3 * Math.pow(L, 2)))) / conjugate))) / 2);
-  value = math.where((a > 0.0), value, 0.0);
-  return math.where((a <= L), value, NaN);
 };
 
 const depth = (L, a, A) => {
@@ -191,10 +167,7 @@ const depth = (L, a, A) => {
       v9 = (L * L);
       v12 = (a * a);
       value = (((A * (v12 * v12)) * ((3.0 * Math.asinh((v6 / a))) + ((L * (v12 + (3.0 * v9))) / ((2.0 * (L * v9)) + ((v12 + (2.0 * v9)) * v6))))) / 2.0);
-      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-        return value;
-      }
-      return _depth(L, a, A);
+      return value;
     }
     return 0.0;
   }

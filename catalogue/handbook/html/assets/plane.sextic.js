@@ -147,18 +147,6 @@ const pressure = (x, a, A, E_star) => {
   return 0.0;
 };
 
-const _profile_slope = (x, A) => {
-  return ((6 * A) * Math.pow(x, 5));
-};
-
-const _slope = (x, a, A) => {
-  let conjugate, root, value;
-  root = Math.sqrt(((x - a) * (a + x)));
-  conjugate = (((((8 * Math.pow(x, 4)) * root) + ((3 * Math.pow(a, 4)) * root)) + (((4 * Math.pow(a, 2)) * Math.pow(x, 2)) * root)) + (8 * Math.pow(x, 5)));
-  value = (((((-3) * A) * Math.pow(a, 6)) * (((9 * Math.pow(a, 4)) + ((15 * Math.pow(a, 2)) * Math.pow(x, 2))) + (40 * Math.pow(x, 4)))) / (4 * conjugate));
-  return math.where((x > a), value, (-_profile_slope(x, A)));
-};
-
 const slope = (x, a, A) => {
   let v10, v14, v15, v25, v6, v9, value;
   v25 = Math.pow(x, 5.0);
@@ -169,22 +157,9 @@ const slope = (x, a, A) => {
     v14 = (a * a);
     v15 = (v14 * v14);
     value = (((((-3.0) * A) * Math.pow(a, 6.0)) * (((9.0 * v15) + ((15.0 * v14) * v9)) + (40.0 * v10))) / (4.0 * (((((8.0 * v10) * v6) + ((3.0 * v15) * v6)) + (((4.0 * v14) * v9) * v6)) + (8.0 * v25))));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _slope(x, a, A);
+    return value;
   }
   return (-((6.0 * A) * v25));
-};
-
-const _depth = (L, a, A) => {
-  let conjugate, plus, root, value;
-  root = Math.sqrt(((L - a) * (a + L)));
-  conjugate = ((8 * Math.pow(L, 5)) + ((((3 * Math.pow(a, 4)) + (8 * Math.pow(L, 4))) + ((4 * Math.pow(a, 2)) * Math.pow(L, 2))) * root));
-  plus = ((15 * Math.asinh((root / a))) + ((L * (((9 * Math.pow(a, 4)) + (40 * Math.pow(L, 4))) + ((15 * Math.pow(a, 2)) * Math.pow(L, 2)))) / conjugate));
-  value = (((A * Math.pow(a, 6)) * plus) / 8);
-  value = math.where((a > 0.0), value, 0.0);
-  return math.where((a <= L), value, NaN);
 };
 
 const depth = (L, a, A) => {
@@ -197,25 +172,11 @@ const depth = (L, a, A) => {
       v17 = (L * L);
       v18 = (v17 * v17);
       value = (((A * Math.pow(a, 6.0)) * ((15.0 * Math.asinh((v6 / a))) + ((L * (((9.0 * v14) + (40.0 * v18)) + ((15.0 * v13) * v17))) / ((8.0 * Math.pow(L, 5.0)) + ((((3.0 * v14) + (8.0 * v18)) + ((4.0 * v13) * v17)) * v6))))) / 8.0);
-      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-        return value;
-      }
-      return _depth(L, a, A);
+      return value;
     }
     return 0.0;
   }
   return NaN;
-};
-
-const nth_root = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
-};
-
-const _half_width_from_load = (P, A, E_star) => {
-  return nth_root(((16 * P) / (((15 * Math.PI) * E_star) * A)), 6);
 };
 
 const half_width_from_load = (P, A, E_star) => {
@@ -224,10 +185,7 @@ const half_width_from_load = (P, A, E_star) => {
   v10 = Math.pow(v8, 0.16666666666666666);
   if (((v8 > 0.0) && (v8 < Infinity))) {
     value = (v10 + (v10 * (((v8 / (Math.pow(v10, 6.0) * Math.pow(v10, 0.0))) - 1.0) / 6.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _half_width_from_load(P, A, E_star);
+    return value;
   }
   return v10;
 };

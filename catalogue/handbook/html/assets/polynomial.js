@@ -146,7 +146,9 @@ const _depth = (a, A) => {
 };
 
 const depth = (a, A) => {
-  return _depth(a, A);
+  let value;
+  value = _depth(a, A);
+  return value;
 };
 
 const _force = (a, A, E_star) => {
@@ -156,7 +158,9 @@ const _force = (a, A, E_star) => {
 };
 
 const force = (a, E_star, A) => {
-  return _force(a, A, E_star);
+  let value;
+  value = _force(a, A, E_star);
+  return value;
 };
 
 const _log_ratio = (x, y) => {
@@ -213,7 +217,9 @@ const _pressure = (r, a, A, E_star) => {
 };
 
 const pressure = (r, a, E_star, A) => {
-  return _pressure(r, a, A, E_star);
+  let value;
+  value = _pressure(r, a, A, E_star);
+  return value;
 };
 
 const _DECAY = 42.0;
@@ -253,7 +259,9 @@ const _displacement = (r, a, A) => {
 };
 
 const displacement = (r, a, A) => {
-  return _displacement(r, a, A);
+  let value;
+  value = _displacement(r, a, A);
+  return value;
 };
 
 const stiffness = (a, E_star) => {
@@ -267,7 +275,9 @@ const _mean_pressure = (a, A, E_star) => {
 };
 
 const mean_pressure = (a, E_star, A) => {
-  return _mean_pressure(a, A, E_star);
+  let value;
+  value = _mean_pressure(a, A, E_star);
+  return value;
 };
 
 const _slope = (a, A) => {
@@ -394,7 +404,9 @@ const _radius_from_depth = (d, A) => {
 };
 
 const radius_from_depth = (d, A) => {
-  return _radius_from_depth(d, A);
+  let value;
+  value = _radius_from_depth(d, A);
+  return value;
 };
 
 const _radius_from_force = (F, A, E_star) => {
@@ -411,7 +423,9 @@ const _radius_from_force = (F, A, E_star) => {
 };
 
 const radius_from_force = (F, E_star, A) => {
-  return _radius_from_force(F, A, E_star);
+  let value;
+  value = _radius_from_force(F, A, E_star);
+  return value;
 };
 
 const _force_from_depth = (d, A, E_star) => {
@@ -422,7 +436,9 @@ const _force_from_depth = (d, A, E_star) => {
 };
 
 const force_from_depth = (d, E_star, A) => {
-  return _force_from_depth(d, A, E_star);
+  let value;
+  value = _force_from_depth(d, A, E_star);
+  return value;
 };
 
 const _depth_from_force = (F, A, E_star) => {
@@ -433,7 +449,9 @@ const _depth_from_force = (F, A, E_star) => {
 };
 
 const depth_from_force = (F, E_star, A) => {
-  return _depth_from_force(F, A, E_star);
+  let value;
+  value = _depth_from_force(F, A, E_star);
+  return value;
 };
 
 const hess_retraction = (a, E_star, dgamma) => {
@@ -445,7 +463,9 @@ const _depth_of_polynomial = (a, A, E_star, dgamma) => {
 };
 
 const depth_of_polynomial = (a, E_star, dgamma, A) => {
-  return _depth_of_polynomial(a, A, E_star, dgamma);
+  let value;
+  value = _depth_of_polynomial(a, A, E_star, dgamma);
+  return value;
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -457,7 +477,9 @@ const _force_of_polynomial = (a, A, E_star, dgamma) => {
 };
 
 const force_of_polynomial = (a, E_star, dgamma, A) => {
-  return _force_of_polynomial(a, A, E_star, dgamma);
+  let value;
+  value = _force_of_polynomial(a, A, E_star, dgamma);
+  return value;
 };
 
 const tension = (r, a, E_star, dgamma) => {
@@ -478,7 +500,9 @@ const _pressure_of_polynomial = (r, a, A, E_star, dgamma) => {
 };
 
 const pressure_of_polynomial = (r, a, E_star, dgamma, A) => {
-  return _pressure_of_polynomial(r, a, A, E_star, dgamma);
+  let value;
+  value = _pressure_of_polynomial(r, a, A, E_star, dgamma);
+  return value;
 };
 
 const lift = (r, a, E_star, dgamma) => {
@@ -497,7 +521,9 @@ const _displacement_of_polynomial = (r, a, A, E_star, dgamma) => {
 };
 
 const displacement_of_polynomial = (r, a, E_star, dgamma, A) => {
-  return _displacement_of_polynomial(r, a, A, E_star, dgamma);
+  let value;
+  value = _displacement_of_polynomial(r, a, A, E_star, dgamma);
+  return value;
 };
 
 const gained_share = (c, a, n) => {
@@ -511,7 +537,9 @@ const _tangential_force = (a, c, A, E_star, mu) => {
 };
 
 const tangential_force = (a, c, E_star, mu, A) => {
-  return _tangential_force(a, c, A, E_star, mu);
+  let value;
+  value = _tangential_force(a, c, A, E_star, mu);
+  return value;
 };
 
 const log_ratio = (a, c) => {
@@ -575,7 +603,9 @@ const _traction = (r, a, c, A, E_star, mu) => {
 };
 
 const traction = (r, a, c, E_star, mu, A) => {
-  return _traction(r, a, c, A, E_star, mu);
+  let value;
+  value = _traction(r, a, c, A, E_star, mu);
+  return value;
 };
 
 const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
@@ -585,7 +615,9 @@ const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
 };
 
 const tangential_displacement = (a, c, E_star, G_star, mu, A) => {
-  return _tangential_displacement(a, c, A, E_star, G_star, mu);
+  let value;
+  value = _tangential_displacement(a, c, A, E_star, G_star, mu);
+  return value;
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -605,7 +637,9 @@ const _stick_radius = (F_x, a, A, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, E_star, mu, A) => {
-  return _stick_radius(F_x, a, A, E_star, mu);
+  let value;
+  value = _stick_radius(F_x, a, A, E_star, mu);
+  return value;
 };
 
 const _full_slip_displacement = (a, A, E_star, G_star, mu) => {
@@ -613,7 +647,9 @@ const _full_slip_displacement = (a, A, E_star, G_star, mu) => {
 };
 
 const full_slip_displacement = (a, E_star, G_star, mu, A) => {
-  return _full_slip_displacement(a, A, E_star, G_star, mu);
+  let value;
+  value = _full_slip_displacement(a, A, E_star, G_star, mu);
+  return value;
 };
 
 const formulas = {

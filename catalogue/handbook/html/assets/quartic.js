@@ -152,49 +152,6 @@ const pressure = (r, a, A, E_star) => {
   return 0.0;
 };
 
-const OUTSIDE_4 = [[0.3809523809520408, 2696.481329529376, 7450.127483097781, 6598.931700123421, 1123.6903304493044, (-1307.862063615897), (-683.6776777243583), (-106.53004831006083), (-4.320959889429597)], [1.0, 7078.863490014608, 23803.775464413437, 30703.596314182465, 18919.75045798054, 5580.132341984832, 655.5477291446655, 10.743349921788495, (-0.06548708381580395)], 0.8];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth = (a, A) => {
-  return (((8 * A) / 3) * Math.pow(a, 4));
-};
-
-const _profile = (r, A) => {
-  return (A * Math.pow(r, 4));
-};
-
-const _displacement = (r, a, A) => {
-  let inside, outside;
-  outside = ((((16 * A) / (3 * Math.PI)) * Math.pow(a, 4)) * beside(r, a, OUTSIDE_4));
-  inside = (_depth(a, A) - _profile(r, A));
-  return math.where((r > a), outside, inside);
-};
-
 const displacement = (r, a, A) => {
   let v10, v17, v19, v81, v9, value;
   v9 = (a * a);
@@ -203,10 +160,7 @@ const displacement = (r, a, A) => {
     v17 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
     v19 = (v17 * v17);
     value = ((((16.0 * A) / 9.42477796076938) * v10) * ((a / r) * (0.8 + (v19 * ((((((((((((((((((-4.320959889429597) * v19) + (-106.53004831006083)) * v19) + (-683.6776777243583)) * v19) + (-1307.862063615897)) * v19) + 1123.6903304493044) * v19) + 6598.931700123421) * v19) + 7450.127483097781) * v19) + 2696.481329529376) * v19) + 0.3809523809520408) / (((((((((((((((((-0.06548708381580395) * v19) + 10.743349921788495) * v19) + 655.5477291446655) * v19) + 5580.132341984832) * v19) + 18919.75045798054) * v19) + 30703.596314182465) * v19) + 23803.775464413437) * v19) + 7078.863490014608) * v19) + 1.0))))));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _displacement(r, a, A);
+    return value;
   }
   v81 = (r * r);
   return ((((8.0 * A) / 3.0) * v10) - (A * (v81 * v81)));
@@ -224,54 +178,19 @@ const radius_from_depth = (d, A) => {
   return Math.sqrt(Math.sqrt(((3.0 * d) / (8.0 * A))));
 };
 
-const _radius_from_force = (F, A, E_star) => {
-  let v10, v8;
-  v8 = ((15.0 * F) / ((64.0 * E_star) * A));
-  v10 = Math.pow(v8, 0.2);
-  if (((v8 > 0.0) && (v8 < Infinity))) {
-    return (v10 + (v10 * (((v8 / (Math.pow(v10, 5.0) * Math.pow(v10, 0.0))) - 1.0) / 5.0)));
-  }
-  return v10;
-};
-
 const radius_from_force = (F, A, E_star) => {
   let v10, v8, value;
   v8 = ((15.0 * F) / ((64.0 * E_star) * A));
   v10 = Math.pow(v8, 0.2);
   if (((v8 > 0.0) && (v8 < Infinity))) {
     value = (v10 + (v10 * (((v8 / (Math.pow(v10, 5.0) * Math.pow(v10, 0.0))) - 1.0) / 5.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _radius_from_force(F, A, E_star);
+    return value;
   }
   return v10;
 };
 
 const force_from_depth = (d, A, E_star) => {
   return ((((4.0 * E_star) / 5.0) * d) * Math.sqrt(Math.sqrt(((6.0 * d) / A))));
-};
-
-const nth_root = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return math.where(((x > 0.0) & (x < Infinity)), (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))), y);
-};
-
-const without_root = (x, n, more = 0) => {
-  return math.where(((x > 0.0) & (x < Infinity)), (x / nth_root(x, n, more)), x);
-};
-
-const nth_root_of_functions = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
-};
-
-const _depth_from_force = (F, A, E_star) => {
-  return (without_root((F / E_star), 5) * nth_root_of_functions(((625 * A) / 1536), 5));
 };
 
 const depth_from_force = (F, A, E_star) => {
@@ -287,10 +206,7 @@ const depth_from_force = (F, A, E_star) => {
   v27 = ((625.0 * A) / 1536.0);
   v28 = Math.pow(v27, 0.2);
   value = (v23 * (((v27 > 0.0) && (v27 < Infinity)) ? (v28 + (v28 * (((v27 / (Math.pow(v28, 5.0) * Math.pow(v28, 0.0))) - 1.0) / 5.0))) : v28));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _depth_from_force(F, A, E_star);
+  return value;
 };
 
 const depth_of_quartic = (a, A, E_star, dgamma) => {
@@ -316,21 +232,6 @@ const pressure_of_quartic = (r, a, A, E_star, dgamma) => {
   return (((r < a) ? (((((32.0 * E_star) * A) / 28.274333882308138) * ((a * a) + (2.0 * (r * r)))) * Math.sqrt((v5 * v6))) : 0.0) - v40);
 };
 
-const lift = (r, a, E_star, dgamma) => {
-  let v15, v5;
-  if ((r > a)) {
-    v5 = (r - a);
-    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
-  } else {
-    v15 = 1.0;
-  }
-  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
-};
-
-const _displacement_of_quartic = (r, a, A, E_star, dgamma) => {
-  return (_displacement(r, a, A) - lift(r, a, E_star, dgamma));
-};
-
 const displacement_of_quartic = (r, a, A, E_star, dgamma) => {
   let v11, v12, v14, v15, v19, v21, v83, v87, v88, value;
   v11 = (a * a);
@@ -347,23 +248,27 @@ const displacement_of_quartic = (r, a, A, E_star, dgamma) => {
     v88 = ((((8.0 * A) / 3.0) * v12) - (A * (v83 * v83)));
   }
   value = (v88 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v87 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v15)))) : 1.0)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _displacement_of_quartic(r, a, A, E_star, dgamma);
+  return value;
+};
+
+const nth_root = (x, n, more = 0) => {
+  let degree, y;
+  degree = (n + more);
+  y = Math.pow(x, (1.0 / degree));
+  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
 };
 
 const _pull_off_radius = (A, E_star, dgamma, control) => {
   let radius;
   if ((control === 'force')) {
-    radius = (Math.pow(nth_root_of_functions((1 / A), 7), 2) * nth_root_of_functions((((81 * Math.PI) * dgamma) / (2048 * E_star)), 7));
+    radius = (Math.pow(nth_root((1 / A), 7), 2) * nth_root((((81 * Math.PI) * dgamma) / (2048 * E_star)), 7));
   } else {
-    radius = (Math.pow(nth_root_of_functions((1 / A), 7), 2) * nth_root_of_functions((((9 * Math.PI) * dgamma) / (2048 * E_star)), 7));
+    radius = (Math.pow(nth_root((1 / A), 7), 2) * nth_root((((9 * Math.PI) * dgamma) / (2048 * E_star)), 7));
   }
   return ((dgamma > 0.0) ? radius : 0.0);
 };
 
-const _depth_of_quartic = (a, A) => {
+const _depth = (a, A) => {
   let v8;
   v8 = (a * a);
   return (((8.0 * A) / 3.0) * (v8 * v8));
@@ -372,7 +277,7 @@ const _depth_of_quartic = (a, A) => {
 const XI = {'force': 3.0, 'depth': 1.0};
 
 const _pull_off_depth = (a, A, E_star, dgamma, control) => {
-  return (_depth_of_quartic(a, A) * (1.0 - (8.0 / XI[control])));
+  return (_depth(a, A) * (1.0 - (8.0 / XI[control])));
 };
 
 const _radius_from_depth_of_quartic = (d, A) => {
@@ -528,7 +433,9 @@ const _radius_from_depth = (d, A, E_star, dgamma) => {
 };
 
 const radius_from_depth_of_quartic = (d, A, E_star, dgamma) => {
-  return _radius_from_depth(d, A, E_star, dgamma);
+  let value;
+  value = _radius_from_depth(d, A, E_star, dgamma);
+  return value;
 };
 
 const _force = (a, A, E_star) => {
@@ -539,58 +446,34 @@ const _pull_off_force = (a, A, E_star, dgamma, control) => {
   return (_force(a, A, E_star) * (1.0 - (10.0 / XI[control])));
 };
 
-const _radius_from_force_of_quartic = (F, A, E_star, dgamma) => {
+const _radius_from_force_of_quartic = (F, A, E_star) => {
+  let v10, v8;
+  v8 = ((15.0 * F) / ((64.0 * E_star) * A));
+  v10 = Math.pow(v8, 0.2);
+  if (((v8 > 0.0) && (v8 < Infinity))) {
+    return (v10 + (v10 * (((v8 / (Math.pow(v10, 5.0) * Math.pow(v10, 0.0))) - 1.0) / 5.0)));
+  }
+  return v10;
+};
+
+const _radius_from_force = (F, A, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(A, E_star, dgamma, 'force');
   least = _pull_off_force(a_c, A, E_star, dgamma, 'force');
-  plain = _radius_from_force(math.maximum(F, 0.0), A, E_star);
+  plain = _radius_from_force_of_quartic(math.maximum(F, 0.0), A, E_star);
   return power_law_radius(F, a_c, least, 5.0, 1.5, plain);
 };
 
 const radius_from_force_of_quartic = (F, A, E_star, dgamma) => {
-  return _radius_from_force_of_quartic(F, A, E_star, dgamma);
+  let value;
+  value = _radius_from_force(F, A, E_star, dgamma);
+  return value;
 };
 
 const tangential_force = (a, c, A, E_star, mu) => {
-  return ((mu * ((((64.0 * E_star) * A) / 15.0) * Math.pow(a, 5.0))) * (-Math.expm1(((-5.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-};
-
-const _pressure = (r, a, A, E_star) => {
-  let root;
-  root = Math.sqrt(((a - r) * (a + r)));
-  return math.where((r < a), (((((32 * E_star) * A) / (9 * Math.PI)) * (Math.pow(a, 2) + (2 * Math.pow(r, 2)))) * root), 0.0);
-};
-
-const _slope = (t, A) => {
-  return (((32 * A) / 3) * Math.pow(t, 3));
-};
-
-const difference_root = (x, y) => {
-  let v2;
-  v2 = (x - y);
-  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
-};
-
-const root_gain = (r, c, a) => {
-  return math.where((a > c), (((a - c) * (a + c)) / (difference_root(a, r) + difference_root(c, r))), 0.0);
-};
-
-const even_gain = (r, c, a, n) => {
-  let inner, j, outer, power, quotient, total;
-  [outer, inner] = [difference_root(a, r), difference_root(c, r)];
-  [quotient, power, total] = [0.0, 1.0, 1.0];
-  for (j of math.range(4, (n + 1), 2)) {
-    [quotient, power] = [(((a * a) * quotient) + power), ((c * c) * power)];
-    total = (((((((j - 2) * r) * r) * total) + ((quotient * (outer + inner)) * outer)) + power) / (j - 1));
-  }
-  return (root_gain(r, c, a) * total);
-};
-
-const _traction = (r, a, c, A, E_star, mu) => {
-  let gain, sliding;
-  sliding = _pressure(r, a, A, E_star);
-  gain = (((E_star / Math.PI) * _slope(1.0, A)) * even_gain(r, c, a, 4));
-  return (mu * math.where((r < c), gain, sliding));
+  let value;
+  value = ((mu * ((((64.0 * E_star) * A) / 15.0) * Math.pow(a, 5.0))) * (-Math.expm1(((-5.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const traction = (r, a, c, A, E_star, mu) => {
@@ -606,52 +489,14 @@ const traction = (r, a, c, A, E_star, mu) => {
     v61 = ((r < a) ? (((((32.0 * E_star) * A) / 28.274333882308138) * ((a * a) + (2.0 * (r * r)))) * Math.sqrt((v6 * v7))) : 0.0);
   }
   value = (mu * v61);
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _traction(r, a, c, A, E_star, mu);
-};
-
-const gained_share = (c, a, n) => {
-  return (-Math.expm1(((-n) * ((a > c) ? math.log1p(((a - c) / c)) : 0.0))));
-};
-
-const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth(a, A)) * gained_share(c, a, 4.0));
+  return value;
 };
 
 const tangential_displacement = (a, c, A, E_star, G_star, mu) => {
   let v14, value;
   v14 = (a * a);
   value = (((mu * (E_star / G_star)) * (((8.0 * A) / 3.0) * (v14 * v14))) * (-Math.expm1(((-4.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _tangential_displacement(a, c, A, E_star, G_star, mu);
-};
-
-const _force_of_quartic = (a, A, E_star) => {
-  return ((((64 * E_star) * A) / 15) * Math.pow(a, 5));
-};
-
-const stick_force = (F, F_x, mu) => {
-  let v10, v4;
-  v4 = (F - (F_x / mu));
-  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
-  if ((v10 >= 0.0)) {
-    return v10;
-  }
-  return NaN;
-};
-
-const _radius_from_force_2 = (F, A, E_star) => {
-  return nth_root_of_functions(((15 * F) / ((64 * E_star) * A)), 5);
-};
-
-const _stick_radius = (F_x, a, A, E_star, mu) => {
-  let F;
-  F = stick_force(_force_of_quartic(a, A, E_star), F_x, mu);
-  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, A, E_star));
+  return value;
 };
 
 const stick_radius = (F_x, a, A, E_star, mu) => {
@@ -667,16 +512,10 @@ const stick_radius = (F_x, a, A, E_star, mu) => {
   v30 = Math.pow(v28, 0.2);
   if (((v28 > 0.0) && (v28 < Infinity))) {
     value = (v30 + (v30 * (((v28 / (Math.pow(v30, 5.0) * Math.pow(v30, 0.0))) - 1.0) / 5.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _stick_radius(F_x, a, A, E_star, mu);
-  }
-  value = v30;
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
     return value;
   }
-  return _stick_radius(F_x, a, A, E_star, mu);
+  value = v30;
+  return value;
 };
 
 const full_slip_displacement = (a, A, E_star, G_star, mu) => {

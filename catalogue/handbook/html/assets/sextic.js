@@ -153,49 +153,6 @@ const pressure = (r, a, A, E_star) => {
   return 0.0;
 };
 
-const OUTSIDE_6 = [[0.44444444444468756, 2012.329045387071, 3992.6681072942106, 2098.825846649865, (-362.00165963521414), (-611.3425551498234), (-181.92316258227586), (-23.178809850601194), (-1.2774361052403345)], [1.0, 4528.267624848188, 11371.059137910102, 10373.373159937977, 4128.7190564480725, 657.0260884407312, 23.453299031698904, (-0.42336499735873506), 0.008653162919782199], 0.8571428571428571];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth = (a, A) => {
-  return (((16 * A) / 5) * Math.pow(a, 6));
-};
-
-const _profile = (r, A) => {
-  return (A * Math.pow(r, 6));
-};
-
-const _displacement = (r, a, A) => {
-  let inside, outside;
-  outside = ((((32 * A) / (5 * Math.PI)) * Math.pow(a, 6)) * beside(r, a, OUTSIDE_6));
-  inside = (_depth(a, A) - _profile(r, A));
-  return math.where((r > a), outside, inside);
-};
-
 const displacement = (r, a, A) => {
   let v15, v17, v8, value;
   v8 = Math.pow(a, 6.0);
@@ -203,10 +160,7 @@ const displacement = (r, a, A) => {
     v15 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
     v17 = (v15 * v15);
     value = ((((32.0 * A) / 15.707963267948966) * v8) * ((a / r) * (0.8571428571428571 + (v17 * ((((((((((((((((((-1.2774361052403345) * v17) + (-23.178809850601194)) * v17) + (-181.92316258227586)) * v17) + (-611.3425551498234)) * v17) + (-362.00165963521414)) * v17) + 2098.825846649865) * v17) + 3992.6681072942106) * v17) + 2012.329045387071) * v17) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v17) + (-0.42336499735873506)) * v17) + 23.453299031698904) * v17) + 657.0260884407312) * v17) + 4128.7190564480725) * v17) + 10373.373159937977) * v17) + 11371.059137910102) * v17) + 4528.267624848188) * v17) + 1.0))))));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _displacement(r, a, A);
+    return value;
   }
   return ((((16.0 * A) / 5.0) * v8) - (A * Math.pow(r, 6.0)));
 };
@@ -219,38 +173,15 @@ const mean_pressure = (a, A, E_star) => {
   return ((((192.0 * E_star) * A) / 109.95574287564276) * Math.pow(a, 5.0));
 };
 
-const _radius_from_depth = (d, A) => {
-  let v6, v8;
-  v6 = ((5.0 * d) / (16.0 * A));
-  v8 = Math.pow(v6, 0.16666666666666666);
-  if (((v6 > 0.0) && (v6 < Infinity))) {
-    return (v8 + (v8 * (((v6 / (Math.pow(v8, 6.0) * Math.pow(v8, 0.0))) - 1.0) / 6.0)));
-  }
-  return v8;
-};
-
 const radius_from_depth = (d, A) => {
   let v6, v8, value;
   v6 = ((5.0 * d) / (16.0 * A));
   v8 = Math.pow(v6, 0.16666666666666666);
   if (((v6 > 0.0) && (v6 < Infinity))) {
     value = (v8 + (v8 * (((v6 / (Math.pow(v8, 6.0) * Math.pow(v8, 0.0))) - 1.0) / 6.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _radius_from_depth(d, A);
+    return value;
   }
   return v8;
-};
-
-const _radius_from_force = (F, A, E_star) => {
-  let v10, v8;
-  v8 = ((35.0 * F) / ((192.0 * E_star) * A));
-  v10 = Math.pow(v8, 0.14285714285714285);
-  if (((v8 > 0.0) && (v8 < Infinity))) {
-    return (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
-  }
-  return v10;
 };
 
 const radius_from_force = (F, A, E_star) => {
@@ -259,19 +190,9 @@ const radius_from_force = (F, A, E_star) => {
   v10 = Math.pow(v8, 0.14285714285714285);
   if (((v8 > 0.0) && (v8 < Infinity))) {
     value = (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _radius_from_force(F, A, E_star);
+    return value;
   }
   return v10;
-};
-
-const _force_from_depth = (d, A, E_star) => {
-  let v10, v12;
-  v10 = ((20.0 * d) / A);
-  v12 = Math.pow(v10, 0.16666666666666666);
-  return ((((6.0 * E_star) / 7.0) * d) * (((v10 > 0.0) && (v10 < Infinity)) ? (v12 + (v12 * (((v10 / (Math.pow(v12, 6.0) * Math.pow(v12, 0.0))) - 1.0) / 6.0))) : v12));
 };
 
 const force_from_depth = (d, A, E_star) => {
@@ -279,32 +200,7 @@ const force_from_depth = (d, A, E_star) => {
   v10 = ((20.0 * d) / A);
   v12 = Math.pow(v10, 0.16666666666666666);
   value = ((((6.0 * E_star) / 7.0) * d) * (((v10 > 0.0) && (v10 < Infinity)) ? (v12 + (v12 * (((v10 / (Math.pow(v12, 6.0) * Math.pow(v12, 0.0))) - 1.0) / 6.0))) : v12));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force_from_depth(d, A, E_star);
-};
-
-const nth_root = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return math.where(((x > 0.0) & (x < Infinity)), (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))), y);
-};
-
-const without_root = (x, n, more = 0) => {
-  return math.where(((x > 0.0) & (x < Infinity)), (x / nth_root(x, n, more)), x);
-};
-
-const nth_root_of_functions = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
-};
-
-const _depth_from_force = (F, A, E_star) => {
-  return (without_root((F / E_star), 7) * nth_root_of_functions(((117649 * A) / 933120), 7));
+  return value;
 };
 
 const depth_from_force = (F, A, E_star) => {
@@ -320,10 +216,7 @@ const depth_from_force = (F, A, E_star) => {
   v27 = ((117649.0 * A) / 933120.0);
   v28 = Math.pow(v27, 0.14285714285714285);
   value = (v23 * (((v27 > 0.0) && (v27 < Infinity)) ? (v28 + (v28 * (((v27 / (Math.pow(v28, 7.0) * Math.pow(v28, 0.0))) - 1.0) / 7.0))) : v28));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _depth_from_force(F, A, E_star);
+  return value;
 };
 
 const depth_of_sextic = (a, A, E_star, dgamma) => {
@@ -354,21 +247,6 @@ const pressure_of_sextic = (r, a, A, E_star, dgamma) => {
   return (v32 - v49);
 };
 
-const lift = (r, a, E_star, dgamma) => {
-  let v15, v5;
-  if ((r > a)) {
-    v5 = (r - a);
-    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
-  } else {
-    v15 = 1.0;
-  }
-  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
-};
-
-const _displacement_of_sextic = (r, a, A, E_star, dgamma) => {
-  return (_displacement(r, a, A) - lift(r, a, E_star, dgamma));
-};
-
 const displacement_of_sextic = (r, a, A, E_star, dgamma) => {
   let v10, v12, v13, v17, v19, v84, v85, value;
   v10 = Math.pow(a, 6.0);
@@ -383,30 +261,44 @@ const displacement_of_sextic = (r, a, A, E_star, dgamma) => {
     v85 = ((((16.0 * A) / 5.0) * v10) - (A * Math.pow(r, 6.0)));
   }
   value = (v85 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v84 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)))) : 1.0)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _displacement_of_sextic(r, a, A, E_star, dgamma);
+  return value;
+};
+
+const nth_root = (x, n, more = 0) => {
+  let degree, y;
+  degree = (n + more);
+  y = Math.pow(x, (1.0 / degree));
+  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
 };
 
 const _pull_off_radius = (A, E_star, dgamma, control) => {
   let radius;
   if ((control === 'force')) {
-    radius = (Math.pow(nth_root_of_functions((1 / A), 11), 2) * nth_root_of_functions((((25 * Math.PI) * dgamma) / (2048 * E_star)), 11));
+    radius = (Math.pow(nth_root((1 / A), 11), 2) * nth_root((((25 * Math.PI) * dgamma) / (2048 * E_star)), 11));
   } else {
-    radius = (Math.pow(nth_root_of_functions((1 / A), 11), 2) * nth_root_of_functions((((25 * Math.PI) * dgamma) / (18432 * E_star)), 11));
+    radius = (Math.pow(nth_root((1 / A), 11), 2) * nth_root((((25 * Math.PI) * dgamma) / (18432 * E_star)), 11));
   }
   return ((dgamma > 0.0) ? radius : 0.0);
 };
 
-const _depth_of_sextic = (a, A) => {
+const _depth = (a, A) => {
   return (((16.0 * A) / 5.0) * Math.pow(a, 6.0));
 };
 
 const XI = {'force': 3.0, 'depth': 1.0};
 
 const _pull_off_depth = (a, A, E_star, dgamma, control) => {
-  return (_depth_of_sextic(a, A) * (1.0 - (12.0 / XI[control])));
+  return (_depth(a, A) * (1.0 - (12.0 / XI[control])));
+};
+
+const _radius_from_depth_of_sextic = (d, A) => {
+  let v6, v8;
+  v6 = ((5.0 * d) / (16.0 * A));
+  v8 = Math.pow(v6, 0.16666666666666666);
+  if (((v6 > 0.0) && (v6 < Infinity))) {
+    return (v8 + (v8 * (((v6 / (Math.pow(v8, 6.0) * Math.pow(v8, 0.0))) - 1.0) / 6.0)));
+  }
+  return v8;
 };
 
 const ROUNDING = 1e-15;
@@ -549,16 +441,18 @@ const power_law_radius = (value, a_c, least, p, q, plain) => {
   return ((e < 0.0) ? NaN : (Number.isFinite(e) ? a : ((value >= 0.0) ? plain : NaN)));
 };
 
-const _radius_from_depth_of_sextic = (d, A, E_star, dgamma) => {
+const _radius_from_depth = (d, A, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(A, E_star, dgamma, 'depth');
   least = _pull_off_depth(a_c, A, E_star, dgamma, 'depth');
-  plain = _radius_from_depth(math.maximum(d, 0.0), A);
+  plain = _radius_from_depth_of_sextic(math.maximum(d, 0.0), A);
   return power_law_radius(d, a_c, least, 6.0, 0.5, plain);
 };
 
 const radius_from_depth_of_sextic = (d, A, E_star, dgamma) => {
-  return _radius_from_depth_of_sextic(d, A, E_star, dgamma);
+  let value;
+  value = _radius_from_depth(d, A, E_star, dgamma);
+  return value;
 };
 
 const _force = (a, A, E_star) => {
@@ -569,58 +463,34 @@ const _pull_off_force = (a, A, E_star, dgamma, control) => {
   return (_force(a, A, E_star) * (1.0 - (14.0 / XI[control])));
 };
 
-const _radius_from_force_of_sextic = (F, A, E_star, dgamma) => {
+const _radius_from_force_of_sextic = (F, A, E_star) => {
+  let v10, v8;
+  v8 = ((35.0 * F) / ((192.0 * E_star) * A));
+  v10 = Math.pow(v8, 0.14285714285714285);
+  if (((v8 > 0.0) && (v8 < Infinity))) {
+    return (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
+  }
+  return v10;
+};
+
+const _radius_from_force = (F, A, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(A, E_star, dgamma, 'force');
   least = _pull_off_force(a_c, A, E_star, dgamma, 'force');
-  plain = _radius_from_force(math.maximum(F, 0.0), A, E_star);
+  plain = _radius_from_force_of_sextic(math.maximum(F, 0.0), A, E_star);
   return power_law_radius(F, a_c, least, 7.0, 1.5, plain);
 };
 
 const radius_from_force_of_sextic = (F, A, E_star, dgamma) => {
-  return _radius_from_force_of_sextic(F, A, E_star, dgamma);
+  let value;
+  value = _radius_from_force(F, A, E_star, dgamma);
+  return value;
 };
 
 const tangential_force = (a, c, A, E_star, mu) => {
-  return ((mu * ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0))) * (-Math.expm1(((-7.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-};
-
-const _pressure = (r, a, A, E_star) => {
-  let root;
-  root = Math.sqrt(((a - r) * (a + r)));
-  return math.where((r < a), (((((32 * E_star) * A) / (25 * Math.PI)) * (((3 * Math.pow(a, 4)) + ((4 * Math.pow(a, 2)) * Math.pow(r, 2))) + (8 * Math.pow(r, 4)))) * root), 0.0);
-};
-
-const _slope = (t, A) => {
-  return (((96 * A) / 5) * Math.pow(t, 5));
-};
-
-const difference_root = (x, y) => {
-  let v2;
-  v2 = (x - y);
-  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
-};
-
-const root_gain = (r, c, a) => {
-  return math.where((a > c), (((a - c) * (a + c)) / (difference_root(a, r) + difference_root(c, r))), 0.0);
-};
-
-const even_gain = (r, c, a, n) => {
-  let inner, j, outer, power, quotient, total;
-  [outer, inner] = [difference_root(a, r), difference_root(c, r)];
-  [quotient, power, total] = [0.0, 1.0, 1.0];
-  for (j of math.range(4, (n + 1), 2)) {
-    [quotient, power] = [(((a * a) * quotient) + power), ((c * c) * power)];
-    total = (((((((j - 2) * r) * r) * total) + ((quotient * (outer + inner)) * outer)) + power) / (j - 1));
-  }
-  return (root_gain(r, c, a) * total);
-};
-
-const _traction = (r, a, c, A, E_star, mu) => {
-  let gain, sliding;
-  sliding = _pressure(r, a, A, E_star);
-  gain = (((E_star / Math.PI) * _slope(1.0, A)) * even_gain(r, c, a, 6));
-  return (mu * math.where((r < c), gain, sliding));
+  let value;
+  value = ((mu * ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0))) * (-Math.expm1(((-7.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const traction = (r, a, c, A, E_star, mu) => {
@@ -646,38 +516,13 @@ const traction = (r, a, c, A, E_star, mu) => {
     v82 = v33;
   }
   value = (mu * v82);
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _traction(r, a, c, A, E_star, mu);
+  return value;
 };
 
 const tangential_displacement = (a, c, A, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0))) * (-Math.expm1(((-6.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-};
-
-const _force_of_sextic = (a, A, E_star) => {
-  return ((((192 * E_star) * A) / 35) * Math.pow(a, 7));
-};
-
-const stick_force = (F, F_x, mu) => {
-  let v10, v4;
-  v4 = (F - (F_x / mu));
-  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
-  if ((v10 >= 0.0)) {
-    return v10;
-  }
-  return NaN;
-};
-
-const _radius_from_force_2 = (F, A, E_star) => {
-  return nth_root_of_functions(((35 * F) / ((192 * E_star) * A)), 7);
-};
-
-const _stick_radius = (F_x, a, A, E_star, mu) => {
-  let F;
-  F = stick_force(_force_of_sextic(a, A, E_star), F_x, mu);
-  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, A, E_star));
+  let value;
+  value = (((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0))) * (-Math.expm1(((-6.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  return value;
 };
 
 const stick_radius = (F_x, a, A, E_star, mu) => {
@@ -693,20 +538,16 @@ const stick_radius = (F_x, a, A, E_star, mu) => {
   v30 = Math.pow(v28, 0.14285714285714285);
   if (((v28 > 0.0) && (v28 < Infinity))) {
     value = (v30 + (v30 * (((v28 / (Math.pow(v30, 7.0) * Math.pow(v30, 0.0))) - 1.0) / 7.0)));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _stick_radius(F_x, a, A, E_star, mu);
-  }
-  value = v30;
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
     return value;
   }
-  return _stick_radius(F_x, a, A, E_star, mu);
+  value = v30;
+  return value;
 };
 
 const full_slip_displacement = (a, A, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0)));
+  let value;
+  value = ((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0)));
+  return value;
 };
 
 const formulas = {

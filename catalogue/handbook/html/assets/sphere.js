@@ -139,19 +139,6 @@ const depth = (a, R) => {
   return (a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0));
 };
 
-const _force = (a, R, E_star) => {
-  let v12, v18, v53, v8;
-  v8 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
-  v12 = (a / R);
-  if ((v8 < 1.0)) {
-    v18 = (v8 * v8);
-    v53 = ((v12 * (v12 * v12)) * (((((((((((1.0716932453474512e-06 * v18) + 0.00019982814521087247) * v18) + 0.007076196047699156) * v18) + 0.08608622548411103) * v18) + 0.3073858328214721) * v18) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v18) + 2.0203143566039827e-05) * v18) + 0.001617010334189783) * v18) + 0.03639274880225476) * v18) + 0.32215749846441627) * v18) + 1.0)));
-  } else {
-    v53 = (v8 - v12);
-  }
-  return (E_star * (((a * a) * v8) + ((R * R) * v53)));
-};
-
 const force = (a, R, E_star) => {
   let v12, v18, v53, v8, value;
   v8 = (Math.log1p(((2.0 * a) / (R - a))) / 2.0);
@@ -163,10 +150,7 @@ const force = (a, R, E_star) => {
     v53 = (v8 - v12);
   }
   value = (E_star * (((a * a) * v8) + ((R * R) * v53)));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force(a, R, E_star);
+  return value;
 };
 
 const difference_root = (x, y) => {
@@ -276,48 +260,60 @@ const pressure = (r, a, R, E_star) => {
       v118 = ((v113 * v36) + 0.04000000000042643);
       v123 = ((v118 * v36) + 0.11111111111110937);
       value = ((E_star / 3.141592653589793) * (((R * Math.asinh((Math.sqrt((v12 * v13)) / Math.sqrt(((R - a) * (a + R)))))) / Math.sqrt((v4 * (r + R)))) + (((2.0 * v25) / v30) * (((v123 * v36) + 1.0) + ((v35 * (v35 + v32)) * (((((((((((v99 + v98) * v37) + v103) * v37) + v108) * v37) + v113) * v37) + v118) * v37) + v123))))));
-      if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-        return value;
-      }
-      return _pressure(r, a, R, E_star);
+      return value;
     }
     return 0.0;
   }
   return NaN;
 };
 
+const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const displacement = (r, a, R) => {
+  let node, v10, v11, v16, v19, v21, v3, v30, v33, v35, v36, v37, v39, v4, v41, v43, v44, v47, v51, v52, v54, v64, v65, v66, value, weight;
+  if ((a <= R)) {
+    v39 = (r + R);
+    v47 = (R - r);
+    if ((r > a)) {
+      v3 = (((r < R) || (r !== r)) ? r : R);
+      if ((a < v3)) {
+        v4 = (v3 - a);
+        v10 = (a / Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (v3 + a))));
+        v11 = Math.asinh(v10);
+        v16 = (0.0 - Math.expm1(((-2.0) * v11)));
+        v19 = ((v16 > 0.0) ? v16 : Infinity);
+        v37 = (r - R);
+        v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * v39));
+        v43 = (v41 * v41);
+        v51 = Math.sqrt(((((v47 > 0.0) || (v47 !== v47)) ? v47 : 0.0) * (R + r)));
+        v52 = (v51 * v51);
+        v65 = [];
+        for ([node, weight] of RULE_0((v11 / 1.0))) {
+          v21 = (node * v11);
+          v30 = (v10 * ((Math.exp((-v21)) * (0.0 - Math.expm1(((-2.0) * (v11 - v21))))) / v19));
+          v33 = Math.sqrt((1.0 + (v30 * v30)));
+          v35 = (v3 * (v30 / v33));
+          v36 = (v3 / v33);
+          v44 = (v36 * v36);
+          v54 = Math.sqrt((v52 + v44));
+          v64 = (((Math.asinh((v35 / v54)) + ((R * v35) / (v54 * v54))) * Math.atan2(v35, Math.sqrt((v43 + v44)))) * (v36 / v33));
+          v65.push((weight * v64));
+        }
+        v65 = (math.fsum(v65) * v11);
+        v66 = v65;
+      } else {
+        v66 = Infinity;
+      }
+      value = (0.6366197723675814 * v66);
+      return value;
+    }
+    return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v47 * v39)) + R)));
+  }
+  return NaN;
+};
+
 const stiffness = (a, E_star, R = 1.0) => {
   return ((2.0 * E_star) * a);
-};
-
-const TANH_GAP = [[0.3333333333333333, 0.3073858328214721, 0.08608622548411103, 0.007076196047699156, 0.00019982814521087247, 1.0716932453474512e-06], [1.0, 0.32215749846441627, 0.03639274880225476, 0.001617010334189783, 2.0203143566039827e-05, 2.565078604208634e-08]];
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const tanh_gap = (y, x) => {
-  let t;
-  t = math.minimum(y, 1.0);
-  return math.where((y < 1.0), ((x * (x * x)) * rational((t * t), ...TANH_GAP)), (y - x));
-};
-
-const _force_of_sphere = (a, R, E_star) => {
-  let angle;
-  angle = (Math.log1p(((2 * a) / (R - a))) / 2);
-  return (E_star * ((Math.pow(a, 2) * angle) + (Math.pow(R, 2) * tanh_gap(angle, (a / R)))));
-};
-
-const _mean_pressure = (a, R, E_star) => {
-  return math.where((a > 0.0), (_force_of_sphere(a, R, E_star) / (Math.PI * Math.pow(a, 2))), 0.0);
 };
 
 const mean_pressure = (a, R, E_star) => {
@@ -333,10 +329,7 @@ const mean_pressure = (a, R, E_star) => {
       v55 = (v10 - v14);
     }
     value = ((E_star * ((v11 * v10) + ((R * R) * v55))) / (3.141592653589793 * v11));
-    if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-      return value;
-    }
-    return _mean_pressure(a, R, E_star);
+    return value;
   }
   return 0.0;
 };
@@ -490,7 +483,9 @@ const _radius_from_depth = (d, R) => {
 };
 
 const radius_from_depth = (d, R) => {
-  return _radius_from_depth(d, R);
+  let value;
+  value = _radius_from_depth(d, R);
+  return value;
 };
 
 const _force_at = (a, root, R, E_star) => {
@@ -525,7 +520,9 @@ const _radius_from_force = (F, R, E_star) => {
 };
 
 const radius_from_force = (F, R, E_star) => {
-  return _radius_from_force(F, R, E_star);
+  let value;
+  value = _radius_from_force(F, R, E_star);
+  return value;
 };
 
 const _force_from_depth = (d, R, E_star) => {
@@ -536,7 +533,9 @@ const _force_from_depth = (d, R, E_star) => {
 };
 
 const force_from_depth = (d, R, E_star) => {
-  return _force_from_depth(d, R, E_star);
+  let value;
+  value = _force_from_depth(d, R, E_star);
+  return value;
 };
 
 const _depth_from_force = (F, R, E_star) => {
@@ -547,24 +546,13 @@ const _depth_from_force = (F, R, E_star) => {
 };
 
 const depth_from_force = (F, R, E_star) => {
-  return _depth_from_force(F, R, E_star);
+  let value;
+  value = _depth_from_force(F, R, E_star);
+  return value;
 };
 
 const depth_of_sphere = (a, R, E_star, dgamma) => {
   return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
-};
-
-const _force_2 = (a, R, E_star, dgamma) => {
-  let v13, v19, v54, v9;
-  v9 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
-  v13 = (a / R);
-  if ((v9 < 1.0)) {
-    v19 = (v9 * v9);
-    v54 = ((v13 * (v13 * v13)) * (((((((((((1.0716932453474512e-06 * v19) + 0.00019982814521087247) * v19) + 0.007076196047699156) * v19) + 0.08608622548411103) * v19) + 0.3073858328214721) * v19) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v19) + 2.0203143566039827e-05) * v19) + 0.001617010334189783) * v19) + 0.03639274880225476) * v19) + 0.32215749846441627) * v19) + 1.0)));
-  } else {
-    v54 = (v9 - v13);
-  }
-  return ((E_star * (((a * a) * v9) + ((R * R) * v54))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
 };
 
 const force_of_sphere = (a, R, E_star, dgamma) => {
@@ -578,10 +566,7 @@ const force_of_sphere = (a, R, E_star, dgamma) => {
     v54 = (v9 - v13);
   }
   value = ((E_star * (((a * a) * v9) + ((R * R) * v54))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
-  }
-  return _force_2(a, R, E_star, dgamma);
+  return value;
 };
 
 const _pressure_2 = (r, a, R, E_star) => {
@@ -661,10 +646,131 @@ const pressure_of_sphere = (r, a, R, E_star, dgamma) => {
     return _pressure_of_sphere(r, a, R, E_star, dgamma);
   }
   value = (v146 - v159);
-  if ((((value > 1e-200) && (value < 1e+200)) || (1e-200 < (-value) && (-value) < 1e+200))) {
-    return value;
+  return value;
+};
+
+const RULE_0_of_sphere = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const displacement_of_sphere = (r, a, R, E_star, dgamma) => {
+  let node, v12, v13, v18, v21, v23, v32, v35, v37, v38, v39, v41, v43, v45, v46, v49, v5, v53, v54, v56, v6, v66, v67, v68, v84, v85, v87, v88, v95, value, weight;
+  v84 = (r > a);
+  if ((a <= R)) {
+    v41 = (r + R);
+    v49 = (R - r);
+    if (v84) {
+      v5 = (((r < R) || (r !== r)) ? r : R);
+      if ((a < v5)) {
+        v6 = (v5 - a);
+        v12 = (a / Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (v5 + a))));
+        v13 = Math.asinh(v12);
+        v18 = (0.0 - Math.expm1(((-2.0) * v13)));
+        v21 = ((v18 > 0.0) ? v18 : Infinity);
+        v39 = (r - R);
+        v43 = Math.sqrt(((((v39 > 0.0) || (v39 !== v39)) ? v39 : 0.0) * v41));
+        v45 = (v43 * v43);
+        v53 = Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (R + r)));
+        v54 = (v53 * v53);
+        v67 = [];
+        for ([node, weight] of RULE_0_of_sphere((v13 / 1.0))) {
+          v23 = (node * v13);
+          v32 = (v12 * ((Math.exp((-v23)) * (0.0 - Math.expm1(((-2.0) * (v13 - v23))))) / v21));
+          v35 = Math.sqrt((1.0 + (v32 * v32)));
+          v37 = (v5 * (v32 / v35));
+          v38 = (v5 / v35);
+          v46 = (v38 * v38);
+          v56 = Math.sqrt((v54 + v46));
+          v66 = (((Math.asinh((v37 / v56)) + ((R * v37) / (v56 * v56))) * Math.atan2(v37, Math.sqrt((v45 + v46)))) * (v38 / v35));
+          v67.push((weight * v66));
+        }
+        v67 = (math.fsum(v67) * v13);
+        v68 = v67;
+      } else {
+        v68 = Infinity;
+      }
+      v85 = (0.6366197723675814 * v68);
+    } else {
+      v85 = ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v49 * v41)) + R)));
+    }
+    v87 = v85;
+  } else {
+    v87 = NaN;
   }
-  return _pressure_of_sphere(r, a, R, E_star, dgamma);
+  if (v84) {
+    v88 = (r - a);
+    v95 = (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (r + a)))));
+  } else {
+    v95 = 1.0;
+  }
+  value = (v87 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v95));
+  return value;
+};
+
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const tangential_force = (a, c, R, E_star, mu) => {
+  let node, v10, v101, v104, v108, v109, v113, v118, v122, v126, v128, v13, v14, v142, v146, v147, v148, v149, v152, v157, v158, v159, v162, v174, v175, v176, v179, v20, v55, v58, v60, v63, v66, v7, v71, v95, v98, value, weight;
+  v7 = (R - a);
+  v10 = (Math.log1p(((2.0 * a) / v7)) / 2.0);
+  v13 = (R * R);
+  v14 = (a / R);
+  if ((v10 < 1.0)) {
+    v20 = (v10 * v10);
+    v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
+  } else {
+    v55 = (v10 - v14);
+  }
+  v58 = (E_star * (((a * a) * v10) + (v13 * v55)));
+  v60 = (R - c);
+  v63 = (Math.log1p(((2.0 * c) / v60)) / 2.0);
+  v66 = (c / R);
+  if ((v63 < 1.0)) {
+    v71 = (v63 * v63);
+    v95 = ((v66 * (v66 * v66)) * (((((((((((1.0716932453474512e-06 * v71) + 0.00019982814521087247) * v71) + 0.007076196047699156) * v71) + 0.08608622548411103) * v71) + 0.3073858328214721) * v71) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v71) + 2.0203143566039827e-05) * v71) + 0.001617010334189783) * v71) + 0.03639274880225476) * v71) + 0.32215749846441627) * v71) + 1.0)));
+  } else {
+    v95 = (v63 - v66);
+  }
+  v98 = (E_star * (((c * c) * v63) + (v13 * v95)));
+  v101 = (v98 >= (0.25 * v58));
+  if (v101) {
+    v128 = (a > c);
+    v142 = (v101 && v128);
+    if (v142) {
+      v104 = (R - 0.0);
+      v108 = Math.sqrt(((((v104 > 0.0) || (v104 !== v104)) ? v104 : 0.0) * (R + 0.0)));
+      v109 = (c - 0.0);
+      v113 = Math.sqrt(((((v109 > 0.0) || (v109 !== v109)) ? v109 : 0.0) * (c + 0.0)));
+      if (v142) {
+        v118 = (a - 0.0);
+        v122 = Math.sqrt(((((v118 > 0.0) || (v118 !== v118)) ? v118 : 0.0) * (a + 0.0)));
+        v126 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (R + a)));
+        v146 = (0.5 * Math.log1p((((((2.0 * v108) * (v128 ? (((a - c) * (a + c)) / (v122 + v113)) : 0.0)) / v126) * ((v108 + v122) / (v108 + v113))) / v126)));
+      } else {
+        v146 = 0.0;
+      }
+      v158 = (v108 * Math.sqrt(((((v60 > 0.0) || (v60 !== v60)) ? v60 : 0.0) * (R + c))));
+      v175 = [];
+      for ([node, weight] of RULE_0_2((v146 / 1.0))) {
+        v147 = (node * v146);
+        v148 = Math.cosh(v147);
+        v149 = Math.sinh(v147);
+        v152 = ((v108 * v148) + (v113 * v149));
+        v157 = ((v108 * ((v113 * v148) + (v108 * v149))) / v152);
+        v159 = (v158 / v152);
+        v162 = Math.sqrt((0.0 + (v157 * v157)));
+        v174 = ((((Math.asinh((v162 / v159)) + ((R * v162) / (v159 * v159))) * (v159 / v108)) * (v159 / v162)) * (v162 * v162));
+        v175.push((weight * v174));
+      }
+      v175 = (math.fsum(v175) * v146);
+      v176 = v175;
+    } else {
+      v176 = 0.0;
+    }
+    v179 = ((2.0 * E_star) * v176);
+  } else {
+    v179 = (v58 - v98);
+  }
+  value = (mu * v179);
+  return value;
 };
 
 const CLOSE = 0.25;
@@ -703,7 +809,71 @@ const _traction = (r, a, c, R, E_star, mu) => {
 };
 
 const traction = (r, a, c, R, E_star, mu) => {
-  return _traction(r, a, c, R, E_star, mu);
+  let value;
+  value = _traction(r, a, c, R, E_star, mu);
+  return value;
+};
+
+const tangential_displacement = (a, c, R, E_star, G_star, mu) => {
+  let node, v100, v12, v14, v18, v21, v23, v27, v28, v32, v37, v41, v45, v47, v61, v65, v67, v68, v69, v72, v77, v78, v79, v8, v82, v94, v95, v96, value, weight;
+  v8 = (R - a);
+  v12 = (a * (Math.log1p(((2.0 * a) / v8)) / 2.0));
+  v14 = (R - c);
+  v18 = (c * (Math.log1p(((2.0 * c) / v14)) / 2.0));
+  v21 = (v18 >= (0.25 * v12));
+  if (v21) {
+    v47 = (a > c);
+    v61 = (v21 && v47);
+    if (v61) {
+      v23 = (R - 0.0);
+      v27 = Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (R + 0.0)));
+      v28 = (c - 0.0);
+      v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (c + 0.0)));
+      if (v61) {
+        v37 = (a - 0.0);
+        v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * (a + 0.0)));
+        v45 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (R + a)));
+        v65 = (0.5 * Math.log1p((((((2.0 * v27) * (v47 ? (((a - c) * (a + c)) / (v41 + v32)) : 0.0)) / v45) * ((v27 + v41) / (v27 + v32))) / v45)));
+      } else {
+        v65 = 0.0;
+      }
+      v78 = (v27 * Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (R + c))));
+      v95 = [];
+      for ([node, weight] of RULE_0_2((v65 / 1.0))) {
+        v67 = (node * v65);
+        v68 = Math.cosh(v67);
+        v69 = Math.sinh(v67);
+        v72 = ((v27 * v68) + (v32 * v69));
+        v77 = ((v27 * ((v32 * v68) + (v27 * v69))) / v72);
+        v79 = (v78 / v72);
+        v82 = Math.sqrt((0.0 + (v77 * v77)));
+        v94 = ((((Math.asinh((v82 / v79)) + ((R * v82) / (v79 * v79))) * (v79 / v27)) * (v79 / v82)) * Math.pow(v82, 1.0));
+        v95.push((weight * v94));
+      }
+      v95 = (math.fsum(v95) * v65);
+      v96 = v95;
+    } else {
+      v96 = 0.0;
+    }
+    v100 = v96;
+  } else {
+    v100 = (v12 - v18);
+  }
+  value = ((mu * (E_star / G_star)) * v100);
+  return value;
+};
+
+const _force = (a, R, E_star) => {
+  let v12, v18, v53, v8;
+  v8 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
+  v12 = (a / R);
+  if ((v8 < 1.0)) {
+    v18 = (v8 * v8);
+    v53 = ((v12 * (v12 * v12)) * (((((((((((1.0716932453474512e-06 * v18) + 0.00019982814521087247) * v18) + 0.007076196047699156) * v18) + 0.08608622548411103) * v18) + 0.3073858328214721) * v18) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v18) + 2.0203143566039827e-05) * v18) + 0.001617010334189783) * v18) + 0.03639274880225476) * v18) + 0.32215749846441627) * v18) + 1.0)));
+  } else {
+    v53 = (v8 - v12);
+  }
+  return (E_star * (((a * a) * v8) + ((R * R) * v53)));
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -723,7 +893,9 @@ const _stick_radius = (F_x, a, R, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, R, E_star, mu) => {
-  return _stick_radius(F_x, a, R, E_star, mu);
+  let value;
+  value = _stick_radius(F_x, a, R, E_star, mu);
+  return value;
 };
 
 const full_slip_displacement = (a, R, E_star, G_star, mu) => {
@@ -734,6 +906,7 @@ const formulas = {
   "d": (v) => depth(v.a, v.R),
   "F": (v) => force(v.a, v.R, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.R, v.E_star),
+  "w": (v) => displacement(v.r, v.a, v.R),
   "k": (v) => stiffness(v.a, v.E_star, v.R),
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R),
@@ -743,7 +916,10 @@ const formulas = {
   "adh.d": (v) => depth_of_sphere(v.a, v.R, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_sphere(v.a, v.R, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_sphere(v.r, v.a, v.R, v.E_star, v.dgamma),
+  "adh.w": (v) => displacement_of_sphere(v.r, v.a, v.R, v.E_star, v.dgamma),
+  "tan.F": (v) => tangential_force(v.a, v.c, v.R, v.E_star, v.mu),
   "tan.tau": (v) => traction(v.r, v.a, v.c, v.R, v.E_star, v.mu),
+  "tan.u": (v) => tangential_displacement(v.a, v.c, v.R, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.R, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.R, v.E_star, v.G_star, v.mu),
 };
@@ -929,6 +1105,17 @@ window.calculator = { ...{
    "place": "inside",
    "suffix": "p"
   },
+  "w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "R"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": "w"
+  },
   "k": {
    "gives": "stiffness",
    "needs": [
@@ -1031,6 +1218,32 @@ window.calculator = { ...{
    "place": "inside",
    "suffix": ""
   },
+  "adh.w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "outside",
+   "suffix": ""
+  },
+  "tan.F": {
+   "gives": "F_x",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N",
+   "place": "",
+   "suffix": ""
+  },
   "tan.tau": {
    "gives": "tau",
    "needs": [
@@ -1043,6 +1256,20 @@ window.calculator = { ...{
    ],
    "unit": "Pa",
    "place": "inside",
+   "suffix": ""
+  },
+  "tan.u": {
+   "gives": "u_0",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "G_star",
+    "mu"
+   ],
+   "unit": "m",
+   "place": "",
    "suffix": ""
   },
   "tan.c": {

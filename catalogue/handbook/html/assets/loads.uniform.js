@@ -1,0 +1,269 @@
+(() => {
+"use strict";
+// What JavaScript's Math lacks of Python's math and of NumPy over single numbers, and rules of integration.
+const math = {
+  asarray: (x) => x,
+  vectorize: (of) => of,
+  float64: (x) => x,
+  full: (like, value) => value,
+  ones_like: () => 1.0,
+  zeros_like: () => 0.0,
+  zeros: () => 0.0,
+  ndim: () => 0,
+  logical_not: (x) => !x,
+  where: (condition, x, y) => (condition ? x : y),
+  minimum: (x, y) => (x < y || x !== x ? x : y),
+  maximum: (x, y) => (x > y || x !== x ? x : y),
+  clip: (x, low, high) => Math.min(Math.max(x, low), high),
+  sqrt: Math.sqrt,
+  log: (x) => Math.log(x),
+  log1p: (x) => Math.log1p(x),
+  exp2: (x) => Math.pow(2.0, x),
+  length: (x) => x.length,
+  range: (...given) => {
+    const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
+    return Array.from({ length: Math.max(Math.ceil((stop - start) / step), 0) }, (_, count) => start + step * count);
+  },
+  zip: (x, y) => x.map((value, place) => [value, y[place]]),
+  enumerate: (x, start = 0) => Array.from(x, (value, place) => [place + start, value]),
+  repeated: (x, count) => math.range(count).flatMap(() => x),
+  reversed: (x) => [...x].reverse(),
+  reduce: (of, x) => Array.from(x).reduce((first, next) => of(first, next)),
+  copysign: (x, sign) => (sign < 0.0 || Object.is(sign, -0.0) ? -Math.abs(x) : Math.abs(x)),
+  prod: (x) => x.reduce((total, value) => total * value, 1.0),
+  sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
+  // exact before it is rounded: partial sums that do not overlap
+  fsum: (values) => {
+    const parts = [];
+    for (let x of values) {
+      let count = 0;
+      for (let y of parts) {
+        if (Math.abs(x) < Math.abs(y)) [x, y] = [y, x];
+        const high = x + y;
+        const low = y - (high - x);
+        if (low !== 0.0) parts[count++] = low;
+        x = high;
+      }
+      parts.length = count;
+      parts.push(x);
+    }
+    if (!parts.every(Number.isFinite)) return math.sum(values);
+    return parts.reduceRight((total, part) => total + part, 0.0);
+  },
+  // Lanczos' approximation with 13 terms and g = 6.0246800407767296, as Python's math.gamma has it
+  gamma: (x) => {
+    if (Number.isInteger(x) && x > 0.0 && x < 24.0) return math.prod(math.range(1, x));
+    if (x < 0.5) return Math.PI / (Math.sin(Math.PI * x) * math.gamma(1.0 - x));
+    const y = x + (G - 0.5);
+    const lost = ((x > G - 0.5 ? y - x - (G - 0.5) : y - (G - 0.5) - x) * G) / y;
+    const share = lanczos(x) / Math.exp(y);
+    if (x < 140.0) return (share + lost * share) * Math.pow(y, x - 0.5);
+    const half = Math.pow(y, (x - 0.5) / 2.0);
+    return (share + lost * share) * half * half;
+  },
+  lgamma: (x) => Math.log(lanczos(x)) - G + (x - 0.5) * (Math.log(x + G - 0.5) - 1.0),
+  frexp: (x) => {
+    if (x === 0.0 || !Number.isFinite(x)) return [x, 0];
+    let power = Math.max(-1021, Math.floor(Math.log2(Math.abs(x))) + 1);
+    let share = math.ldexp(x, -power);
+    while (Math.abs(share) < 0.5) [share, power] = [share * 2.0, power - 1];
+    while (Math.abs(share) >= 1.0) [share, power] = [share / 2.0, power + 1];
+    return [share, power];
+  },
+  ldexp: (x, power) => {
+    const half = Math.trunc(power / 3.0);
+    return x * Math.pow(2.0, half) * Math.pow(2.0, half) * Math.pow(2.0, power - 2 * half);
+  },
+  nextafter: (x, to) => {
+    if (x === to || x !== x || to !== to) return x === to ? to : NaN;
+    if (x === 0.0) return to > 0.0 ? Number.MIN_VALUE : -Number.MIN_VALUE;
+    const bits = new DataView(new ArrayBuffer(8));
+    bits.setFloat64(0, x);
+    bits.setBigInt64(0, bits.getBigInt64(0) + (x > 0.0 === to > x ? 1n : -1n));
+    return bits.getFloat64(0);
+  },
+  // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
+  rule: (lengths) => (length) => {
+    for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    const [longest, count] = lengths.at(-1);
+    return pairs(count, Math.ceil(length / longest));
+  },
+  integral: (integrand, stop, count) =>
+    math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
+    math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
+  integral_by_panels: (integrand, stop, width, count) => {
+    const panels = Math.max(Math.ceil(stop / width), 1);
+    return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
+  },
+  integral_by_length: (...given) => math.integral_in_strip(...given),
+  in_groups: (rule_of) => (slope, parameters, ...given) => {
+    const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
+    const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
+    return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  at_break: (b) => 1e-100 * b,
+};
+const G = 6.024680040776729583740234375;
+const lanczos = (x) => {
+  const whole = (terms) =>
+    x < 5.0 ? terms.reduceRight((total, own) => total * x + own, 0.0) : terms.reduce((total, own) => total / x + own, 0.0);
+  return whole(ABOVE) / whole(BELOW);
+};
+const ABOVE = [
+  23531376880.41075968857200767445163675473076, 42919803642.64909876895789904700198885093263, 35711959237.35566804944018545154716670596,
+  17921034426.03720969991975575445893111267140, 6039542586.352028005064291644307297921069938, 1439720407.311721673663223072794912393971,
+  248874557.8620541565114603864132294232163212, 31426415.58540019438061423162831820536287468, 2876370.628935372441225409051620849613599,
+  186056.2653952234950402949897160456992822078, 8071.672002365816210638002902272250613821851, 210.8242777515793458725097339207133627116,
+  2.506628274631000270164908177133837338626431,
+];
+const BELOW = [
+  0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
+];
+const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const kept = new Map();
+const pairs = (count, panels) => {
+  const key = 1000 * count + panels;
+  if (!kept.has(key)) {
+    const half = HALVES[count];
+    const whole = [...half, ...math.reversed(half).map(([node, weight]) => [1.0 - node, weight])];
+    const each = (start) => whole.map(([node, weight]) => [(start + node) / panels, weight / panels]);
+    kept.set(key, math.range(panels).flatMap(each));
+  }
+  return kept.get(key);
+};
+
+const displacement = (r, a, p_0, E_star) => {
+  let v17, v22, v24, v25, v26, v29, v31, v34, v37, v38, v40, v43, v46, v47, v49, v52, v55, v56, v58, v6, v61, v64, v65, v67, v7, v70, v73, v74, v76, v79, v82, v83, v85, v92, value;
+  v6 = (((r > a) || (r !== r)) ? r : a);
+  if ((v6 < Infinity)) {
+    v7 = (((r < a) || (r !== r)) ? r : a);
+    v17 = Math.sqrt((((v6 - v7) / v6) * ((v6 + v7) / v6)));
+  } else {
+    v17 = 1.0;
+  }
+  v22 = ((r <= a) ? (v17 * v17) : 0.0);
+  v24 = (((v17 > 1e-09) || (v17 !== v17)) ? v17 : 1e-09);
+  v25 = (1.0 + v24);
+  v26 = (1.0 + v22);
+  v29 = (2.0 * (v22 + v24));
+  v31 = (2.0 * Math.sqrt(v24));
+  v34 = (v26 + (v29 / v25));
+  v37 = (2.0 * (v29 + (v26 * v31)));
+  v38 = (v31 + v25);
+  v40 = (2.0 * Math.sqrt((v31 * v25)));
+  v43 = (v34 + (v37 / v38));
+  v46 = (2.0 * (v37 + (v34 * v40)));
+  v47 = (v40 + v38);
+  v49 = (2.0 * Math.sqrt((v40 * v38)));
+  v52 = (v43 + (v46 / v47));
+  v55 = (2.0 * (v46 + (v43 * v49)));
+  v56 = (v49 + v47);
+  v58 = (2.0 * Math.sqrt((v49 * v47)));
+  v61 = (v52 + (v55 / v56));
+  v64 = (2.0 * (v55 + (v52 * v58)));
+  v65 = (v58 + v56);
+  v67 = (2.0 * Math.sqrt((v58 * v56)));
+  v70 = (v61 + (v64 / v65));
+  v73 = (2.0 * (v64 + (v61 * v67)));
+  v74 = (v67 + v65);
+  v76 = (2.0 * Math.sqrt((v67 * v65)));
+  v79 = (v70 + (v73 / v74));
+  v82 = (2.0 * (v73 + (v70 * v76)));
+  v83 = (v76 + v74);
+  v85 = (2.0 * Math.sqrt((v76 * v74)));
+  v92 = (v85 + v83);
+  value = (((p_0 / E_star) * a) * ((a / v6) * (((2.0 * (v82 + (v79 * v85))) + ((v79 + (v82 / v83)) * v92)) / (v92 * v92))));
+  return value;
+};
+
+const formulas = {
+  "w": (v) => displacement(v.r, v.a, v.p_0, v.E_star),
+};
+window.calculator = { ...{
+ "fields": [
+  {
+   "name": "a",
+   "tex": "a",
+   "meaning": "contact radius",
+   "unit": "m",
+   "rule": "a > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 0.001
+  },
+  {
+   "name": "p_0",
+   "tex": "p_0",
+   "meaning": "scale of a prescribed pressure",
+   "unit": "Pa",
+   "rule": "p_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 1000000.0
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3300000.0
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "nu",
+   "tex": "\\nu",
+   "meaning": "its Poisson ratio",
+   "unit": "1",
+   "rule": "-1 < nu <= 1/2",
+   "low": -1.0,
+   "high": 0.5,
+   "closed": "high",
+   "value": ""
+  },
+  {
+   "name": "r",
+   "tex": "r",
+   "meaning": "distance from the axis",
+   "unit": "m",
+   "rule": "r >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
+  }
+ ],
+ "state": [],
+ "formulas": {
+  "w": {
+   "gives": "w",
+   "needs": [
+    "r",
+    "a",
+    "p_0",
+    "E_star"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": "w"
+  }
+ },
+ "place": "r"
+}, evaluate: formulas };
+})();
