@@ -15,7 +15,6 @@ __all__ = [
     "plane",
     "subsurface",
     "tangential",
-    "torsion",
     "viscoelastic",
 ]
 
