@@ -444,12 +444,10 @@ def _output(text: SceneText, scene: Scene) -> None:
     if not isinstance(scene.module, str) or not re.fullmatch(FILE.format(ending=ending), scene.module):
         message = f"module must be the name of a file, as 'needle.{ending}', not {table['module']!r:.60}"
         text.problem("output", "module", message)
-    elif language != "python":
-        pass
-    elif keyword.iskeyword(own):
+    elif language == "python" and keyword.iskeyword(own):
         message = f"module {scene.module!r} cannot be imported, {own} is a word of Python; choose another name"
         text.problem(*place, message)
-    elif own.lower() in HIDDEN:
+    elif language == "python" and own.lower() in HIDDEN:
         # in lower case: on some file systems Numpy.py is numpy.py
         text.problem(*place, f"module {scene.module!r} would hide the {own.lower()} of others; choose another name")
     scene.folder = table.get("folder", stem[:60])
