@@ -22,12 +22,12 @@ PROFILES = {
     "strip": "wedge", "concave strip": "concave_parabola", "eccentric": "eccentric_punch", "pressure": "uniform",
     "any power": "power",
 }  # fmt: skip
-KINDS = ("normal", "adhesive", "tangential", "viscoelastic", "plane", "loads")
+KINDS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads")
 SLOW = {("waves", "homogeneous"), ("waves", "power_law")}
 """Quadratures over many waves."""
 QUICK = {
     ("flat", "normal"), ("flat", "adhesive"), ("convex face", "normal"), ("concave face", "normal"),
-    ("eccentric", "plane"), ("any power", "loads"), ("flat", "viscoelastic"),
+    ("eccentric", "plane"), ("any power", "loads"), ("flat", "viscoelastic"), ("flat", "torsion"),
 }  # fmt: skip
 """Composed also where time is short: what no other test of scenes does."""
 
@@ -110,7 +110,9 @@ def test_what_is_accepted_is_emitted_and_its_test_runs(cell, tmp_path: Path):
 def test_the_matrix_is_full():
     """Every accepted cell is one of the catalogue or an expression; none is refused that has entries."""
     counts = {kind: sum(cell.kind == kind for cell in ACCEPTED) for kind in KINDS}
-    assert counts == {"normal": 18, "adhesive": 16, "tangential": 10, "viscoelastic": 10, "plane": 5, "loads": 2}
+    assert counts == {
+        "normal": 18, "adhesive": 16, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5, "loads": 2,
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -34,12 +34,15 @@ ORDER = (("r", "b"), ("b", "a"), ("a", "R"))
 NUMERIC: dict[str, Any] = {
     "elliptic_f": lambda x, m: mp.ellipf(mp.asin(x), m),
     "elliptic_e": lambda x, m: mp.ellipe(mp.asin(x), m),
+    "elliptic_k": mp.ellipk,
+    "complete_e": mp.ellipe,
     **{master.__name__: master.numeric for master in masters.MASTERS},
 }
 FORMULAS = [
     "asin(b/a)", "acos(b/a)", "sqrt(a/b)", "atan(a/b)", "atanh(b/a)", "acosh(a/b)", "asinh(a/b)", "log(a/b)",
     "Dawson(a/b)", "LegendreChi2(b/a)", "ArctanIntegral(a/b)", "C0(b, r, a)", "elliptic_f(b/a, r**2/b**2)",
-    "elliptic_e(b/a, r**2/b**2)", "sinh(asinh(a/b)/3)", "exp(-a**2/b**2)", "gamma(n/2 + 3)", "gamma((1 + k)/2)",
+    "elliptic_e(b/a, r**2/b**2)", "elliptic_k(b**2/a**2)", "complete_e(b**2/a**2)",
+    "sinh(asinh(a/b)/3)", "exp(-a**2/b**2)", "gamma(n/2 + 3)", "gamma((1 + k)/2)",
     "gamma(5/2)", "cos(pi*k/2)",
     "sin(a/b)", "cos(a/b)", "(a**2 - b**2)**((k - 1)/2)*(8*a*b)**(n/3)", "(a**2 - 2*a*b + b**2)**(1/2)",
     "CapMoment(k, b, R, a)", "Xi(a, b, r)", "Eta(a, b, r)",
@@ -147,7 +150,7 @@ def test_a_definition_is_read_in_both_notations() -> None:
 
 WORDS = ("analytic", "nowhere negative")
 """What a statement says without another side."""
-CHANGED = ("flat_punch.adh", "cone.adh", "paraboloid.tan", "materials")
+CHANGED = ("flat_punch.adh", "cone.adh", "paraboloid.tan", "paraboloid.tor", "flat_punch.tor", "materials")
 LONG = (
     "cone",
     "capped_cylinder",

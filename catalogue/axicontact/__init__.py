@@ -15,6 +15,7 @@ __all__ = [
     "plane",
     "subsurface",
     "tangential",
+    "torsion",
     "viscoelastic",
 ]
 

@@ -83,6 +83,8 @@ SYMBOLS = {
         instead="a steeper edge carries an infinite force, use s > -1",
         letter="s",
     ),
+    "G": Domain("G > 0", "shear modulus of the half-space, in Pa"),
+    "twist": Domain("twist >= 0", "angle by which the punch turns, in rad", closed="low", letter="beta"),
 }
 UNITS = {
     "r": "m",
@@ -128,5 +130,7 @@ UNITS = {
     "nu_2": "1",
     "p_0": "Pa",
     "x": "m",
+    "G": "Pa",
+    "beta": "rad",
 }
 """Units of the arguments, by their letters in the interface."""

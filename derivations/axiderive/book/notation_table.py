@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from typing import Any
 
 import sympy as sp
 
 from .. import notation as nt
+from ..physics.systems import SYSTEMS
 from ..print.words import domain, prose
 from ..profiles.pools import POOLS
 from .texts import rows, sections
@@ -58,8 +59,22 @@ def by_subject(used: AbstractSet[str], entries: Sequence[Mapping[str, Any]]) -> 
     ]
     return [
         (title, [row for name in names if name in known for row in meanings.get(name) or [_row(name)]])
-        for title, names in SUBJECTS.items()
+        for title, names in (*SUBJECTS.items(), *_of_physics())
     ]
+
+
+def _of_physics() -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Further subjects: of every physics above another one the letters of its material and results with no row yet."""
+    told = {*INSTEAD, *(name for names in SUBJECTS.values() for name in names)}
+    printed = {letter for latex, _, _ in IN_PRINT.values() for letter in latex.split(r",\;")}
+    for system in SYSTEMS:
+        physics = system.physics
+        results = (own.symbol for table in physics.quantities.values() for own in table.values())
+        letters = dict.fromkeys(symbol.name for symbol in (*physics.material, *results))
+        new = [name for name in letters if name not in told and nt.describe(name).latex not in printed]
+        told |= {*new}
+        if physics.over and new:
+            yield system.said.title, tuple(new)
 
 
 def _within(meaning: str, entries: Sequence[Mapping[str, Any]]) -> str:

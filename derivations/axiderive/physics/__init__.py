@@ -78,6 +78,8 @@ class Shown:
     """A length, and the next smaller one with which it meets; 0 below all of them."""
     given: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     """What stands for an argument of the entry."""
+    known: tuple[tuple[sp.Expr, ...], ...] = ()
+    """Orders of further symbols that it holds for."""
 
 
 @dataclass(frozen=True)

@@ -264,7 +264,7 @@ def name_of(entry: Entry) -> str:
     argument = own.arguments[0] if own.arguments else None
     if physics.tension and own.symbol in (nt.d, nt.F, nt.p, nt.w):
         return f"{name.partition('_')[0]}_adh({argument})"
-    if argument in (nt.r, nt.x) and own.symbol != nt.slope:
+    if f"({argument})" in own.left and argument in (nt.r, nt.x):
         return f"{name}({argument})"
     return f"{name}(t)" if physics.laws and own.symbol == nt.F else name
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 from ..entry import Entry
@@ -72,6 +73,8 @@ def blocks(
         if system.pool is not pool:
             continue
         if system.name in refusals:
+            if _rare(system):
+                continue
             found[system.name] = _silent(system, prose(_reason(refusals[system.name])))
             continue
         problem = Problem(system, name)
@@ -82,6 +85,13 @@ def blocks(
         else:
             found[system.name] = _silent(system, "left out of this edition because one of its checks did not pass")
     return found
+
+
+@cache
+def _rare(system: System) -> bool:
+    """Whether it is known of less than a tenth of the profiles: the pages of the others need not say why."""
+    names = system.pool.names
+    return 10 * sum(not system.refusal(system.pool.load(name)) for name in names) < len(names)
 
 
 def _further(

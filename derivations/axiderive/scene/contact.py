@@ -17,6 +17,7 @@ from ..exits import FAILED, CommandError
 from ..expression import ExpressionError
 from ..expression.definition import Defined, Definition, Numeric, definition, lengths
 from ..expression.validity import examine
+from ..letters import name_of
 from ..oracle.definitions import greatest
 from ..oracle.half_space import HalfSpace
 from ..oracle.shape import shape
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 DIGITS = 20
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
-"""Material values where a scene leaves them free."""
+"""Material values where a scene leaves them free; those of others are shown by their physics."""
 
 
 def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float]:
@@ -39,7 +40,8 @@ def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float
     same: here they differ, unless the profile is not compact then.
     """
     own = _drawn(profile, request.values)
-    material = {n: request.values.get(n, MATERIAL[n]) for n in request.kind.material}
+    shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in request.kind.physics.shown.items()}
+    material = {n: request.values.get(n, (shown | MATERIAL)[n]) for n in request.kind.material}
     if request.own is None:
         return own | material, np.inf
     free = [p.name for p in profile.parameters if p.name not in request.values]

@@ -21,8 +21,10 @@ from ..physics.viscoelastic import Law
 from ..profiles import NAMES
 from ..profiles.profile import Profile, Rule
 
-LETTERS = {"tau": "relaxation", "t": "time"}
-"""Parameters of the material, and the time, that share their letter with another symbol of the notation."""
+MATERIALS = [*dict.fromkeys(symbol for own in SYSTEMS for symbol in (
+    *own.physics.parameters(own.medium), *(one for law in own.physics.laws for one in law.parameters)))]  # fmt: skip
+LETTERS = {name_of(symbol): symbol.name for symbol in (*MATERIALS, nt.time)}
+"""Names of the parameters of a material and of the time by their letters, which other symbols may have too."""
 CONCAVE = "concave"
 """A complete contact from some least load on."""
 TILTED = "tilted"
@@ -104,7 +106,7 @@ class Function:
         """Names of its positional arguments; under a law the time comes first."""
         if self.kind.law:
             return ("t", *LOADED[self.quantity.suffix.partition("_")[0]])
-        return tuple(str(argument) for argument in self.quantity.arguments)
+        return tuple(map(name_of, self.quantity.arguments))
 
     @property
     def signed(self) -> bool:
@@ -205,7 +207,7 @@ def arguments(function: Function, entries: Mapping[str, Entry]) -> tuple[str, ..
     """Fields of a function; the stiffness of a capped cylinder takes the depth."""
     entry = entries.get(function.quantity.suffix)
     if entry is not None and entry.arguments != entry.quantity.arguments:
-        return tuple(map(str, entry.arguments))
+        return tuple(map(name_of, entry.arguments))
     return function.fields
 
 

@@ -49,6 +49,8 @@ LATER = (0.4, 1.9)
 """Times over that of the material."""
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
+BELOW = ((0.45, 0.3), (1.6, 0.7))
+"""Places below a face, over the radius of its edge."""
 STEP = 1e-6
 """Relative: of a radius next to another one."""
 NOTHING = 1e-14
@@ -240,6 +242,9 @@ class Edged:
 
     def rows(self, function: Function) -> Rows:
         """Calls of a function with their results."""
+        kind = self.contact.request.kind
+        if kind.physics.definitions and function.kind == kind:
+            return self.superposed(function, kind.physics.definitions(self.contact.profile, kind.system.medium))
         a, inside, outside = float(self.a), short(0.45 * float(self.a)), short(1.6 * float(self.a))
         match function.name:
             case "profile":
@@ -259,6 +264,15 @@ class Edged:
                 return [((float(self.at("F", d)),), mp.mpf(d)) for d in self.depths]
         rows: Rows = [((d,), self.at(function.quantity.suffix, d)) for d in self.depths]
         return rows if interface.arguments(function, self.contact.entries) else [((), rows[0][1])]
+
+    def superposed(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
+        """What the physics defines over the face, a field at places below it."""
+        own, rows = function.quantity, Rows()
+        for r, z in BELOW if nt.z in own.arguments else BELOW[:1]:
+            place = {"r": short(r * float(self.a)), "z": short(z * float(self.a))}
+            found = self.contact.half_space(DIGITS, **place).defined(stated[own.suffix])
+            rows.append((tuple({**self.contact.all, **place}[name] for name in function.fields), found))
+        return rows
 
 
 def detached(contact: Contact, control: str, radius: float) -> State | None:

@@ -23,7 +23,10 @@ MEASURED = tuple(own for own in SYSTEMS if own.pool is not BODIES and not own.ph
 OWN = tuple(own for own in MEASURED if own.base is None and not own.medium.graded)
 """Systems whose modules hold bodies of their own; all closed formulas of theirs are measured."""
 DIRECT = (*FOUR, "k", "pm", "Dl", "tau", "u", "us")
-"""Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand."""
+"""Quantities of the compact contacts beyond those systems whose printed formulas are enclosed as they stand.
+
+Of a physics that states what its functions return these are all closed formulas.
+"""
 FIELDS = {subsurface.PHYSICS: fields.measured}
 """Functions with several components, which are sums of entries; they are recorded by their names."""
 TOLERANCE = 5.0
@@ -99,7 +102,8 @@ def _direct(entry: Entry, system: System) -> bool:
     known = entry.status == "closed" or is_inverse(entry)
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
-    return system in OWN or entry.suffix in DIRECT and entry.profile.compact
+    stated = system.physics.code is not None
+    return system in OWN or stated or entry.suffix in DIRECT and entry.profile.compact
 
 
 def _form(source: str, entry: Entry) -> Record:

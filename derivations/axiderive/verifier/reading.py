@@ -70,6 +70,8 @@ def _tree(node: Any) -> Tree:
             return (f"[{ast.unparse(name)}]", *map(_tree, arguments))
         case ast.Subscript(value=name, slice=argument):
             return (f"[{ast.unparse(name)}]", _tree(argument))
+        case ast.Call(func=ast.Name(id="elliptic_e"), args=[inner]):
+            return ("complete_e", _tree(inner))
         case ast.Call(func=ast.Name(id=head), args=arguments):
             return (head, *map(_tree, arguments))
     message = f"{ast.unparse(node)[:40]} is no formula"

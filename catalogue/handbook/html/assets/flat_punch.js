@@ -161,12 +161,49 @@ const depth_from_force = (F, a, E_star) => {
   return (F / ((2.0 * E_star) * a));
 };
 
+const torque = (beta, a, G) => {
+  return (((5.333333333333333 * G) * (a * (a * a))) * beta);
+};
+
+const displacement_of_flat_punch = (r, z, a, beta) => {
+  let v11, v16, v18, v25, v27, v29, v30, v36, v4, v6, v79, v82, v94, value;
+  v4 = (r - a);
+  v6 = (r + a);
+  v11 = ((v4 * v6) + (z * z));
+  v16 = Math.sqrt((0.5 * ((Math.hypot(v4, z) * Math.hypot(v6, z)) + Math.abs(v11))));
+  if ((v11 > 0.0)) {
+    v25 = v16;
+  } else {
+    v18 = (v16 > 0.0);
+    v25 = (v18 ? ((z * a) / (v18 ? v16 : 1.0)) : 0.0);
+  }
+  v27 = (v25 > a);
+  if (v27) {
+    v29 = (a / (v27 ? v25 : a));
+    v30 = (v29 * v29);
+    if ((v29 < 1.0)) {
+      v36 = (v29 * v29);
+      v79 = ((v29 * v36) * (((((((((((((2.229767813968649e-06 * v36) + 0.0021043873129700233) * v36) + 0.04325113828415611) * v36) + 0.2725778671008127) * v36) + 0.7123414383945195) * v36) + 0.8116412201960678) * v36) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v36) + 0.06453295925870227) * v36) + 0.5368820963772863) * v36) + 1.9680296155712274) * v36) + 3.5294070829658954) * v36) + 3.034923660588189) * v36) + 1.0)));
+    } else {
+      v79 = (v29 - Math.atan(v29));
+    }
+    v94 = (((v30 * v29) / (1.0 + v30)) - v79);
+  } else {
+    v82 = ((v27 ? 0.0 : v25) / a);
+    v94 = ((1.5707963267948966 - Math.atan(v82)) - (v82 / (1.0 + (v82 * v82))));
+  }
+  value = (beta * (((2.0 * r) / 3.141592653589793) * v94));
+  return value;
+};
+
 const formulas = {
   "F": (v) => force(v.d, v.a, v.E_star),
   "p": (v) => pressure(v.r, v.d, v.a, v.E_star),
   "w": (v) => displacement(v.r, v.d, v.a),
   "k": (v) => stiffness(v.a, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.a, v.E_star),
+  "tor.M": (v) => torque(v.beta, v.a, v.G),
+  "tor.ut": (v) => displacement_of_flat_punch(v.r, v.z, v.a, v.beta),
 };
 window.calculator = { ...{
  "fields": [
@@ -180,6 +217,39 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": 0.002
+  },
+  {
+   "name": "beta",
+   "tex": "\\beta",
+   "meaning": "angle by which the punch turns",
+   "unit": "rad",
+   "rule": "beta >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
+  },
+  {
+   "name": "G",
+   "tex": "G",
+   "meaning": "shear modulus of the half-space",
+   "unit": "Pa",
+   "rule": "G > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "z",
+   "tex": "z",
+   "meaning": "depth below the surface",
+   "unit": "m",
+   "rule": "z >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": ""
   },
   {
    "name": "E_star",
@@ -305,6 +375,29 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "tor.M": {
+   "gives": "torque",
+   "needs": [
+    "beta",
+    "a",
+    "G"
+   ],
+   "unit": "N m",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.ut": {
+   "gives": "around",
+   "needs": [
+    "r",
+    "z",
+    "a",
+    "beta"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   }
  },
  "place": "r"

@@ -476,6 +476,233 @@ const full_slip_displacement = (a, R, E_star, G_star, mu) => {
   return ((mu * (E_star / G_star)) * ((a * a) / R));
 };
 
+const LEAST = 1e-09;
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const NEAR = 0.14;
+
+const NODES = 32;
+
+const turned = (a, c) => {
+  let v102, v104, v107, v109, v11, v112, v114, v117, v132, v15, v16, v18, v2, v20, v23, v26, v27, v29, v32, v35, v36, v38, v4, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v81, v84, v88, v90, v92, v94, v97, v99;
+  v2 = (c / a);
+  v4 = (v2 < 1e-08);
+  if (v4) {
+    v132 = (math.log((4.0 / v2)) - 1.0);
+  } else {
+    v11 = (v4 ? 1.0 : v2);
+    v15 = (((v11 > 1e-09) || (v11 !== v11)) ? v11 : 1e-09);
+    v16 = (1.0 + v15);
+    v18 = (2.0 * v16);
+    v20 = (2.0 * math.sqrt(v15));
+    v23 = (2.0 + (v18 / v16));
+    v26 = (2.0 * (v18 + (2.0 * v20)));
+    v27 = (v20 + v16);
+    v29 = (2.0 * math.sqrt((v20 * v16)));
+    v32 = (v23 + (v26 / v27));
+    v35 = (2.0 * (v26 + (v23 * v29)));
+    v36 = (v29 + v27);
+    v38 = (2.0 * math.sqrt((v29 * v27)));
+    v41 = (v32 + (v35 / v36));
+    v44 = (2.0 * (v35 + (v32 * v38)));
+    v45 = (v38 + v36);
+    v47 = (2.0 * math.sqrt((v38 * v36)));
+    v50 = (v41 + (v44 / v45));
+    v53 = (2.0 * (v44 + (v41 * v47)));
+    v54 = (v47 + v45);
+    v56 = (2.0 * math.sqrt((v47 * v45)));
+    v59 = (v50 + (v53 / v54));
+    v62 = (2.0 * (v53 + (v50 * v56)));
+    v63 = (v56 + v54);
+    v65 = (2.0 * math.sqrt((v56 * v54)));
+    v68 = (v59 + (v62 / v63));
+    v71 = (2.0 * (v62 + (v59 * v65)));
+    v72 = (v65 + v63);
+    v74 = (2.0 * math.sqrt((v65 * v63)));
+    v81 = (v74 + v72);
+    v84 = (v81 * v81);
+    v88 = (2.0 * (0.0 + v15));
+    v90 = (1.0 + (v88 / v16));
+    v92 = (2.0 * (v88 + v20));
+    v94 = (v90 + (v92 / v27));
+    v97 = (2.0 * (v92 + (v90 * v29)));
+    v99 = (v94 + (v97 / v36));
+    v102 = (2.0 * (v97 + (v94 * v38)));
+    v104 = (v99 + (v102 / v45));
+    v107 = (2.0 * (v102 + (v99 * v47)));
+    v109 = (v104 + (v107 / v54));
+    v112 = (2.0 * (v107 + (v104 * v56)));
+    v114 = (v109 + (v112 / v63));
+    v117 = (2.0 * (v112 + (v109 * v65)));
+    v132 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v71 + (v68 * v74))) + ((v68 + (v71 / v72)) * v81)) / v84) - (((2.0 * (v117 + (v114 * v74))) + ((v114 + (v117 / v72)) * v81)) / v84)));
+  }
+  return (a * v132);
+};
+
+const slipping_torque = (a, c) => {
+  let arm, half, inner, length, outer, ratio, ring, stop;
+  c = math.maximum(c, (LEAST * a));
+  length = difference_root(a, c);
+  ratio = (length / c);
+  half = Math.sqrt(0.5);
+  arm = (sine, radius) => {
+    return (((0.5 * radius) * Math.atan((ratio * sine))) + ((((0.5 * c) * length) * sine) / radius));
+  };
+  inner = (v) => {
+    let radius, sine;
+    [sine, radius] = [(Math.sinh(v) / ratio), (c * Math.cosh(v))];
+    return ((((Math.sqrt((1.0 - (sine * sine))) * sine) * arm(sine, radius)) * radius) / length);
+  };
+  outer = (angle) => {
+    let cosine, sine;
+    [sine, cosine] = [Math.cos(angle), Math.sin(angle)];
+    return (((cosine * cosine) * sine) * arm(sine, Math.sqrt(((c * c) + Math.pow((length * sine), 2)))));
+  };
+  stop = Math.asinh((half * ratio));
+  ring = math.integral_in_strip(inner, stop, (NEAR * math.clip(ratio, LEAST, 1.0)));
+  ring = (ring + math.integral(outer, math.full(stop, (Math.PI / 4.0)), NODES));
+  return ((16.0 / Math.PI) * (((Math.pow(c, 3) / 3.0) * turned(a, c)) + (Math.pow(length, 3) * ((a > c) ? ring : 0.0))));
+};
+
+const _torque = (a, c, R, E_star, mu) => {
+  return (((E_star * mu) / R) * slipping_torque(a, c));
+};
+
+const torque = (a, c, R, E_star, mu) => {
+  let value;
+  value = _torque(a, c, R, E_star, mu);
+  return value;
+};
+
+const slip_angle = (a, c, R, E_star, G, mu) => {
+  let v101, v103, v106, v108, v11, v111, v113, v116, v118, v121, v123, v126, v13, v141, v20, v24, v25, v27, v29, v32, v35, v36, v38, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v77, v80, v81, v83, v90, v93, v97, v99, value;
+  v11 = (c / a);
+  v13 = (v11 < 1e-08);
+  if (v13) {
+    v141 = (Math.log((4.0 / v11)) - 1.0);
+  } else {
+    v20 = (v13 ? 1.0 : v11);
+    v24 = (((v20 > 1e-09) || (v20 !== v20)) ? v20 : 1e-09);
+    v25 = (1.0 + v24);
+    v27 = (2.0 * v25);
+    v29 = (2.0 * Math.sqrt(v24));
+    v32 = (2.0 + (v27 / v25));
+    v35 = (2.0 * (v27 + (2.0 * v29)));
+    v36 = (v29 + v25);
+    v38 = (2.0 * Math.sqrt((v29 * v25)));
+    v41 = (v32 + (v35 / v36));
+    v44 = (2.0 * (v35 + (v32 * v38)));
+    v45 = (v38 + v36);
+    v47 = (2.0 * Math.sqrt((v38 * v36)));
+    v50 = (v41 + (v44 / v45));
+    v53 = (2.0 * (v44 + (v41 * v47)));
+    v54 = (v47 + v45);
+    v56 = (2.0 * Math.sqrt((v47 * v45)));
+    v59 = (v50 + (v53 / v54));
+    v62 = (2.0 * (v53 + (v50 * v56)));
+    v63 = (v56 + v54);
+    v65 = (2.0 * Math.sqrt((v56 * v54)));
+    v68 = (v59 + (v62 / v63));
+    v71 = (2.0 * (v62 + (v59 * v65)));
+    v72 = (v65 + v63);
+    v74 = (2.0 * Math.sqrt((v65 * v63)));
+    v77 = (v68 + (v71 / v72));
+    v80 = (2.0 * (v71 + (v68 * v74)));
+    v81 = (v74 + v72);
+    v83 = (2.0 * Math.sqrt((v74 * v72)));
+    v90 = (v83 + v81);
+    v93 = (v90 * v90);
+    v97 = (2.0 * (0.0 + v24));
+    v99 = (1.0 + (v97 / v25));
+    v101 = (2.0 * (v97 + v29));
+    v103 = (v99 + (v101 / v36));
+    v106 = (2.0 * (v101 + (v99 * v38)));
+    v108 = (v103 + (v106 / v45));
+    v111 = (2.0 * (v106 + (v103 * v47)));
+    v113 = (v108 + (v111 / v54));
+    v116 = (2.0 * (v111 + (v108 * v56)));
+    v118 = (v113 + (v116 / v63));
+    v121 = (2.0 * (v116 + (v113 * v65)));
+    v123 = (v118 + (v121 / v72));
+    v126 = (2.0 * (v121 + (v118 * v74)));
+    v141 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v80 + (v77 * v83))) + ((v77 + (v80 / v81)) * v90)) / v93) - (((2.0 * (v126 + (v123 * v83))) + ((v123 + (v126 / v81)) * v90)) / v93)));
+  }
+  value = ((((E_star * mu) / R) / (3.141592653589793 * G)) * (a * v141));
+  return value;
+};
+
+const elliptic = (kc, b) => {
+  let v11, v14, v17, v18, v20, v23, v26, v27, v29, v3, v32, v35, v36, v38, v41, v44, v45, v47, v5, v50, v53, v54, v56, v59, v6, v62, v63, v65, v72, v9;
+  v3 = (((kc > 1e-09) || (kc !== kc)) ? kc : 1e-09);
+  v5 = (1.0 + v3);
+  v6 = (1.0 + b);
+  v9 = (2.0 * (b + v3));
+  v11 = (2.0 * math.sqrt(v3));
+  v14 = (v6 + (v9 / v5));
+  v17 = (2.0 * (v9 + (v6 * v11)));
+  v18 = (v11 + v5);
+  v20 = (2.0 * math.sqrt((v11 * v5)));
+  v23 = (v14 + (v17 / v18));
+  v26 = (2.0 * (v17 + (v14 * v20)));
+  v27 = (v20 + v18);
+  v29 = (2.0 * math.sqrt((v20 * v18)));
+  v32 = (v23 + (v26 / v27));
+  v35 = (2.0 * (v26 + (v23 * v29)));
+  v36 = (v29 + v27);
+  v38 = (2.0 * math.sqrt((v29 * v27)));
+  v41 = (v32 + (v35 / v36));
+  v44 = (2.0 * (v35 + (v32 * v38)));
+  v45 = (v38 + v36);
+  v47 = (2.0 * math.sqrt((v38 * v36)));
+  v50 = (v41 + (v44 / v45));
+  v53 = (2.0 * (v44 + (v41 * v47)));
+  v54 = (v47 + v45);
+  v56 = (2.0 * math.sqrt((v47 * v45)));
+  v59 = (v50 + (v53 / v54));
+  v62 = (2.0 * (v53 + (v50 * v56)));
+  v63 = (v56 + v54);
+  v65 = (2.0 * math.sqrt((v56 * v54)));
+  v72 = (v65 + v63);
+  return (((2.0 * (v62 + (v59 * v65))) + ((v59 + (v62 / v63)) * v72)) / (v72 * v72));
+};
+
+const slipping_traction = (r, a, c) => {
+  let held, inside, integrand, outer, root, stop;
+  inside = (r < c);
+  root = difference_root(c, (inside ? r : 0.0));
+  outer = difference_root(a, (inside ? r : 0.0));
+  stop = (inside ? Math.log1p((((a - c) / (c + root)) * (1.0 + ((a + c) / (outer + root))))) : 0.0);
+  integrand = (v) => {
+    let kc, s;
+    s = ((c * Math.cosh(v)) + (root * Math.sinh(v)));
+    kc = math.minimum((s / a), 1.0);
+    return ((a / s) * elliptic(kc, (kc * kc)));
+  };
+  held = ((r / Math.PI) * math.integral_in_strip(integrand, stop));
+  return (inside ? held : ((2.0 / Math.PI) * difference_root(a, math.minimum(r, a))));
+};
+
+const _traction = (r, a, c, R, E_star, mu) => {
+  return (((E_star * mu) / R) * slipping_traction(r, a, c));
+};
+
+const traction_of_paraboloid = (r, a, c, R, E_star, mu) => {
+  let value;
+  value = _traction(r, a, c, R, E_star, mu);
+  return value;
+};
+
+const full_slip_torque = (a, R, E_star, mu) => {
+  let v10;
+  v10 = (a * a);
+  return ((((0.7853981633974483 * E_star) * mu) / R) * (v10 * v10));
+};
+
 const formulas = {
   "d": (v) => depth(v.a, v.R),
   "F": (v) => force(v.a, v.R, v.E_star),
@@ -498,6 +725,10 @@ const formulas = {
   "tan.u": (v) => tangential_displacement(v.a, v.c, v.R, v.E_star, v.G_star, v.mu),
   "tan.c": (v) => stick_radius(v.F_x, v.a, v.R, v.E_star, v.mu),
   "tan.us": (v) => full_slip_displacement(v.a, v.R, v.E_star, v.G_star, v.mu),
+  "tor.M": (v) => torque(v.a, v.c, v.R, v.E_star, v.mu),
+  "tor.b": (v) => slip_angle(v.a, v.c, v.R, v.E_star, v.G, v.mu),
+  "tor.tau": (v) => traction_of_paraboloid(v.r, v.a, v.c, v.R, v.E_star, v.mu),
+  "tor.Ms": (v) => full_slip_torque(v.a, v.R, v.E_star, v.mu),
 };
 window.calculator = { ...{
  "fields": [
@@ -511,6 +742,17 @@ window.calculator = { ...{
    "high": null,
    "closed": "",
    "value": 0.005
+  },
+  {
+   "name": "G",
+   "tex": "G",
+   "meaning": "shear modulus of the half-space",
+   "unit": "Pa",
+   "rule": "G > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
   },
   {
    "name": "E_star",
@@ -895,6 +1137,59 @@ window.calculator = { ...{
     "mu"
    ],
    "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.M": {
+   "gives": "torque",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N m",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.b": {
+   "gives": "beta",
+   "needs": [
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "G",
+    "mu"
+   ],
+   "unit": "rad",
+   "place": "",
+   "suffix": ""
+  },
+  "tor.tau": {
+   "gives": "tau",
+   "needs": [
+    "r",
+    "a",
+    "c",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": ""
+  },
+  "tor.Ms": {
+   "gives": "full_torque",
+   "needs": [
+    "a",
+    "R",
+    "E_star",
+    "mu"
+   ],
+   "unit": "N m",
    "place": "",
    "suffix": ""
   }

@@ -10,9 +10,11 @@ from ...abel.form import Chain, insert
 from ...entry import Case, Entry
 from ...notation import a, r
 from ...physics import DEPTH, FORCE, OWN, PRESSURE, Proof, Shown
+from ..algebra.domain import Domain
 from ..algebra.identity import at
 from ..statement import Rule, closed, require_regions, require_zero
 from .compact import Compact
+from .complete import Complete
 
 SUFFIXES = {DEPTH: "d", FORCE: "F", PRESSURE: "p"}
 
@@ -20,14 +22,14 @@ SUFFIXES = {DEPTH: "d", FORCE: "F", PRESSURE: "p"}
 class Superposed:
     """The entries of one profile above those of its normal contact, with the proofs of their physics."""
 
-    def __init__(self, normal: Compact, entries: dict[str, Entry], proofs: Mapping[str, Proof]) -> None:
+    def __init__(self, normal: Compact | Complete, entries: dict[str, Entry], proofs: Mapping[str, Proof]) -> None:
         self.normal, self.entries, self.proofs = normal, entries, proofs
         self.floor = normal.profile.breaks[0] if normal.profile.truncated else None
 
     def show(self, suffix: str) -> list[str]:
         """The steps that prove a quantity."""
         proof, steps = self.proofs[suffix], list[str]()
-        source, entry = self.normal.entry(proof.over), closed(self.entries[suffix])
+        source, entry = closed(self.normal.entries[proof.over]), closed(self.entries[suffix])
         wanted = [case.chain for case in source.cases]
         if proof.within is not None:
             wanted = [new for old in wanted for new in insert(old, proof.within, above=self.floor, below=a)]
@@ -41,6 +43,8 @@ class Superposed:
         given = {symbol: self._put(expr, case.chain, radii) for symbol, expr in shown.given.items()}
         zero = self._put(shown.zero, case.chain, radii).xreplace({OWN: case.expr.subs(given)}).doit()
         domain = self.normal.domain(case.chain)
+        if shown.known:
+            domain = Domain(*shown.known, *domain.chains())
         if shown.at is not None:
             domain = domain.at(*shown.at)
             zero = at(zero, *shown.at, domain)
@@ -58,7 +62,7 @@ class Superposed:
             return sp.S.Zero
         others = radii - {radius} if places else radii - {radius} | {r}
         region = tuple(a if x == radius else x for x in chain if x not in others)
-        entry = self.normal.entry(SUFFIXES[called.func])
+        entry = closed(self.normal.entries[SUFFIXES[called.func]])
         (found,) = (own.expr for own in entry.cases if own.chain == region)
         return found.subs(a, radius)
 

@@ -6,11 +6,45 @@ from __future__ import annotations
 from ....._programs.bodies._runtime.interface import either
 from ....._programs.bodies._runtime.special import gamma_ratio
 from ....._runtime.plain import integral_in_strip
-from ....._runtime.plain import MATH as np
+from ....._runtime.plain import sqrt, MATH as np
 
 LAST = 44.0
 SHORTEST = 1e-09
 STEP = 0.23
+
+
+def elliptic(kc, b):
+    v3 = kc if kc > 1e-09 or kc != kc else 1e-09
+    v5 = 1.0 + v3
+    v6 = 1.0 + b
+    v9 = 2.0 * (b + v3)
+    v11 = 2.0 * sqrt(v3)
+    v14 = v6 + v9 / v5
+    v17 = 2.0 * (v9 + v6 * v11)
+    v18 = v11 + v5
+    v20 = 2.0 * sqrt(v11 * v5)
+    v23 = v14 + v17 / v18
+    v26 = 2.0 * (v17 + v14 * v20)
+    v27 = v20 + v18
+    v29 = 2.0 * sqrt(v20 * v18)
+    v32 = v23 + v26 / v27
+    v35 = 2.0 * (v26 + v23 * v29)
+    v36 = v29 + v27
+    v38 = 2.0 * sqrt(v29 * v27)
+    v41 = v32 + v35 / v36
+    v44 = 2.0 * (v35 + v32 * v38)
+    v45 = v38 + v36
+    v47 = 2.0 * sqrt(v38 * v36)
+    v50 = v41 + v44 / v45
+    v53 = 2.0 * (v44 + v41 * v47)
+    v54 = v47 + v45
+    v56 = 2.0 * sqrt(v47 * v45)
+    v59 = v50 + v53 / v54
+    v62 = 2.0 * (v53 + v50 * v56)
+    v63 = v56 + v54
+    v65 = 2.0 * sqrt(v56 * v54)
+    v72 = v65 + v63
+    return (2.0 * (v62 + v59 * v65) + (v59 + v62 / v63) * v72) / (v72 * v72)
 
 
 def _far(r, a):
