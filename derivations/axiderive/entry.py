@@ -54,6 +54,8 @@ class Quantity:
     """Of a field of the plane problem, whose formula is that of x > 0."""
     control: str = field(default="", compare=False, kw_only=True)
     """What is given while the contact is pulled off, "force" or "depth"; it tells that state from every other."""
+    after: str = field(default="", compare=False, kw_only=True)
+    """Suffix of the quantity behind which it stands in print, where `ORDER` of `rows/row.py` does not name it."""
     threshold: bool = field(default=False, compare=False, kw_only=True)
     """Whether it says from where on a concave face is in contact as a whole."""
 

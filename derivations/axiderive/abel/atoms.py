@@ -125,16 +125,19 @@ class PowerAtom(Atom):
             return pressure_moment(self.n - 1, k) * (growth * self.n)
         if k != 0 or not self.n.is_Integer:
             return None
+        return self.rate_moment(0, order.below(r, self.b))
+
+    def rate_moment(self, more: int, inside: bool) -> Form:
+        """int_max(r, b)^a t**more g'(t)/sqrt(t^2 - r^2) dt for a whole power n and k = 0; inside means r < b."""
         # g'(t) = c n [n A_{n-1}(t; b) + b**n / sqrt(t^2 - b^2)]
-        inside = order.below(r, self.b)
-        total = elliptic_moment(0, self.b, inside) * self.b**self.n
+        total = elliptic_moment(more, self.b, inside) * self.b**self.n
         for master, coefficient in depth_moment(self.n - 1, self.b).items():
             for (power,), factor in sp.Poly(sp.expand(coefficient * self.n), a).terms():
                 if isinstance(master, sp.acos):
-                    total = total + arccos_moment(power, self.b, inside) * factor
+                    total = total + arccos_moment(power + more, self.b, inside) * factor
                 else:  # sqrt(t^2 - b^2) t**power = t**power (t^2 - b^2)/sqrt(t^2 - b^2)
-                    total = total + elliptic_moment(power + 2, self.b, inside) * factor
-                    total = total + elliptic_moment(power, self.b, inside) * (-factor * self.b**2)
+                    total = total + elliptic_moment(power + more + 2, self.b, inside) * factor
+                    total = total + elliptic_moment(power + more, self.b, inside) * (-factor * self.b**2)
         return total * (self.c * self.n)
 
     def displacement(self, order: Order, k: sp.Expr = ZERO) -> Form | None:

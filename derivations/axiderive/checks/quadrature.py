@@ -23,6 +23,7 @@ from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Shape, Values, number, shape
 from ..physics import PRESSURE, normal
+from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
 from . import viscoelastic
@@ -33,6 +34,8 @@ NESTED = 46
 NESTED_LOST = 6
 SUMMED = 14
 """Digits of an integral over pressures by the definition, each of which is an integral."""
+TWICE = 20
+"""Digits of a consequence, which is an integral of integrals too."""
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
 ILL = 60
@@ -50,15 +53,17 @@ def check(own: Comparison, suffix: str) -> Evidence:
     quantity, graded = own.entries[suffix].quantity, own.graded(suffix)
     if own.physics.definitions is None and (quantity.threshold or (quantity.member and not quantity.control)):
         return ring(own, suffix)
-    nested = graded and quantity.place == "inside" and not _sum_of_powers(own.profile)
+    nested, twice = graded and quantity.place == "inside" and not _sum_of_powers(own.profile), suffix in CONSEQUENCES
     definition = own.entries[suffix].definition
-    summed = definition.has(sp.Integral) and definition.has(PRESSURE)
-    working = SUMMED if summed else min(own.digits, NESTED) if nested else own.digits
-    drawn = own.drawn(suffix, 1 if nested or summed else own.points)
+    summed = not twice and definition.has(sp.Integral) and definition.has(PRESSURE)
+    working = SUMMED if summed else min(own.digits, NESTED if nested else TWICE if twice else own.digits)
+    drawn = own.drawn(suffix, 1 if nested or summed or twice else own.points)
+    if twice:  # an extreme ratio costs more digits than two integrals have
+        drawn = [point for point in drawn if not point.extreme]
     rule, more = (_superposed, 20) if own.physics.definitions else (_adhesive if own.physics.tension else _pressed, 0)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
     ill = quantity.symbol == nt.c
-    more = ILL if ill else 0 if summed else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
+    more = ILL if ill else 0 if summed or twice else 20 if quantity.inverts or quantity.symbol == nt.a_c else more
     rows: Rows = []
     with mp.workdps(working + GUARD + (ILL if ill else 0)):
         for point in drawn:

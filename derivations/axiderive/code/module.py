@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from ..physics.consequences import CONSEQUENCES
 from ..physics.systems import Problem, System
 from .function import LINE, Function, from_import
 from .tables import KERNELS, STARTS
@@ -24,6 +25,7 @@ OUTSIDE = "expressions.py"
 COMMON = (
     *("functions", "integrals", "interface", "inverse", "kernels", "rules", "special"),
     *("shapes.across", "shapes.arcs", "shapes.powers", "shapes.ring", "shapes.waves"),
+    *(f"shapes.{own.compact.function}" for own in CONSEQUENCES.values()),
 )
 """Files of the run time that any module may call."""
 GRADED = tuple(f"graded.{file.stem}" for file in sorted((RUNTIME / "graded").glob("[a-z]*.py")))

@@ -9,14 +9,15 @@ from itertools import groupby
 import sympy as sp
 
 from .. import notation as nt
-from ..entry import COMPACT, COMPLETE, FOUR, Entry, Quantity
+from ..entry import COMPACT, FOUR, Entry, Quantity
 from ..letters import name_of
 from ..notation import coefficients, r
+from ..physics import normal
 from ..physics.systems import BY_NAME
 from ..stable.forms import evaluation_form
 from ..stable.signs import facts_of
 from . import docstring
-from .bodies import peak
+from .bodies import consequences, peak
 from .bodies.compact import Compact
 from .bodies.complete import Complete
 from .bodies.inverses import Inverses
@@ -64,7 +65,7 @@ class _Interface:
 
     def add_all(self) -> None:
         """One for the shape and for each entry; the ring of the greatest pressure comes with that pressure."""
-        known = COMPACT if self.profile.compact else COMPLETE
+        known = normal.QUANTITIES[self.profile.contact]
         stated = [own for suffix, own in known.items() if own is COMPACT["f"] or suffix in self.entries]
         together = groupby(stated, key=lambda quantity: quantity.function)
         self.writer.public += [self.public(*reversed(list(own))) for _, own in together]
@@ -135,7 +136,9 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact
     """Add the private functions but for the inverses of a compact contact, which follow its curves."""
     profile_function(functions)
     if functions.profile.complete:
-        Complete(entries, functions).add_all()
+        complete = Complete(entries, functions)
+        complete.add_all()
+        consequences.of_complete(complete)
         return None
     compact = Compact(entries, functions)
     compact.depth_like("d", "depth")
@@ -146,6 +149,7 @@ def bodies(functions: PrivateFunctions, entries: Mapping[str, Entry]) -> Compact
     compact.stiffness(form)
     compact.depth_like("pm", "mean_pressure")
     peak.bodies(compact, functions, entries)
+    consequences.of_compact(compact, entries)
     return compact
 
 

@@ -19,18 +19,22 @@ force (11.33) is the integral of such pressures over all wave numbers.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
 from ..physics import DEPTH, FORCE, PRESSURE
+from ..physics.consequences import CONSEQUENCES, SHORT
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
 from .evaluate import evaluated
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
+
+SPARE = 12
+"""Digits carried beyond those asked for where the end of an integral is singular, which costs half of them."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,8 @@ class HalfSpace:
     values: Values
     digits: int
     graded: bool
+    pressed: tuple[Face, Number] | None = field(default=None, kw_only=True)
+    """The profile up to the radius a of a contact and its free depth, in a definition by `SHORT`."""
 
     @property
     def k(self) -> Number:
@@ -96,7 +102,7 @@ class HalfSpace:
         return mp.sqrt(2 * mp.pi * a * self.at(nt.dgamma) / (self.modulus * a**self.k))
 
     def normal(self, suffix: str, a: Number, free_depth: Number | None = None) -> Number:
-        """d, F, pm, p, w or k; `free_depth` is that of a complete contact."""
+        """d, F, pm, p, w, k or a consequence; `free_depth` is that of a complete contact."""
         match suffix:
             case "d":
                 return self.depth(a) if free_depth is None else free_depth
@@ -114,8 +120,17 @@ class HalfSpace:
             case "k" if free_depth is not None:  # the force is linear in the free depth
                 face = self.face(a)
                 return self.modulus * (face.force(a, free_depth + 1) - face.force(a, free_depth))
-        message = f"no integral defines {suffix!r}; use d, F, pm, p, w or k"
+        if suffix in CONSEQUENCES:
+            return self._carried_by_springs(CONSEQUENCES[suffix].springs, a, free_depth)
+        message = f"no integral defines {suffix!r}; use d, F, pm, p, w, k or one of {', '.join(CONSEQUENCES)}"
         raise ValueError(message)
+
+    def _carried_by_springs(self, springs: sp.Expr, a: Number, free_depth: Number | None) -> Number:
+        """An integral of integrals, of which both are as exact."""
+        with mp.workdps(self.digits + SPARE):
+            finer = replace(self, digits=self.digits + SPARE, values={**self.values, nt.a: a})
+            face = finer.face(a)
+            return replace(finer, pressed=(face, face.depth(a) if free_depth is None else free_depth)).defined(springs)
 
     def adhesive(self, suffix: str, a: Number) -> Number:
         """The contact without adhesion whose depth is left short by Dl."""
@@ -158,7 +173,8 @@ class HalfSpace:
         """By the double exponential rule in stretches that end at the breaks of the profile."""
         ((variable, *ends),) = integral.limits
         low, high = map(self.defined, ends)
-        breaks = sorted(x for x in map(self.at, self.profile.breaks) if low < x < high)
+        known = [*map(self.at, self.profile.breaks), *self._crossed(integral)]
+        breaks = sorted(x for x in known if isinstance(x, mp.mpf) and low < x < high)
         rest, called = _apart(integral.function)
 
         def integrand(x: Number) -> Number:
@@ -169,12 +185,26 @@ class HalfSpace:
         with mp.workdps(self.digits + MORE if called else mp.mp.dps):
             return mp.quad(integrand, [low, *breaks, high])
 
+    def _crossed(self, integral: sp.Integral) -> list[Number]:
+        """Where the radius of a spring, which may be a function of the variable, comes to a break."""
+        ((variable, *_),), place = integral.limits, sp.Dummy(positive=True)
+        radii = {own.args[0] for own in integral.function.atoms(SHORT)} - {variable}
+        roots = [root for radius in radii for root in sp.solve(radius - place, variable)]
+        return [
+            mp.re(value)
+            for root in roots
+            for b in map(self.at, self.profile.breaks)
+            if mp.im(value := evaluated(root, {**self.values, place: b})) == 0
+        ]
+
     def _values_of(self, called: Mapping[sp.Expr, sp.Symbol]) -> Values:
         return {stand_in: self._called(own) for own, stand_in in called.items()}
 
     def _called(self, called: sp.Expr) -> Number:
         """The depth, the force or a pressure; a contact no greater than the flat face has no depth, none is outside."""
         *places, radius = (evaluated(x, self.values) for x in called.args)
+        if called.func == SHORT:
+            return self._short(radius)
         if called.func == DEPTH:
             flat = self.at(self.profile.breaks[0]) if self.profile.truncated else mp.mpf(0)
             return self.depth(radius) if radius > flat else mp.mpf(0)
@@ -183,6 +213,13 @@ class HalfSpace:
         (place,) = places
         return self.pressure(place, radius) if place < radius else mp.mpf(0)
 
+    def _short(self, radius: Number) -> Number:
+        """d - g of a radius below a, by which a face may be stated."""
+        assert self.pressed is not None
+        face, depth = self.pressed
+        below = tuple(replace(piece, hi=min(piece.hi, radius)) for piece in face.shape.stretches if piece.lo < radius)
+        return depth - replace(face, shape=replace(face.shape, stretches=below)).depth(radius)
+
 
 MORE = 4
 """Digits of an integral over pressures beyond those asked for."""
@@ -190,7 +227,7 @@ MORE = 4
 
 def _apart(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
     """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
-    called = {own: sp.Dummy() for name in (DEPTH, FORCE, PRESSURE) for own in expr.atoms(name)}
+    called = {own: sp.Dummy() for name in (DEPTH, FORCE, PRESSURE, SHORT) for own in expr.atoms(name)}
     return expr.xreplace(called), called
 
 

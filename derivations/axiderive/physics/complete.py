@@ -14,9 +14,10 @@ from ..abel.atoms import PowerAtom
 from ..abel.form import Form, Order
 from ..abel.masters import Master
 from ..abel.reduce import NotReducibleError, Reduced, parse
-from ..entry import COMPLETE, Case, Entry, Status
+from ..entry import COMPLETE, Case, Entry, Quantity, Status
 from ..notation import C, F, a, d, r, r_zero, t
 from ..profiles.profile import Piece, Profile
+from .consequences import CONSEQUENCES
 from .medium import HOMOGENEOUS, Medium
 
 REFERENCES = {
@@ -46,6 +47,11 @@ def derive(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
     return entries
 
 
+def place_of(quantity: Quantity) -> tuple[sp.Expr, ...]:
+    """The lengths of its region in ascending order: of a field the place, inside or outside, and the edge."""
+    return {"inside": (r, a), "outside": (a, r), "": (a,)}[quantity.place]
+
+
 def edge_depth(profile: Profile, medium: Medium = HOMOGENEOUS) -> sp.Expr:
     """g(a), the depth at which the pressure has no singularity at the edge."""
     face, coefficient = fixed_face(profile)
@@ -62,16 +68,17 @@ def _entry(
     fixed_face: tuple[Case, ...] = (),
     partial: Entry | None = None,
 ) -> Entry:
-    material = medium.moduli if COMPLETE[suffix].elastic else medium.moduli[1:]
+    quantity = COMPLETE.get(suffix) or CONSEQUENCES[suffix].complete
+    material = medium.moduli if quantity.elastic else medium.moduli[1:]
     return Entry(
         key=medium.key(profile.name, medium.group, suffix),
         profile=profile,
-        quantity=COMPLETE[suffix],
+        quantity=quantity,
         status=status,
         cases=cases,
         definition=definitions(medium)[suffix],
         parameters=profile.parameters + material,
-        references=REFERENCES[suffix][medium.k != 0],
+        references=REFERENCES.get(suffix, ((), ()))[medium.k != 0],
         fixed_face=fixed_face,
         partial=partial,
     )
@@ -92,6 +99,7 @@ def definitions(medium: Medium) -> dict[str, sp.Expr]:
         "rz": sp.Eq(sp.Derivative((a**2 - r**2) ** ((1 - k) / 2) * sp.Function("p")(r), r), 0),
         "dmin": sp.Eq(sp.Function("p")(r_zero), 0),
         "Fmin": force,
+        **{suffix: own.fixed_definition for suffix, own in CONSEQUENCES.items()},
     }
 
 
@@ -115,7 +123,9 @@ def _fixed_formulas(reduced: Reduced, medium: Medium) -> dict[str, Case]:
     stiffness = medium.stiffness()
     gap = Form.of(d) + g * -1
     depth = Form.of(F, 1 / stiffness) + g + force * (-medium.force_scale / stiffness)
+    further = {} if medium.graded else CONSEQUENCES
     return {
+        **{suffix: Case(place_of(own.complete), own.fixed(reduced, medium)) for suffix, own in further.items()},
         "F": Case(edge, (gap * stiffness + force * medium.force_scale).expr()),
         "p": Case(inside, (gap.times(medium.punch_pressure()) + pressure * medium.pressure_scale).expr()),
         "w": Case(outside, (gap.times(medium.punch_displacement()) + displacement * medium.displacement_scale).expr()),
@@ -141,9 +151,9 @@ def _with_partial(profile: Profile, medium: Medium, cases: dict[str, Case], fixe
             both: tuple[Case, ...] = (partial, Case((full_force, F), case.expr))
         else:
             source = unbounded[suffix].cases[0]
-            moved = source.expr.subs(a, rho)
-            before = {"p": ((r, rho, a),), "w": ((rho, r, a), (rho, a, r))}.get(suffix, ((rho, a),))
-            after = {"p": ((r, a, rho),), "w": ((a, r, rho), (a, rho, r))}.get(suffix, ((a, rho),))
+            moved, place = source.expr.subs(a, rho), unbounded[suffix].quantity.place
+            before = {"inside": ((r, rho, a),), "outside": ((rho, r, a), (rho, a, r))}.get(place, ((rho, a),))
+            after = {"inside": ((r, a, rho),), "outside": ((a, r, rho), (a, rho, r))}.get(place, ((a, rho),))
             both = tuple(Case(chain, moved) for chain in before) + tuple(Case(chain, case.expr) for chain in after)
         entries[suffix] = _entry(profile, medium, suffix, both, fixed_face=(fixed[suffix],), partial=unbounded[suffix])
     return entries

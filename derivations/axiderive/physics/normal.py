@@ -27,6 +27,7 @@ from ..entry import COMPACT, COMPLETE, Case, Entry, Primitive, Status
 from ..notation import F, N, a, coefficients, d, f, g, j, p, psi, r, r_peak, t, u
 from ..profiles.profile import Piece, Profile
 from . import Physics, Printing, Rule, Wording, complete, peak
+from .consequences import CONSEQUENCES
 from .medium import GRADED, HOMOGENEOUS, Medium
 
 _S = sp.Symbol("S", positive=True)
@@ -117,6 +118,11 @@ def _cubic(third: sp.Expr, first: sp.Expr, b: sp.Expr, value: sp.Symbol) -> sp.E
     return sp.sqrt(b**2 + S**2)
 
 
+QUANTITIES = {
+    "compact": COMPACT | {suffix: own.compact for suffix, own in CONSEQUENCES.items()},
+    "complete": COMPLETE | {suffix: own.complete for suffix, own in CONSEQUENCES.items()},
+}
+"""By the kind of contact."""
 REFERENCES = {
     "d": (("(11.29)",), ("(11.61)",)),
     "F": (("(11.20)",), ("(11.51)",)),
@@ -131,6 +137,8 @@ REFERENCES = {
     "rp": (("(11.23)",), ()),
     "pp": (("(11.23)",), ()),
 }
+NOWHERE: tuple[tuple[str, ...], ...] = ((), ())
+"""References of what chapter 11 does not state."""
 
 
 def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
@@ -157,6 +165,7 @@ def definitions(medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
         "dF": g_(a),
         "rp": sp.Eq(sp.Derivative(p_(r), r), 0),
         "pp": p_(r_peak),
+        **{suffix: own.definition for suffix, own in CONSEQUENCES.items()},
     }
 
 
@@ -195,7 +204,8 @@ class _Compact:
         above = self.profile.breaks[0] if self.profile.truncated else None
         return tuple(insert(fixed, a, above=above))
 
-    def _close(self, form: Form) -> sp.Expr:
+    def close(self, form: Form) -> sp.Expr:
+        """A reduced quantity as an expression, summed over the powers of a polynomial."""
         expr = form.expr()
         if not self.summed:
             return expr
@@ -217,10 +227,13 @@ class _Compact:
             "k": self._entry("k", "closed", (Case((a,), self.medium.stiffness()),)),
             "pm": self._entry("pm", "closed", mean),
         }
+        if not self.medium.graded:
+            found = {suffix: own.derive(self, entries) for suffix, own in CONSEQUENCES.items()}
+            entries |= {suffix: self._entry(suffix, *stated) for suffix, stated in found.items()}
         return entries | self._greatest(depth, pressure) | self._inverses(depth, force)
 
     def _force(self, scale: sp.Expr) -> tuple[Case, ...]:
-        return tuple(Case(c, self._close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
+        return tuple(Case(c, self.close(self.reduced.force(Order(c)) * scale)) for c in self.chains)
 
     def _entry(
         self,
@@ -230,16 +243,17 @@ class _Compact:
         primitives: dict[Chain, tuple[Primitive, ...]] | None = None,
         composed: tuple[str, str] | None = None,
     ) -> Entry:
-        material = self.medium.moduli if COMPACT[suffix].elastic else self.medium.moduli[1:]
+        quantity = QUANTITIES["compact"][suffix]
+        material = self.medium.moduli if quantity.elastic else self.medium.moduli[1:]
         return Entry(
             key=self.medium.key(self.profile.name, self.medium.group, suffix),
             profile=self.profile,
-            quantity=COMPACT[suffix],
+            quantity=quantity,
             status=status,
             cases=cases,
             definition=definitions(self.medium)[suffix],
             parameters=self.profile.parameters + material,
-            references=REFERENCES[suffix][self.medium.k != 0],
+            references=REFERENCES.get(suffix, NOWHERE)[self.medium.k != 0],
             primitives=primitives or {},
             composed=composed,
         )
@@ -248,7 +262,7 @@ class _Compact:
         cases, primitives = [], {}
         for chain in self.chains:
             form = self.reduced.depth(Order(chain))
-            cases.append(Case(chain, self._close(form)))
+            cases.append(Case(chain, self.close(form)))
             primitives[chain] = self.reduced.primitives(Order(chain))
         return tuple(cases), primitives
 
@@ -259,7 +273,7 @@ class _Compact:
             for chain in insert(regime.chain, r, below=a):
                 form = self.reduced.pressure(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self._close(form * self.medium.pressure_scale)))
+                    cases.append(Case(chain, self.close(form * self.medium.pressure_scale)))
                 else:
                     status = "integral"
                     cases.append(Case(chain, self._pressure_integral(chain, regime, cases)))
@@ -290,7 +304,7 @@ class _Compact:
             for chain in insert(regime.chain, r, above=a):
                 form = self.reduced.displacement(Order(chain))
                 if form is not None:
-                    cases.append(Case(chain, self._close(form * self.medium.displacement_scale)))
+                    cases.append(Case(chain, self.close(form * self.medium.displacement_scale)))
                 else:
                     status = "integral"
                     cases.append(Case(chain, self._displacement_integral(chain, regime, cases)))
@@ -377,7 +391,9 @@ def _summand(pieces: tuple[Piece, ...]) -> tuple[tuple[Piece, ...], bool]:
 def rules(medium: Medium, printing: Printing) -> dict[str, Rule]:
     """The fields as one regular integral each, and the mean pressure, on the graded half-space only; p at its peak."""
     if not medium.graded:
-        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})")}
+        where = {"": "", "inside": r"r\le a", "outside": r"r\ge a"}
+        further = {key: Rule(own.printed, where=where[own.compact.place]) for key, own in CONSEQUENCES.items()}
+        return {"pp": Rule(r"p_{\mathrm{max}}=p(r_{\mathrm{max}})"), **further}
     k, printer = medium.k, printing((r, a))
     scale = printer(medium.pressure_scale / (1 + k))
     span = printer((a**2 - r**2) ** ((1 + k) / 2))
@@ -425,7 +441,7 @@ PHYSICS = Physics(
     derive,
     contact="without adhesion",
     runtime=("physics.unknowns",),
-    quantities={"compact": COMPACT, "complete": COMPLETE},
+    quantities=QUANTITIES,
     wanted=("depth", "force", "pressure", "displacement"),
     compared="mpmath quadrature of the definition",
     rules=rules,

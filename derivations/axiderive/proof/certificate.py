@@ -16,6 +16,7 @@ from ..entry import Entry
 from ..notation import F, d
 from ..physics import normal
 from ..physics import subsurface as deep
+from ..physics.consequences import CONSEQUENCES, Consequence
 from ..physics.medium import HOMOGENEOUS, Medium
 from ..physics.systems import of
 from ..profiles.loads import Load
@@ -27,6 +28,11 @@ from .rules import adhesive, detachment, graded, loads, materials, plane, rings,
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
+
+
+def _follows(proof: Compact | Complete, own: Consequence) -> list[str]:
+    return proof.follows(own)
+
 
 COMPACT: dict[str, Rule] = {
     "d": ((), Compact.depth),
@@ -41,6 +47,7 @@ COMPACT: dict[str, Rule] = {
     "dF": (("F",), Compact.composition, "dF", F, "F", "d"),
     "rp": (("p",), rings.greatest),
     "pp": (("p", "rp"), rings.greatest_pressure),
+    **{suffix: (own.grown.needs, _follows, own) for suffix, own in CONSEQUENCES.items()},
 }
 
 COMPLETE: dict[str, Rule] = {
@@ -52,6 +59,7 @@ COMPLETE: dict[str, Rule] = {
     "rz": (("p",), Complete.zero_radius),
     "dmin": (("p",), Complete.minimum_depth),
     "Fmin": (("F", "dmin"), Complete.minimum_force),
+    **{suffix: (own.fixed_rate.needs, _follows, own) for suffix, own in CONSEQUENCES.items()},
 }
 
 

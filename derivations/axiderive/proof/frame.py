@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from ..entry import COMPACT, COMPLETE, Entry, Quantity, Status
+from ..entry import Entry, Quantity, Status
 from ..notation import (
     E_0,
     E_star,
@@ -50,6 +50,7 @@ from ..notation import (
     z,
 )
 from ..physics import Physics, adhesive, detachment, loads, materials, normal, subsurface, viscoelastic
+from ..physics.consequences import CONSEQUENCES
 from ..physics.medium import Medium
 from ..physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
@@ -162,9 +163,11 @@ def compact(profile: Profile, medium: Medium) -> Frames:
     }
     if medium.k == 0:
         definitions |= {"rp": sp.Eq(sp.Derivative(p_(r), r), 0), "pp": p_(r_peak)}
+        definitions |= {suffix: own.definition for suffix, own in CONSEQUENCES.items()}
+    known = normal.QUANTITIES["compact"]
     return {
         suffix: Frame(
-            medium.key(profile.name, medium.group, suffix), profile, COMPACT[suffix], definition,
+            medium.key(profile.name, medium.group, suffix), profile, known[suffix], definition,
             profile.parameters + _material(medium, suffix not in ("d", "w", "ad")),
             (r_peak,) if suffix in ("rp", "pp") else (),
         )
@@ -189,15 +192,18 @@ def complete(profile: Profile, medium: Medium) -> Frames:
         "dmin": sp.Eq(p_(r_zero), 0),
         "Fmin": force,
     }
+    if medium.k == 0:
+        definitions |= {suffix: own.fixed_definition for suffix, own in CONSEQUENCES.items()}
     (piece,) = profile.pieces
     before: Mapping[str, Entry] = {}
     if piece.expr != 0 and not piece.expr.has(a):
         geometry = tuple(symbol for symbol in profile.parameters if symbol != a)
         before = normal.derive(replace(profile, contact="compact", parameters=geometry), medium)
+    known = normal.QUANTITIES["complete"]
     return {
         suffix: Frame(
-            medium.key(profile.name, medium.group, suffix), profile, COMPLETE[suffix], definition,
-            profile.parameters + _material(medium, suffix in ("F", "p", "k", "dF", "Fmin")),
+            medium.key(profile.name, medium.group, suffix), profile, known[suffix], definition,
+            profile.parameters + _material(medium, suffix not in ("w", "rz", "dmin")),
             (r_zero,) if suffix in ("rz", "dmin", "Fmin") else (), before.get(suffix),
         )
         for suffix, definition in definitions.items()

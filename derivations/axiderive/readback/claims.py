@@ -170,7 +170,9 @@ class Printed:
         def value(radius: Any) -> Any:
             if tip is not None and radius <= tip:
                 return mp.mpf(0)
-            return self.at(suffix, {**env, "a": radius}, entries)
+            # a quadrature that is split at a break may end on it, where no printed range holds
+            beyond = radius * (1 + mp.eps) if radius in env["cuts"].get("t", ()) else radius
+            return self.at(suffix, {**env, "a": beyond}, entries)
 
         return value
 
@@ -185,10 +187,10 @@ class Printed:
 
     def _cuts(self, values: Values) -> dict[str, list[Any]]:
         """Where the integrals of the rules cross a break of the profile."""
-        if nt.r not in values or nt.k not in values or not self.profile.breaks:
-            return {}
-        radius, power = number(values[nt.r]), (1 + number(values[nt.k])) / 2
         breaks = [number(values[b]) for b in self.profile.breaks]
+        if nt.r not in values:
+            return {"t": breaks}
+        radius, power = number(values[nt.r]), (1 + number(values.get(nt.k, 0))) / 2
         return {
             "u": [(b * b - radius * radius) ** power for b in breaks if b > radius],
             "psi": [mp.asin(b / radius) for b in breaks if b < radius],

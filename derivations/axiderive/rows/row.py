@@ -15,6 +15,7 @@ import sympy as sp
 from ..entry import Entry
 from ..notation import a_c, c, r_peak
 from ..physics import Rule, adhesive
+from ..physics.consequences import CONSEQUENCES
 from ..physics.systems import System, of
 from ..print.box import brackets_around, size_around, width
 from ..print.formula import Printer
@@ -355,11 +356,16 @@ HALF = 122.0
 """Points for the formula of half a row, beside a key of two letters."""
 
 
-ORDER = (
+_NAMED = (
     "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "pp", "rp", "tau", "s", "w",
     "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
     "E_star", "G_star", "H", "h_N",
 )  # fmt: skip
+ORDER = tuple(
+    suffix for named in _NAMED
+    for suffix in (named, *(own.suffix for own in CONSEQUENCES.values() if named == own.compact.after))
+)  # fmt: skip
+"""Suffixes as their rows follow one another."""
 
 
 def lines(rows: list[Row]) -> list[tuple[Row, ...]]:

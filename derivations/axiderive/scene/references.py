@@ -26,6 +26,7 @@ from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
 from ..oracle.plane import defined, strip
 from ..oracle.shape import number
+from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
 from . import interface
 from .contact import DIGITS, Contact, short
@@ -158,6 +159,10 @@ class _Radius:
             case "displacement":
                 under = [((r, a), load("d", a) - height(r)) for r in places]
                 return [((outside, a), load("w", a, r=outside)), *under]
+            case _ if quantity.suffix in CONSEQUENCES and a != self.contact.radii()[0]:
+                return []  # an integral of integrals takes seconds
+            case _ if quantity.place == "inside":
+                return [((places[0], a), load(quantity.suffix, a, r=places[0])), ((outside, a), load("F", a))]
             case _ if quantity.member:
                 return [((a,), self.contact.peak(a)[quantity.member == "radius"])]
             case _ if source := quantity.inverts:
@@ -217,6 +222,8 @@ class Edged:
             return mp.mpf(0)
         if suffix == "w" and place is not None and place <= radius:
             return mp.mpf(depth) - self.contact.height(place)
+        if place is not None and suffix not in "pw" and place >= radius:
+            return here.normal("F", radius, free)
         return here.normal(suffix, radius, free)
 
     @cached_property
@@ -262,6 +269,9 @@ class Edged:
                 return [((r, d), self.at("w", d, r=r)) for d in self.depths for r in places]
             case "depth_from_force":
                 return [((float(self.at("F", d)),), mp.mpf(d)) for d in self.depths]
+        if function.quantity.place == "inside":
+            suffix = function.quantity.suffix
+            return [((r, d), self.at(suffix, d, r=r)) for d in self.depths for r in (inside, outside)]
         rows: Rows = [((d,), self.at(function.quantity.suffix, d)) for d in self.depths]
         return rows if interface.arguments(function, self.contact.entries) else [((), rows[0][1])]
 

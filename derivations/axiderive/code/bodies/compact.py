@@ -105,7 +105,7 @@ class Lumped(Regimes):
             return self._limited("force", lines)
         slope = self.slopes["beyond"][0]
         growth = slope.with_parameters()
-        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self._width()})")
+        lines.append(f"beyond = {scale} * force_integral_beyond({growth}, reach, {self.b}{self.strip})")
         lines.append("return tip + beyond")
         # the root says more of a radius next to the break: for the inverse
         whole = self.functions.add("force_at", ("a", "reach"), lines)
@@ -136,7 +136,7 @@ class Compact(Lumped):
         if "beyond" in regimes:
             slope = self.slopes["beyond"][0]
             growth = slope.with_parameters()
-            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}{self._width()})")
+            lines.append(f"growth = pressure_integral_beyond({growth}, r, a, {self.b}{self.strip})")
             parts.append(f"{scale} * growth")
         value = " + ".join(parts)
         if self.b is not None:
@@ -195,11 +195,12 @@ class Compact(Lumped):
         """Whether the pressure of the tip is its form; where roots or angles grow that must have been measured."""
         if form.cancels:
             return False
-        measured = self.functions.variant(self.entries["p"]).closed and self._plain(form)
-        return form.value.has(ArcStrips) or measured or kind in ("", "waves") and self._plain(form)
+        measured = self.functions.variant(self.entries["p"]).closed and self.is_plain(form)
+        return form.value.has(ArcStrips) or measured or kind in ("", "waves") and self.is_plain(form)
 
     @staticmethod
-    def _plain(form: EvaluationForm) -> bool:
+    def is_plain(form: EvaluationForm) -> bool:
+        """Whether a form does without the functions that are integrals."""
         return not any(expr.has(*masters.MASTERS) for expr in (form.value, *(e for _, e in form.steps)))
 
     def _rule(self, name: str, kind: str, length: sp.Expr | None) -> tuple[str, str]:
@@ -246,7 +247,7 @@ class Compact(Lumped):
             if "beyond" in regimes:
                 slope = self.slopes["beyond"][0]
                 growth = slope.with_parameters()
-                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self._width()})")
+                lines.append(f"beyond = displacement_integral_beyond({growth}, r, a, {self.b}{self.strip})")
                 parts.append("beyond")
             if parts:
                 terms.append(f"{scale} * ({' + '.join(parts)})" if len(parts) > 1 else f"{scale} * {parts[0]}")

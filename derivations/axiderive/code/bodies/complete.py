@@ -47,7 +47,8 @@ class Complete:
         self._pressure()
         self._displacement()
 
-    def _add(self, suffix: str, value: str, lines: list[str]) -> Function:
+    def add(self, suffix: str, value: str, lines: list[str]) -> Function:
+        """Adds and returns the private function of a quantity: its lines, and the value it returns."""
         return self.functions.of_entry(self.entries[suffix], [*lines, f"return {value}"])
 
     def _closed(self, suffix: str) -> Function:
@@ -55,11 +56,11 @@ class Complete:
         form = self.functions.form(entry, entry.cases[-1].expr, facts_of(()))
         lines, value = self.functions.steps(form), python(form.value)
         if entry.quantity.arguments:
-            value = self._from_threshold(lines, value, entry.quantity.arguments[-1])
-        return self._add(suffix, value, lines)
+            value = self.from_threshold(lines, value, entry.quantity.arguments[-1])
+        return self.add(suffix, value, lines)
 
-    def _from_threshold(self, lines: list[str], value: str, given: sp.Symbol) -> str:
-        """NaN where the depth or force that is given leaves the contact incomplete."""
+    def from_threshold(self, lines: list[str], value: str, given: sp.Symbol) -> str:
+        """The value, as NaN where the depth or force that is given leaves the contact incomplete."""
         if not self.concave:
             return value
         known = (entry.quantity for entry in self.entries.values() if entry.quantity.threshold)
@@ -72,16 +73,16 @@ class Complete:
     def _thresholds(self) -> None:
         ring = self.entries["rz"]
         place = "a * ring_of_zero_pressure(n)" if ring.status == "root" else python(ring.cases[0].expr)
-        self._add("rz", "0.0" if place == "0" else place, [])
+        self.add("rz", "0.0" if place == "0" else place, [])
         for suffix in ("dmin", "Fmin"):
             lines, form = threshold(self.functions, self.entries[suffix], r_zero)
             lines += self.functions.steps(form)
             top, bottom = sp.fraction(form.value)
             if bottom.has(ZETA):
                 lines.append(f"drop = {python(bottom)}")
-                self._add(suffix, f"{python(top)} / drop", lines)
+                self.add(suffix, f"{python(top)} / drop", lines)
             else:
-                self._add(suffix, python(form.value), lines)
+                self.add(suffix, python(form.value), lines)
 
     def _pressure(self) -> None:
         """The edge term and the face; for an algebraic face as (d - d_min) plus a square over the root."""
@@ -97,7 +98,7 @@ class Complete:
             lines.append(f"face = {python(excess)}")
             value = f"{python(scale)} * (d - {least.call()} + face) / root"
         value = f"np.where((r <= a) & (d > 0.0), {value}, 0.0)"
-        self._add("p", self._from_threshold(lines, value, d), lines)
+        self.add("p", self.from_threshold(lines, value, d), lines)
 
     def _displacement(self) -> None:
         expr = self.entries["w"].cases[0].expr
@@ -111,7 +112,7 @@ class Complete:
         profile = self.functions["profile"]
         lines += [f"outside = {value}", f"inside = d - {profile.call()}"]
         value = "np.where(r > a, outside, inside)"
-        self._add("w", self._from_threshold(lines, value, d), lines)
+        self.add("w", self.from_threshold(lines, value, d), lines)
 
     def _capped(self) -> None:
         """Two branches: contact radius `rho` below the edge, or the whole face with the excess of the depth."""
@@ -126,14 +127,14 @@ class Complete:
         inner = {key: compact[key].cases[0].expr.subs(a, sp.Symbol("rho", positive=True)) for key in ("F", "p", "k")}
         punch = "np.maximum(excess, 0.0)"
         pressed = sp.cancel(inner["F"] / depth.subs(a, sp.Symbol("rho", positive=True)))
-        self._add("F", f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}", start)
+        self.add("F", f"{python(pressed)} * {_sunk(depth)} + {python(stiffness)} * {punch}", start)
         self.functions.add(entries["k"].quantity.function, ("d",), [*start[1:], f"return {python(inner['k'])}"])
         self._capped_fields(start, punch, depth, inner["p"], profile)
         cases = entries["dF"].cases
         limit = cases[0].chain[1]
         texts = [python(self.functions.form(entries["dF"], case.expr, facts_of(())).value) for case in cases]
         lines = [f"edge = {python(limit)}", f"below = {texts[0]}", f"above = {texts[1]}"]
-        self._add("dF", "np.where(edge > F, below, above)", lines)
+        self.add("dF", "np.where(edge > F, below, above)", lines)
 
     def _beyond(self, radius: str) -> str:
         """rho**2 - radius**2, where rho**2 is a product of two inputs."""
@@ -150,7 +151,7 @@ class Complete:
             f"face = {python(face)}",
             f"edge = np.where(excess > 0.0, {pressure} * excess / np.sqrt((a - r) * (a + r)), 0.0)",
         ]
-        self._add("p", "np.where(r <= a, face + edge, 0.0)", lines)
+        self.add("p", "np.where(r <= a, face + edge, 0.0)", lines)
         scale = python(HOMOGENEOUS.displacement_scale)
         lines = [
             *start,
@@ -159,7 +160,7 @@ class Complete:
             f"edge = np.where(excess > 0.0, {punch} * angle, 0.0)",
         ]
         value = f"np.where(r > rho, {scale} * (face + edge), d - {profile.call()})"
-        self._add("w", value, lines)
+        self.add("w", value, lines)
 
 
 def threshold(functions: PrivateFunctions, entry: Entry, place: sp.Symbol) -> tuple[list[str], EvaluationForm]:

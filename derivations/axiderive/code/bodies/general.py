@@ -21,6 +21,7 @@ import sympy as sp
 from ...abel.form import Order
 from ...abel.reduce import NotReducibleError, parse
 from ...notation import E_star, a, r
+from ...physics.consequences import CONSEQUENCES, Consequence
 from ...physics.general import Layer, beyond, excess, layers
 from ...profiles.profile import Piece, Profile
 from ...stable.forms import EvaluationForm, evaluation_form
@@ -106,7 +107,7 @@ def closed(layer: Layer) -> EvaluationForm | None:
 
 COUNT = 64
 """Nodes over a closed g'."""
-LIBRARY = "from ..{place}.over_profile import over_profile, pressure_over_profile"
+LIBRARY = "from ..{place}.over_profile import across, over_profile, pressure_over_profile"
 """Integrals over the profile itself, which are known to the linker alone."""
 
 
@@ -166,9 +167,38 @@ class _General:
         self.functions.add("stiffness", ("a",), ["return 2 * E_star * a"])
         force = self.functions["force"]
         self.functions.add("mean_pressure", ("a",), [f"return {force.call()} / (np.pi * a**2)"])
+        for own in CONSEQUENCES.values():
+            self._follows(own)
         rate = self._slope_at()
         for field, curve, exponent in (("d", "depth", exponents[0]), ("F", "force", exponents[1])):
             self._inverse(field, curve, rate, exponent)
+
+    def _follows(self, own: Consequence) -> None:
+        """A consequence by the depths of smaller contacts, of which one within a flat face has none, and no force."""
+        rules, inside = own.rules, own.compact.place == "inside"
+        depth, force = self.functions["depth"], self.functions["force"]
+
+        def pressed(call: str) -> str:
+            return call if self.start is None else f"np.where(inner > {self.start}, {call}, 0.0)"
+
+        least = "inner" if self.start is None else f"np.maximum(inner, {self.start})"
+        lines = [line.format(of_a=depth.call(), of_inner=pressed(depth.call(least))) for line in rules.anywhere]
+        starts = [sp.S.Zero, *self.profile.breaks]
+        for low, high, steep in zip(starts, [*map(str, starts[1:]), "np.inf"], self.steep, strict=True):
+            if steep is None:
+                continue
+            lower = radius_text(low)
+            if inside:
+                lower = "inner" if low == 0 else f"np.maximum({low}, inner)"
+            beyond_inner = "excess" if low == 0 else f"(excess + ({lower} - inner))"
+            weight = rules.weight.format(of_x=depth.call("x")).replace("from_inner", beyond_inner)
+            lines += [f"def weight_{low}(x: Array, z: Array, excess: Array, within: Array) -> Array:"]
+            lines += [f"    return {weight} * z"]
+            before = "whole + " if any(line.startswith("whole = ") for line in lines) else ""
+            lines.append(f"whole = {before}over_profile(weight_{low}, a, {lower}, {high}{reach(self.layers, low)})")
+        value = rules.whole.format(force=pressed(force.call(least)), flat=self.start or "0.0")
+        lines.append(f"return {self._reached(value)}")
+        self.functions.add(own.compact.function, tuple(map(str, own.compact.arguments)), lines)
 
     def _steepness(self, index: int, piece: Piece) -> Function | None:
         starts = (sp.S.Zero, *self.profile.breaks[:index])

@@ -142,7 +142,9 @@ class Regimes:
                 steps[i] = f"{name} = np.where(a < {self.b}, {python(moved.steps[i][1])}, {python(whole)})"
         return moved, steps
 
-    def _width(self) -> str:
+    @property
+    def strip(self) -> str:
+        """The last argument of a rule beyond the break, if there is one."""
         return strip_width(self.profile)
 
 

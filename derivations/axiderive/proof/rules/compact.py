@@ -13,6 +13,7 @@ import sympy as sp
 from ...abel.form import Chain, insert
 from ...entry import Case, Entry, Primitive
 from ...notation import a, r, t, x
+from ...physics.consequences import GROWTH, Consequence
 from ...physics.medium import HOMOGENEOUS, Medium
 from ...profiles.profile import Profile
 from ..algebra.domain import Domain, NotProvedError, require
@@ -172,11 +173,14 @@ class Compact:
             steps.append(self._end_value(entry, case, expr))
         return steps
 
-    def _end_value(self, entry: Entry, case: Case, expr: sp.Expr) -> str:
-        """Zero where the contact begins, or the value of the neighbouring case."""
+    def _end_value(self, entry: Entry, case: Case, expr: sp.Expr, start: str = "") -> str:
+        """Zero where the contact begins, or another quantity at a place, or the value of the neighbouring case."""
         chain, place = case.chain, case.chain.index(a)
         lower = chain[place - 1] if place else sp.S.Zero
-        if lower in (0, *self.points) or (self.profile.truncated and lower == self.profile.breaks[0]):
+        if start and lower in self.points:
+            below = self._beside(start, chain)
+            domain_below, statement = self.domain(chain), f"{entry.suffix} -> {start} as a -> {lower}"
+        elif lower in (0, *self.points) or (self.profile.truncated and lower == self.profile.breaks[0]):
             below, domain_below, statement = sp.S.Zero, None, f"{entry.suffix} -> 0 as a -> {lower}"
         else:
             swapped = (*chain[: place - 1], a, lower, *chain[place + 1 :])
@@ -192,6 +196,26 @@ class Compact:
                 return require_zero(at(sp.powsimp(sp.expand_mul(expr), combine="exp"), a, lower), face, statement)
             difference = at(logarithmic(expr, domain), a, lower) - at(logarithmic(below, domain_below), a, lower)
         return require_zero(difference, face, statement)
+
+    def follows(self, own: Consequence) -> list[str]:
+        """A consequence grows with a at its rate, from zero where the contact begins or from what it is at a = r."""
+        entry, rate, steps = self.entry(own.suffix), own.grown, list[str]()
+        inside = own.compact.place == "inside"
+        places = (chain for regime in self._regimes() for chain in (insert(regime, r, below=a) if inside else [regime]))
+        require_regions(entry, tuple(places))
+        for case in entry.cases:
+            domain, expr = self.domain(case.chain), summand(case.expr)
+            require_analytic(expr, domain)
+            known = {self.entries[need].quantity.symbol: self._beside(need, case.chain) for need in rate.needs}
+            slope = rate.slope.subs({GROWTH: sp.diff(self.depth_of(case.chain), a)} | known)
+            steps.append(require_zero(sp.diff(expr, a) - slope, domain, rate.statement))
+            steps.append(self._end_value(entry, case, expr, rate.start))
+        return steps
+
+    def _beside(self, suffix: str, chain: Chain) -> sp.Expr:
+        """A quantity without a place on the lengths of a chain."""
+        regime = tuple(length for length in chain if length not in self.points)
+        return next(summand(own.expr) for own in self.entry(suffix).cases if own.chain == regime)
 
     # algebra on what is proved
 

@@ -13,8 +13,9 @@ import sympy as sp
 from ...abel.form import Chain, insert
 from ...entry import Case, Entry
 from ...notation import C, F, P, a, c, d, r, r_zero, x, x_zero
+from ...physics.consequences import CONSEQUENCES, GAP, Consequence
 from ...physics.medium import HOMOGENEOUS, Medium
-from ...physics.normal import derive
+from ...physics.normal import QUANTITIES, derive
 from ...profiles.profile import Piece, Profile
 from ..algebra.domain import Domain
 from ..algebra.functions import canonical, normal, require_analytic
@@ -23,8 +24,7 @@ from ..statement import closed, require_regions, require_zero
 from . import rings
 from .compact import Compact
 
-REGIONS: dict[str, Chain] = {"F": (a,), "p": (r, a), "w": (a, r), "k": (a,), "dF": (a,)}
-"""Where the formulas of complete contact hold."""
+INSIDE, OUTSIDE = (r, a), (a, r)
 
 
 class Complete:
@@ -67,25 +67,31 @@ class Complete:
         (fixed,) = entry.fixed_face
         before, after = self.regions(suffix)
         require_regions(entry, before + after)
-        steps, domain = self.face(), self.domain(REGIONS[suffix])
+        steps, domain = self.face(), self.domain(self._region(suffix))
         require_analytic(fixed.expr, domain)
         for case in (case for case in entry.cases if case.chain in after):
             gap = fixed.expr.subs(C, self.coefficient) - case.expr
             steps = [*steps, require_zero(gap, domain, f"{suffix} is the formula of the fixed face")]
         return fixed.expr, steps + self._partial(suffix, [case for case in entry.cases if case.chain in before])
 
+    def _region(self, suffix: str) -> Chain:
+        """Where the formula of complete contact holds; what is none of its own quantities is of the whole contact."""
+        own = QUANTITIES["complete"].get(suffix)
+        place = own.place if own else ""
+        return {"inside": INSIDE, "outside": OUTSIDE, "": (a,)}[place]
+
     def regions(self, suffix: str) -> tuple[tuple[Chain, ...], tuple[Chain, ...]]:
         """Before the edge is reached and after: its radius, or its force, is the smaller one; r may be anywhere."""
-        own = REGIONS.get(suffix, (a,))
+        own = self._region(suffix)
         if self.concave or self.profile.pieces[0].expr == 0:
             return (), (own,)
         if suffix == "dF":
             reached = self.compact.entry("F").cases[0].expr
             return ((F, reached),), ((reached, F),)
         radius = self.compact.entry("ad").cases[0].expr
-        inner = (r,) if own == (r, a) else ()
+        inner = (r,) if own == INSIDE else ()
         before, after = (*inner, radius, a), (*inner, a, radius)
-        if own != (a, r):
+        if own != OUTSIDE:
             return (before,), (after,)
         return tuple(insert(before, r, above=radius)), tuple(insert(after, r, above=a))
 
@@ -161,7 +167,20 @@ class Complete:
             "k": self.compact.stiffness,
             "dF": lambda: self.compact.composition("dF", F, "F", "d"),
         }
-        return self.compact.force() + rules[suffix]()
+        further = CONSEQUENCES.get(suffix)
+        return self.compact.force() + (self.compact.follows(further) if further else rules[suffix]())
+
+    def follows(self, own: Consequence) -> list[str]:
+        """With the face held fixed a consequence grows with a at its rate, from zero or from what it is at a = r."""
+        expr, steps = self._fixed(own.suffix)
+        region, rate = self._region(own.suffix), own.fixed_rate
+        domain = self.domain(region)
+        slope = sp.diff(expr, a) - rate.slope.subs(GAP, self.gap)
+        steps = [*steps, require_zero(slope, domain, rate.statement)]
+        end = region[-2] if len(region) > 1 else sp.S.Zero
+        start = self.entries[rate.start].fixed_face[0].expr if rate.start else sp.S.Zero
+        gap = at(sp.powsimp(sp.expand_mul(expr), combine="exp"), a, end) - at(start, a, end)
+        return [*steps, require_zero(gap, domain.at(a, end), f"{own.suffix} -> {rate.start or 0} as a -> {end}")]
 
     # the least depth of complete contact
 

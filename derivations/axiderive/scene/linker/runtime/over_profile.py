@@ -89,6 +89,12 @@ def punches(m: Array, a: Array, gap: Array, rest: Array, other: Array) -> Array:
     return rest / a / a * series / np.sqrt(mean)
 
 
+def across(x: Array, excess: Array, r: Array) -> Array:
+    """u (x + u) with u = sqrt(x**2 - r**2) and x = r + excess."""
+    square = excess * (x + r)
+    return square + x * np.sqrt(square)
+
+
 def rational(v: Array, top: Sequence[float], bottom: Sequence[float]) -> Array:
     """P(v)/Q(v) with coefficients in ascending order."""
     return np.polyval(top[::-1], v) / np.polyval(bottom[::-1], v)
