@@ -43,7 +43,7 @@ RUNTIME = ("", "shapes", "physics", "graded", "subsurface")
 """Folders of the run time: one imports only what stands before it, and `arrays` only what stands in the root."""
 SUFFIXES = {
     *("d", "F", "p", "w", "k", "pm", "ad", "aF", "Fd", "dF", "rz", "dmin", "Fmin", "Dl", "ac", "Fc", "dc", "am", "Fm"),
-    *("dm", "tau", "u", "us", "c", "P", "s", "aP", "xz", "Pmin", "phi", "cw", "rp", "pp"),
+    *("dm", "tau", "u", "us", "c", "P", "s", "aP", "xz", "Pmin", "phi", "cw", "rp", "pp", "Fr", "U"),
 }
 """Keys of quantities."""
 

@@ -642,6 +642,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         lambda: plus("paraboloid", "F", E_star * R**2 * STEP.subs(U, a / R)),
         "the real range of Piecewise",
     ),
+    "compact.Compact.follows: require_regions(entry, tuple(places))": (lambda: only("capped_paraboloid", "U", 0), ONCE),
+    "compact.Compact.follows: require_analytic(expr, domain)": (
+        lambda: plus("paraboloid", "U", E_star * R**3 * STEP.subs(U, a / R)),
+        "the real range of Piecewise",
+    ),
     "compact.Compact.stiffness: require_regions(entry, ((a,),))": (lambda: regions("paraboloid", "k", (a, R)), ONCE),
     "compact.Compact.mean_pressure: require_regions(entry, self._regimes())": (
         lambda: only("rounded_cone", "pm", 0),

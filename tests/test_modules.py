@@ -24,6 +24,8 @@ COMPACT_FUNCTIONS = {
     "displacement": ["r", "a"],
     "stiffness": ["a"],
     "mean_pressure": ["a"],
+    "load_within": ["r", "a"],
+    "energy": ["a"],
     "radius_from_depth": ["d"],
     "radius_from_force": ["F"],
     "force_from_depth": ["d"],
@@ -31,6 +33,8 @@ COMPACT_FUNCTIONS = {
 }
 COMPLETE_FUNCTIONS = {
     "profile": ["r"],
+    "load_within": ["r", "d"],
+    "energy": ["d"],
     "force": ["d"],
     "pressure": ["r", "d"],
     "displacement": ["r", "d"],
