@@ -15,7 +15,7 @@ Chain = tuple[Tree, ...]
 """Lengths in their order."""
 INFIX: dict[type, str] = {ast.Add: "Add", ast.Mult: "Mul", ast.Pow: "Pow"}
 ASSUMED = {"j": {"integer", "positive"}, "N": {"integer", "positive"},
-           **dict.fromkeys(("e", "nu", "nu_1", "nu_2"), {"real"})}  # fmt: skip
+           **dict.fromkeys(("e", "nu", "nu_1", "nu_2", "C_13", "radius_2"), {"real"})}  # fmt: skip
 """What the text of a symbol says of it; of all others, that they are positive."""
 
 SIGNS = {"=": {0}, ">": {1}, "<": {-1}, ">=": {0, 1}, "<=": {-1, 0}}
