@@ -481,7 +481,7 @@ def definitions(key: str) -> Found:
             doubled = changed(entry.partial, times(2))
             yield "definition", suffix, replace(entry, partial=doubled)
             yield "definition", suffix, replace(entry, partial=None)
-    for suffix, modulus in (("E_star", nt.E_star), ("G_star", nt.G_star)) if key == "materials" else ():
+    for suffix, modulus in (("E_star", nt.E_star), ("G_star", nt.G_star), ("R", nt.R)) if key == "materials" else ():
         entry = derived("materials")[suffix]
         halved = sp.Eq(1 / modulus, 2 * entry.definition.rhs)
         yield "definition", suffix, replace(changed(entry, times(sp.S.Half)), definition=halved)
@@ -846,6 +846,19 @@ def material_constants(key: str) -> Found:
             yield "material", suffix, changed(entry, times(unity))
         for chain in ((one, other), (one,), (nu, nt.nu_2), (nu, sp.S.Zero)):
             yield ("material", suffix, with_chain(entry, 0, chain))
+    # a root with the sign of C_13, of the difference of both moduli, or of the excess of the cup; and other powers
+    for suffix, factor in (
+        ("E_ti", sp.sqrt(nt.C_13**2) / nt.C_13),
+        ("E_ti", sp.sqrt((nt.C_11 - nt.C_33) ** 2) / (nt.C_11 - nt.C_33)),
+        ("E_ti", nt.C_44 / nt.C_33),
+        ("E_ti", (1 + nt.C_13 / nt.C_11) / (1 + nt.C_13 / nt.C_33)),
+        ("R", sp.sqrt((nt.radius_1 - 2 * nt.radius_2) ** 2) / (nt.radius_1 - 2 * nt.radius_2)),
+        ("R", sp.sqrt(nt.radius_2**2) / nt.radius_2),
+        ("mu_T", sp.cbrt(nt.z_0 * nt.E_star / nt.dgamma)),
+        ("lambda_M", sp.cbrt(sp.Rational(16, 9))),
+        ("lambda_M", sp.sqrt((nt.R - nt.dgamma / nt.sigma_0) ** 2) / (nt.R - nt.dgamma / nt.sigma_0)),
+    ):
+        yield "material", suffix, changed(derived(key)[suffix], times(factor))
 
 
 def mirrored(key: str) -> Found:

@@ -72,7 +72,10 @@ def interface(problem: Problem) -> set[str]:
     if family == "loads":
         return {"displacement"}
     if family == "materials":
-        return {"effective_modulus", "effective_shear_modulus", "graded_modulus", "h_N"}
+        return {
+            "effective_modulus", "effective_shear_modulus", "graded_modulus", "h_N", "transversely_isotropic_modulus",
+            "effective_radius", "tabor", "maugis_lambda",
+        }  # fmt: skip
     if problem.name == "eccentric_punch":
         return {"pressure", "tilt", "contact_width"}
     if compact:

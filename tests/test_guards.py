@@ -861,7 +861,7 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         load_too_steep_at_the_edge,
         "has no resultant",
     ),
-    "materials.Materials.reciprocal: require_regions(entry, ((),))": (
+    "materials.Materials._formula: require_regions(entry, ((),))": (
         lambda: regions("materials", "E_star", (nt.young_1, nt.young_2)),
         ONCE,
     ),

@@ -1,10 +1,15 @@
-"""Effective moduli, and h_N of the graded half-space against a solution of its equations of equilibrium."""
+"""Effective moduli, and h_N of the graded half-space against a solution of its equations of equilibrium.
+
+The modulus of transverse isotropy against Barnett and Lothe's integral; Tabor's number against the retraction at
+pull-off, Maugis' parameter against the attraction of Lennard-Jones.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import mpmath as mp
 import numpy as np
@@ -12,6 +17,7 @@ import pytest
 import sympy as sp
 from physics_package import emitted, positional, public
 
+from axicontact.adhesive import paraboloid
 from axiderive import notation as nt
 from axiderive.checks import materials as constants
 from axiderive.checks.comparison import Comparison
@@ -33,6 +39,10 @@ def test_interface() -> None:
         "effective_shear_modulus": ["E_1", "nu_1", "E_2", "nu_2"],
         "graded_modulus": ["E_0", "c_0", "k", "nu"],
         "h_N": ["k", "nu"],
+        "transversely_isotropic_modulus": ["C_11", "C_33", "C_13", "C_44"],
+        "effective_radius": ["R_1", "R_2"],
+        "tabor": ["R", "E_star", "dgamma", "z_0"],
+        "maugis_lambda": ["R", "E_star", "dgamma", "sigma_0"],
     }
     assert {entry.quantity.function for entry in materials.derive().values()} == set(functions)
 
@@ -74,6 +84,91 @@ def test_homogeneous_limit_is_exact() -> None:
     np.testing.assert_allclose(emitted("materials").h_N(0.0, [-0.5, 0.0, 0.3, 0.5]), 1.0, rtol=1e-15)
 
 
+def barnett_lothe(C_11: mp.mpf, C_33: mp.mpf, C_13: mp.mpf, C_44: mp.mpf) -> mp.mpf:
+    """L_33 = -1/pi int_0^pi N_3 of a transversely isotropic solid, by elements of N_3 = R T^-1 R^T - Q in the plane.
+
+    A line load moves the surface by 1/L_33, which is 2/E* of the isotropic solid.
+    """
+
+    def turned(angle: mp.mpf) -> mp.mpf:
+        c, s = mp.cos(angle), mp.sin(angle)
+
+        # of vectors m = (c, s) and n = (-s, c): Q = (mm), R = (mn), T = (nn)
+        def product(a: tuple[mp.mpf, mp.mpf], b: tuple[mp.mpf, mp.mpf]) -> mp.matrix:
+            across = C_13 * a[0] * b[1] + C_44 * a[1] * b[0]
+            return mp.matrix(
+                [
+                    [C_11 * a[0] * b[0] + C_44 * a[1] * b[1], across],
+                    [C_13 * a[1] * b[0] + C_44 * a[0] * b[1], C_44 * a[0] * b[0] + C_33 * a[1] * b[1]],
+                ]
+            )
+
+        m, n = (c, s), (-s, c)
+        mixed = product(m, n)
+        return (mixed * mp.inverse(product(n, n)) * mixed.T - product(m, m))[1, 1]
+
+    return -mp.quad(turned, mp.linspace(0, mp.pi, 9)) / mp.pi
+
+
+SOLIDS = (
+    # zinc, graphite, and one that grows wider when it is drawn out along its axis
+    ("165", "61.8", "50", "39.6"),
+    ("1060", "36.5", "15", "4.5"),
+    ("1", "8", "-1.5", "2.5"),
+)
+
+
+@pytest.mark.parametrize("constants", SOLIDS)
+def test_transverse_isotropy_by_the_integral_of_barnett_and_lothe(constants: tuple[str, ...]) -> None:
+    with mp.workdps(30):
+        wanted = 2 * barnett_lothe(*map(mp.mpf, constants))
+    found = emitted("materials").transversely_isotropic_modulus(*map(float, constants))
+    assert found == pytest.approx(float(wanted), rel=1e-14, abs=0.0)
+
+
+@pytest.mark.parametrize("nu", [-0.9, 0.0, 0.3, 0.49])
+def test_an_isotropic_solid_has_its_effective_modulus(nu: float) -> None:
+    shear, first = 1 / (2 * (1 + nu)), nu / ((1 + nu) * (1 - 2 * nu))
+    wide = first + 2 * shear
+    found = emitted("materials").transversely_isotropic_modulus(wide, wide, first, shear)
+    assert found == pytest.approx(1 / (1 - nu**2), rel=1e-13, abs=0.0)
+
+
+def test_effective_radius() -> None:
+    """Two balls, a ball on a plane, in a cup, and in one that is as wide as it but for a rounding."""
+    radius = emitted("materials").effective_radius
+    assert radius(3.0, 6.0) == 2.0
+    assert radius(3.0, math.inf) == radius(math.inf, 3.0) == 3.0
+    assert radius(3.0, -4.0) == pytest.approx(12.0, rel=1e-15, abs=0.0)
+    one, cup = 0.1, -math.nextafter(0.1, 1.0)
+    exact = 1 / (1 / Fraction(one) + 1 / Fraction(cup))
+    assert radius(one, cup) == pytest.approx(float(exact), rel=1e-15, abs=0.0)
+
+
+def test_tabor_compares_the_retraction_at_pull_off_with_the_range_of_adhesion() -> None:
+    """(2 pi)**(1/2) (9 pi/8)**(1/6) = 3.094, whatever the paraboloid."""
+    for R, E_star, dgamma in ((1e-6, 1e9, 0.05), (2.0, 3.0, 0.7)):
+        own = {"E_star": E_star, "dgamma": dgamma}
+        retraction = paraboloid.retraction(paraboloid.pull_off(R=R, **own).radius, **own)
+        number = emitted("materials").tabor(R, E_star, dgamma, 2e-10)
+        assert retraction / (number * 2e-10) == pytest.approx(3.0937, abs=5e-5)
+
+
+def test_maugis_and_tabor_of_lennard_jones() -> None:
+    """The greatest attraction 8 dgamma/(3 z_0) ((z_0/z)**3 - (z_0/z)**9) is the stress of Maugis: 1.157 mu_T."""
+    R, E_star, dgamma, z_0 = 1e-6, 1e9, 0.05, 2e-10
+
+    def attraction(z: float) -> float:
+        return 8 * dgamma / (3 * z_0) * ((z_0 / z) ** 3 - (z_0 / z) ** 9)
+
+    work = mp.quad(attraction, [z_0, 3 * z_0, mp.inf])
+    assert float(work) == pytest.approx(dgamma, rel=1e-10)
+    strongest = max(attraction(z_0 * (1 + step / 10000)) for step in range(1, 10000))
+    module = emitted("materials")
+    ratio = module.maugis_lambda(R, E_star, dgamma, strongest) / module.tabor(R, E_star, dgamma, z_0)
+    assert ratio == pytest.approx(1.157, abs=5e-4)
+
+
 def test_incompressible_half_space_of_gibson_is_a_foundation_of_winkler() -> None:
     """G = m z: w = p/(2 m), so that H = 2 pi m with m = E_0/(3 c_0)."""
     assert emitted("materials").graded_modulus(3.0, 2.0, 1 - 1e-9, 0.5) == pytest.approx(math.pi, rel=1e-7)
@@ -86,7 +181,7 @@ def test_half_space_is_that_of_boussinesq_as_the_grading_vanishes() -> None:
         assert abs(surface_compliance(k, nu, 20) / (2 * (1 - nu**2)) - 1) < 1e-11
 
 
-@pytest.mark.parametrize("suffix", ["E_star", "G_star", "H", "h_N"])
+@pytest.mark.parametrize("suffix", sorted(materials.QUANTITIES))
 def test_constants_are_those_of_their_definitions(suffix: str) -> None:
     """h_N, and H with it, by the point force on the half-space."""
     evidence = constants.check(Comparison(proof.PROFILE, materials.derive(), digits=40, points=6), suffix)

@@ -162,6 +162,25 @@ BAD: list[tuple[str, str, tuple[float, ...], dict[str, Any], str]] = [
     ),
     ("materials", "effective_modulus", (1.0, 0.6, 1.0, 0.3), {}, r"nu_1 = 0\.6 is outside -1 < nu_1 <= 1/2"),
     ("materials", "h_N", (1.0, 0.3), {}, r"k = 1\.0 is outside -1 < k < 1"),
+    (
+        "materials",
+        "transversely_isotropic_modulus",
+        (1.0, 4.0, -2.0, 1.0),
+        {},
+        r"C_13 = -2\.0: C_13\*\*2 < C_11\*C_33 is violated; .*C_11 is along the surface",
+    ),
+    (
+        "materials",
+        "transversely_isotropic_modulus",
+        (1.0, 4.0, float("nan"), 1.0),
+        {},
+        r"C_13 = nan is outside -oo < C_13 < oo",
+    ),
+    ("materials", "effective_radius", (1.0, -1.0), {}, r"1/R_1 \+ 1/R_2 > 0 is violated; give a cup as -R_2 > R_1"),
+    ("materials", "effective_radius", (1.0, 0.0), {}, r"1/R_1 \+ 1/R_2 > 0 is violated"),
+    ("materials", "effective_radius", (float("inf"), float("inf")), {}, r"two planes as no contact"),
+    ("materials", "effective_radius", (-2.0, 1.0), {}, r"R_1 = -2\.0 is outside R_1 > 0"),
+    ("materials", "tabor", (1.0, 1.0, 1.0, 0.0), {}, r"z_0 = 0\.0 is outside z_0 > 0"),
 ]
 
 

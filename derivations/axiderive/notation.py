@@ -77,6 +77,13 @@ def define(
     return symbol
 
 
+def define_signed(name: str, latex: str, dimension: Dimension, unit: str, meaning: str, letter: str = "") -> sp.Symbol:
+    """A new symbol with its record that may be negative as well."""
+    symbol = sp.Symbol(name, real=True)
+    _RECORDS[name] = Notation(symbol, latex, dimension, unit, "", meaning, letter)
+    return symbol
+
+
 def describe(symbol: sp.Symbol | sp.IndexedBase | str) -> Notation:
     """The record of a symbol; `KeyError` if the notation does not know it."""
     name = symbol if isinstance(symbol, str) else str(getattr(symbol, "label", symbol))
@@ -192,6 +199,10 @@ t_0 = define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law 
 # elastic constants of the bodies in contact
 young_1 = define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body", letter="E_1")
 young_2 = define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body", letter="E_2")
+C_11 = define("C_11", "C_{11}", STRESS, "Pa", "C_11 > 0", "elastic constant, along the surface")
+C_33 = define("C_33", "C_{33}", STRESS, "Pa", "C_33 > 0", "elastic constant, into the half-space")
+C_13 = define_signed("C_13", "C_{13}", STRESS, "Pa", "elastic constant, couples both directions, C_13^2 < C_11 C_33")
+C_44 = define("C_44", "C_{44}", STRESS, "Pa", "C_44 > 0", "shear modulus in planes across the surface")
 E_0 = define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
 c_0 = define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half-space")
 nu, nu_1, nu_2 = (sp.Symbol(name, real=True) for name in ("nu", "nu_1", "nu_2"))
@@ -200,6 +211,12 @@ _RECORDS["nu_1"] = Notation(nu_1, r"\nu_1", NUMBER, "1", "-1 < nu_1 <= 1/2", "Po
 _RECORDS["nu_2"] = Notation(nu_2, r"\nu_2", NUMBER, "1", "-1 < nu_2 <= 1/2", "Poisson ratio of the second body")
 beta = define("beta", r"\beta", NUMBER, "1", "", "exponent of the stress function of the graded half-space")
 h_N = define("h_N", r"h_{\mathrm N}", NUMBER, "1", "", "factor of the graded half-space, 1 for k = 0")
+radius_1 = define("radius_1", "R_1", LENGTH, "m", "R_1 > 0", "radius of the first body", letter="R_1")
+radius_2 = define_signed("radius_2", "R_2", LENGTH, "m", "radius of the second body, negative for a cup", letter="R_2")
+z_0 = define("z_0", "z_0", LENGTH, "m", "z_0 > 0", "distance of the surfaces at which they do not attract")
+sigma_0 = define("sigma_0", r"\sigma_0", STRESS, "Pa", "sigma_0 > 0", "greatest stress of the attraction")
+mu_T = define("mu_T", r"\mu_{\mathrm T}", NUMBER, "1", "", "Tabor's number")
+lambda_M = define("lambda_M", r"\lambda_{\mathrm M}", NUMBER, "1", "", "parameter of Maugis")
 
 # prescribed pressure
 p_0 = define("p_0", "p_0", STRESS, "Pa", "p_0 > 0", "scale of a prescribed pressure")

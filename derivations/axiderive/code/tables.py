@@ -344,4 +344,4 @@ def _row(record: nt.Notation) -> list[str]:
 
 
 def _domain(record: nt.Notation) -> str:
-    return LOADED.get(record.symbol, record.domain)
+    return LOADED.get(record.symbol, record.domain) or f"-oo < {record.letter or record.name} < oo"

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -245,25 +246,40 @@ def body_compliance(modulus: str, E: Number, nu: Number, digits: int) -> Number:
     with mp.workdps(digits + int(depth) + 20):
         shear = E / (2 * (1 + nu))
         first = 2 * shear * nu / (1 - 2 * nu)
+        wide = first + 2 * shear
+        isotropic = _rates(wide, wide, first, shear)
         if modulus == "E_star":
-            return _plane(shear, first, depth, 1) / 2
+            return _plane(isotropic, depth, 1) / 2
         # U'' = U across the wave
         across = mp.tanh(depth) / shear
-        return (_plane(shear, first, depth, 0) + across) / 4
+        return (_plane(isotropic, depth, 0) + across) / 4
 
 
-def _plane(shear: Number, first: Number, depth: float, load: int) -> Number:
-    """U under a shear 1 (load 0) or W under a pressure 1 (load 1), by u_x = U sin x, u_z = W cos x."""
-    wide = first + 2 * shear
-    # U' = W + T/mu, W' = (S - lambda U)/wide, T' = wide U + lambda W', S' = -T
-    rates = mp.matrix(
+def transverse_modulus(C_11: Number, C_33: Number, C_13: Number, C_44: Number, digits: int) -> Number:
+    """E* of a transversely isotropic half-space: a pressure moves its surface by 2/E*."""
+    rates = _rates(C_11, C_33, C_13, C_44)
+    with mp.workdps(15):
+        decays = sorted(abs(value.real) for value in mp.eig(rates, right=False))
+    depth = FAR * digits / float(decays[0])
+    with mp.workdps(digits + int(depth * float(decays[-1])) + 20):
+        return 2 / _plane(rates, depth, 1)
+
+
+def _rates(along: Number, into: Number, both: Number, shear: Number) -> Any:
+    """Of U, W, the shear T and the stress S into the half-space, by u_x = U sin x, u_z = W cos x."""
+    # U' = W + T/C_44, W' = (S - C_13 U)/C_33, T' = C_11 U + C_13 W', S' = -T
+    return mp.matrix(
         [
             [0, 1, 1 / shear, 0],
-            [-first / wide, 0, 0, 1 / wide],
-            [wide - first**2 / wide, 0, 0, first / wide],
+            [-both / into, 0, 0, 1 / into],
+            [along - both**2 / into, 0, 0, both / into],
             [0, 0, -1, 0],
         ]
     )
+
+
+def _plane(rates: Any, depth: float, load: int) -> Number:
+    """U under a shear 1 (load 0) or W under a pressure 1 (load 1)."""
     below = mp.expm(rates * depth, method="taylor")
     loads = mp.matrix([-1 if load == 0 else 0, 0 if load == 0 else -1])
     surface = mp.lu_solve(below[:2, :2], -below[:2, 2:] * loads)

@@ -1,4 +1,4 @@
-"""The half-space without an indenter: what its elastic constants come to in a contact, as data."""
+"""The half-space without an indenter: what its constants come to in a contact, as data."""
 
 import sympy as sp
 
@@ -8,12 +8,13 @@ from .profile import Profile, Sketch
 PROFILE = Profile(
     name="materials",
     title="Elastic constants",
-    subtitle="Effective moduli of two elastic bodies, and of a half-space graded by a power of the depth.",
+    subtitle="Effective modulus and radius of two bodies, moduli of transversely isotropic and of graded half-spaces, "
+    "numbers of adhesion.",
     contact="none",
     parameters=(),
     pieces=(),
-    validity="isotropic linear elasticity",
-    sources=(),
+    validity="linear elasticity",
+    sources=("Elliott 1949", "Maugis 1992", "Tabor 1977"),
     sketch=Sketch((), a=1.0),
     abbreviations=((beta, sp.sqrt((1 + k) * (1 - k * nu / (1 - nu)))),),
 )

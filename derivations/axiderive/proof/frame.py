@@ -13,6 +13,10 @@ import sympy as sp
 
 from ..entry import Entry, Quantity, Status
 from ..notation import (
+    C_11,
+    C_13,
+    C_33,
+    C_44,
     E_0,
     E_star,
     F,
@@ -21,6 +25,7 @@ from ..notation import (
     L,
     N,
     P,
+    R,
     a,
     c_0,
     coefficients,
@@ -30,13 +35,18 @@ from ..notation import (
     h_N,
     j,
     k,
+    lambda_M,
+    mu_T,
     nu,
     nu_1,
     nu_2,
     r,
     r_peak,
     r_zero,
+    radius_1,
+    radius_2,
     retraction,
+    sigma_0,
     t,
     tilt,
     time,
@@ -48,6 +58,7 @@ from ..notation import (
     young_1,
     young_2,
     z,
+    z_0,
 )
 from ..physics import Physics, adhesive, detachment, loads, materials, normal, subsurface, viscoelastic
 from ..physics.consequences import CONSEQUENCES
@@ -359,8 +370,19 @@ def elastic() -> Frames:
         "G_star": sp.Eq(1 / G_star, sp.Add(*sheared)),
         "H": sp.Eq(H, h_N / scale),
         "h_N": sp.Eq(w, scale * sp.cos(sp.pi * k / 2) * F / (h_N * sp.pi * r ** (1 + k))),
+        "E_ti": sp.Eq(w, F / (sp.pi * E_star * r)),
+        "R": sp.Eq(1 / R, 1 / radius_1 + 1 / radius_2),
+        "mu_T": sp.Eq(mu_T**3, R * dgamma**2 / (E_star**2 * z_0**3)),
+        "lambda_M": sp.Eq(lambda_M**3, sp.Rational(9, 2) * R * sigma_0**3 / (sp.pi * E_star**2 * dgamma)),
     }
-    parameters = {"H": (E_0, c_0, k, nu), "h_N": (k, nu)}
+    parameters = {
+        "H": (E_0, c_0, k, nu),
+        "h_N": (k, nu),
+        "E_ti": (C_11, C_33, C_13, C_44),
+        "R": (radius_1, radius_2),
+        "mu_T": (R, E_star, dgamma, z_0),
+        "lambda_M": (R, E_star, dgamma, sigma_0),
+    }
     return {
         suffix: Frame(
             f"{ELASTIC.name}.{suffix}", ELASTIC, materials.QUANTITIES[suffix], definition,

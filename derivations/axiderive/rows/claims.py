@@ -156,13 +156,17 @@ def _fields(entry: Entry, source: Entry, case: Case) -> tuple[sp.Symbol, ...]:
 
 
 def _completed(entry: Entry, case: Case, values: Values) -> Values:
-    """What a chain of lengths cannot say: exponents, the side of an eccentric load, a place inside the contact."""
+    """What a chain of lengths cannot say: exponents, signs, the side of a load, a place inside the contact."""
     fixed = dict(values)
     if nt.k in entry.parameters:
         fixed[nt.k] = _grading(case)
     fixed |= {ratio: value for ratio, value in POISSON.items() if ratio in fixed}
     fixed |= {symbol: expr.xreplace(fixed) for symbol, expr in entry.profile.abbreviations if expr.has(nt.k)}
     fixed = {symbol: value for symbol, value in fixed.items() if not sp.sympify(value).free_symbols}
+    if nt.C_13 in fixed:
+        fixed[nt.C_13] = -min(fixed[nt.C_11], fixed[nt.C_33]) * sp.Rational(3, 7)
+    if nt.radius_2 in fixed:
+        fixed[nt.radius_2] = -fixed[nt.radius_1] * sp.Rational(13, 5)
     if nt.alpha in fixed:
         fixed[nt.alpha] = sp.Rational(2, 5)
     if nt.n in fixed:

@@ -152,12 +152,12 @@ def _normal_row(entry: Entry) -> Row:
 
 
 def _defined(entry: Entry) -> Row | None:
-    """An elastic constant, where it is read better by the equation that defines it: 1/E* as a sum, H over h_N."""
+    """An elastic constant, where it is read better by the equation that defines a power of it, or H over h_N."""
     known, own = entry.definition, entry.quantity.symbol
-    if not isinstance(known, sp.Equality) or known.lhs not in (own, 1 / own):
+    if not isinstance(known, sp.Equality) or known.lhs.as_base_exp()[0] != own:
         return None
     line = (Region("", (Printer()(known),)),)
-    if known.lhs == 1 / own:
+    if known.lhs != own:
         return Row(entry, "definition", line)
     used = known.rhs.free_symbols - set(entry.parameters)
     return Row(entry, "definition", line, "with the factor", used.pop().name) if len(used) == 1 else None
@@ -359,7 +359,7 @@ HALF = 122.0
 _NAMED = (
     "Dl", "d", "ad", "P", "aP", "F", "Fd", "aF", "dF", "u", "c", "us", "k", "pm", "p", "pp", "rp", "tau", "s", "w",
     "ac", "Fc", "dc", "am", "Fm", "dm", "rz", "dmin", "Fmin", "xz", "Pmin", "phi", "cw",
-    "E_star", "G_star", "H", "h_N",
+    "E_star", "E_ti", "G_star", "H", "h_N", "R", "mu_T", "lambda_M",
 )  # fmt: skip
 ORDER = tuple(
     suffix for named in _NAMED
