@@ -29,9 +29,11 @@ PACKAGES = {problem.system.name: problem.system for problem in problems()}
 
 COMPACT = {
     "profile", "depth", "force", "pressure", "displacement", "stiffness", "mean_pressure",
-    "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
+    "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force", "load_within", "energy",
 }  # fmt: skip
-COMPLETE = {"profile", "force", "pressure", "displacement", "stiffness", "depth_from_force"}
+COMPLETE = {
+    "profile", "force", "pressure", "displacement", "stiffness", "depth_from_force", "load_within", "energy",
+}  # fmt: skip
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
 PEAKED = ("quartic", "sextic", "rounded_punch", "power_law")
 ADHESIVE = {
