@@ -67,7 +67,8 @@ def _point(entry: Entry, draw: random.Random) -> Values:
 
 def _wanted(entry: Entry, values: Values, digits: int) -> Number:
     if entry.suffix == "E_ti":
-        return transverse_modulus(*(number(values[constant]) for constant in entry.parameters), digits + 5)
+        C_11, C_33, C_13, C_44 = (number(values[constant]) for constant in entry.parameters)
+        return transverse_modulus(C_11, C_33, C_13, C_44, digits + 5)
     if nt.k not in entry.parameters and nt.young_1 not in entry.parameters:
         power = entry.definition.lhs.as_base_exp()[1]
         return evaluate(entry.definition.rhs, values, digits) ** (mp.mpf(1) / int(power))
