@@ -47,6 +47,16 @@ class Complete:
         self._pressure()
         self._displacement()
 
+    @property
+    def reach(self) -> sp.Expr:
+        """The radius of the contact of the unbounded face, up to which that is one of a fixed edge."""
+        return self.entries["F"].cases[0].chain[0]
+
+    @property
+    def least_depth(self) -> sp.Expr:
+        """The depth from which a concave face touches everywhere."""
+        return self.entries["dmin"].cases[0].expr
+
     def add(self, suffix: str, value: str, lines: list[str]) -> Function:
         """Adds and returns the private function of a quantity: its lines, and the value it returns."""
         return self.functions.of_entry(self.entries[suffix], [*lines, f"return {value}"])

@@ -77,7 +77,7 @@ def _singular(forms: Mapping[str, EvaluationForm]) -> set[sp.Symbol]:
 def _by_rule(compact: Compact, own: Consequence) -> None:
     """The rules before and beyond the break, added to what a smaller contact or a flat face has."""
     functions, rules, name = compact.functions, own.rules, f"{own.compact.function}_integral"
-    b, regimes, (kind, length) = compact.b, compact.regimes("d"), compact.scale("tip")
+    b, regimes, (kind, length) = compact.b, compact.regimes(own.suffix), compact.scale("tip")
     place = ["r"] if own.compact.place == "inside" else []
     over_depth = rules.over == "depth"
     sunk = ["sunk"] if over_depth else []
@@ -136,7 +136,7 @@ def of_complete(complete: Complete) -> None:
 
 def _fixed(complete: Complete, functions: PrivateFunctions, own: Consequence) -> None:
     """The formula of the whole face; where that is reached late, of the contact of radius rho and what is beyond it."""
-    entry, force = complete.entries[own.suffix], functions[complete.entries["F"].quantity.function]
+    entry, force = complete.entries[own.suffix], functions["force"]
     edge, lines, whole = "a", list[str](), entry.cases[-1].expr
     over = _over_threshold(complete, own, lines)
     if over is not None:
@@ -145,7 +145,7 @@ def _fixed(complete: Complete, functions: PrivateFunctions, own: Consequence) ->
         value = _form(functions, entry, whole, lines)
     else:
         grown = entry.partial.cases[0].expr
-        edge, reach = "rho", complete.entries["F"].cases[0].chain[0]
+        edge, reach = "rho", complete.reach
         lines += [f"whole = {python(reach)}", "rho = np.minimum(whole, a)"]
         beyond = _form(functions, entry, sp.factor(sp.expand(whole - grown)), lines)
         value = f"{_form(functions, entry, grown.subs(a, RHO), lines)} + np.where(whole > a, {beyond}, 0.0)"
@@ -164,7 +164,7 @@ def _over_threshold(complete: Complete, own: Consequence, lines: list[str]) -> s
         return None
     whole = complete.entries[own.suffix].cases[-1].expr.subs(r, sp.sqrt(a**2 - ROOT**2))
     per_depth = sp.factor(sp.diff(whole, d))
-    rest = sp.factor(sp.expand(whole.subs(d, complete.entries["dmin"].cases[0].expr) / per_depth))
+    rest = sp.factor(sp.expand(whole.subs(d, complete.least_depth) / per_depth))
     if not rest.is_polynomial(ROOT) or per_depth.has(d):
         return None
     rise = {a - ROOT: RISE, ROOT - a: -RISE}
