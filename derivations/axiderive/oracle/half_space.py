@@ -30,7 +30,7 @@ from ..physics import DEPTH, FORCE, PRESSURE
 from ..physics.consequences import CONSEQUENCES, SHORT
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
-from .evaluate import evaluated
+from .evaluate import decades, evaluated
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
 
@@ -127,9 +127,10 @@ class HalfSpace:
         raise ValueError(message)
 
     def _carried_by_springs(self, springs: sp.Expr, a: Number, free_depth: Number | None) -> Number:
-        """An integral of integrals, of which both are as exact."""
-        with mp.workdps(self.digits + SPARE):
-            finer = replace(self, digits=self.digits + SPARE, values={**self.values, nt.a: a})
+        """An integral of integrals, of which both are as exact; a shallow profile costs two digits a decade."""
+        digits = self.digits + max(SPARE, 2 * decades(self.values))
+        with mp.workdps(digits):
+            finer = replace(self, digits=digits, values={**self.values, nt.a: a})
             face = finer.face(a)
             return replace(finer, pressed=(face, face.depth(a) if free_depth is None else free_depth)).defined(springs)
 
