@@ -14,9 +14,8 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from ...abel.atoms import Atom, PowerAtom
+from ...abel.atoms import Atom, HyperboloidAtom, PowerAtom, SphereAtom
 from ...abel.form import Chain, Form, Order, insert
-from ...abel.radicals import HyperboloidAtom, SphereAtom
 from ...abel.reduce import NotReducibleError, Reduced
 from ...entry import Case, Entry, Quantity, Status
 from ...notation import FORCE, a, d, define, r, t, u
