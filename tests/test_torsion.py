@@ -8,9 +8,9 @@ import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
-from axicontact.torsion import flat_punch, paraboloid
 from false_entries import below, record
 
+from axicontact.torsion import flat_punch, paraboloid
 from axiderive import notation as nt
 from axiderive.entry import Entry
 from axiderive.oracle.evaluate import case_at, evaluated

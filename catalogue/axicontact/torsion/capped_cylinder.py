@@ -11,8 +11,7 @@ from typing import Any
 __all__: list[str] = []
 
 _REASON = (
-    "Cylinder with a parabolic cap turns without slip as a flat punch does while its face is in contact: use "
-    "flat_punch"
+    "Cylinder with a parabolic cap turns without slip as a flat punch does while its face is in contact: use flat_punch"
 )
 
 

@@ -9,9 +9,7 @@ from typing import Any
 
 __all__: list[str] = []
 
-_REASON = (
-    "Concave power law turns without slip as a flat punch does while its face is in contact: use flat_punch"
-)
+_REASON = "Concave power law turns without slip as a flat punch does while its face is in contact: use flat_punch"
 
 
 def __getattr__(name: str) -> Any:

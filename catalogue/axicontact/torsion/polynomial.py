@@ -9,9 +9,7 @@ from typing import Any
 
 __all__: list[str] = []
 
-_REASON = (
-    "Polynomial has no torque that is one integral of known functions; a paraboloid has one, use paraboloid"
-)
+_REASON = "Polynomial has no torque that is one integral of known functions; a paraboloid has one, use paraboloid"
 
 
 def __getattr__(name: str) -> Any:

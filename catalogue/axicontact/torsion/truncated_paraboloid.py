@@ -11,8 +11,7 @@ from typing import Any
 __all__: list[str] = []
 
 _REASON = (
-    "Truncated paraboloid has no torque that is one integral of known functions; a paraboloid has one, use "
-    "paraboloid"
+    "Truncated paraboloid has no torque that is one integral of known functions; a paraboloid has one, use paraboloid"
 )
 
 

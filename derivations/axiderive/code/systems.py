@@ -16,6 +16,7 @@ from ..physics.systems import System
 from ..profiles.profile import Profile
 from . import normal, plane, subsurface
 from .docstring import wrapped
+from .function import LINE
 from .graded import adhesive as graded_adhesive
 from .graded import compact, complete
 from .module import Module
@@ -91,9 +92,7 @@ from typing import Any
 
 __all__: list[str] = []
 
-_REASON = (
-{literal}
-)
+_REASON = {literal}
 
 
 def __getattr__(name: str) -> Any:
@@ -114,6 +113,16 @@ def refusal_source(system: System, profile: Profile) -> str:
     if system.physics.beside and system.base:
         reason += f", with F from {system.base.package}.{profile.name}.force"
     lines = wrapped(reason)
-    literal = "\n".join(f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
-    group = system.physics.name
-    return REFUSAL.format(title=profile.title, group=group, wrapped="\n".join(lines) + ".", literal=literal)
+    return REFUSAL.format(
+        title=profile.title, group=system.physics.name, wrapped="\n".join(lines) + ".", literal=_literal(reason, lines)
+    )
+
+
+def _literal(reason: str, lines: list[str]) -> str:
+    """A string as the formatter has it: on the line of its name, on a line of its own, or in parts."""
+    if len(f'_REASON = "{reason}"') <= LINE:
+        return f'"{reason}"'
+    if len(f'    "{reason}"') <= LINE:
+        lines = [reason]
+    parts = (f'    "{line}{" " if line is not lines[-1] else ""}"' for line in lines)
+    return "\n".join(["(", *parts, ")"])

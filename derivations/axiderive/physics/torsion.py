@@ -284,7 +284,8 @@ def code(profile: Profile) -> dict[str, str]:
             "rt": "G * beta * on_cylinders(r, z, a)",
         }
     (face,) = (piece.expr for piece in profile.pieces)
-    unit = sp.sstr(mu * E_star * 2 * face / r**2)
+    above, below = (part.as_ordered_factors() for part in (mu * E_star * 2 * face / r**2).as_numer_denom())
+    unit = " / ".join([" * ".join(map(str, above)), *map(str, below)])
     return {
         "M": f"{unit} * slipping_torque(a, c)",
         "b": f"{unit} / (np.pi * G) * turned(a, c)",
