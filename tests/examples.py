@@ -52,10 +52,10 @@ class Shown:
         return abs(value - self.value) > half * (1 + 1e-6)
 
 
-NAMES = {nt.describe(one.symbol).latex: name_of(one.symbol) for one in nt.all_notation()} | {
+NAMES = {nt.describe(one.symbol).latex: name_of(one.symbol) for one in reversed(nt.all_notation())} | {
     "E": "E", r"\Delta\gamma": "dgamma", r"\tau": "tau", r"E_\infty": "E_inf",
 }  # fmt: skip
-"""What the functions call a letter of a heading."""
+"""What the functions call a letter of a heading: of two records with one letter, the first."""
 WORKED = re.compile(r"\\sect(?:\[([^\]]*)\])?\{Worked example\}(.*?)\\par\}", re.DOTALL)
 BESIDE = re.compile(r"\\textcolor\{note\}\{(.*?)\}\\par")
 """The words of the example of a plane entry, which stands beside its plot."""

@@ -47,6 +47,7 @@ BELOW = {
 """Functions of the numbers below the surface whose entries stand under stress and displacement."""
 LAWS = ("maxwell", "kelvin_voigt", "standard_solid", "power_creep")
 RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
+TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
 PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
 PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}
 
@@ -69,6 +70,8 @@ def interface(problem: Problem) -> set[str]:
     if family == "viscoelastic":
         kinds = ["step_force"] + ["step_load_radius"] * compact + ["ramp_force"] * (problem.name in RAMPS)
         return {f"{kind}_{law}" for kind in kinds for law in LAWS}
+    if family == "torsion":
+        return TURNING if compact else {"torque", "displacement", "stress"}
     if family == "subsurface":
         return {"stress", "displacement"} | BELOW - (set() if compact else {"partial_slip_stress"})
     if family == "loads":

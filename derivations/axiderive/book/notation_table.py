@@ -59,11 +59,11 @@ def by_subject(used: AbstractSet[str], entries: Sequence[Mapping[str, Any]]) -> 
     ]
     return [
         (title, [row for name in names if name in known for row in meanings.get(name) or [_row(name)]])
-        for title, names in (*SUBJECTS.items(), *_of_physics())
+        for title, names in (*SUBJECTS.items(), *of_physics())
     ]
 
 
-def _of_physics() -> Iterator[tuple[str, tuple[str, ...]]]:
+def of_physics() -> Iterator[tuple[str, tuple[str, ...]]]:
     """Further subjects: of every physics above another one the letters of its material and results with no row yet."""
     told = {*INSTEAD, *(name for names in SUBJECTS.values() for name in names)}
     printed = {letter for latex, _, _ in IN_PRINT.values() for letter in latex.split(r",\;")}
