@@ -1,6 +1,7 @@
 """Elastic constants.
 
-Effective moduli of two elastic bodies, and of a half-space graded by a power of the depth.
+Effective modulus and radius of two bodies, moduli of transversely isotropic and of graded half-spaces,
+numbers of adhesion.
 """
 
 from __future__ import annotations
@@ -10,12 +11,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._runtime.functions import gamma
-from ._runtime.interface import Array, Result, elementwise, numbers, require
+from ._runtime.interface import Array, Result, elementwise, numbers, require, require_order
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["effective_modulus", "effective_shear_modulus", "graded_modulus", "h_N"]
+__all__ = [
+    "effective_modulus",
+    "effective_radius",
+    "effective_shear_modulus",
+    "graded_modulus",
+    "h_N",
+    "maugis_lambda",
+    "tabor",
+    "transversely_isotropic_modulus",
+]
 
 
 def __dir__() -> list[str]:
@@ -61,6 +71,50 @@ def effective_modulus(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: Arr
     """
     _require_bodies(E_1, nu_1, E_2, nu_2)
     return elementwise(_effective_modulus, E_1=E_1, nu_1=nu_1, E_2=E_2, nu_2=nu_2)
+
+
+def transversely_isotropic_modulus(C_11: ArrayLike, C_33: ArrayLike, C_13: ArrayLike, C_44: ArrayLike) -> Result:
+    """Effective modulus E_star of a half-space that is isotropic along its surface, under a rigid indenter.
+
+    E_star = 2*sqrt(C_44)*sqrt((sqrt(C_11)*sqrt(C_33) - C_13)/(sqrt(C_11)*sqrt(C_33) + C_13 +
+    2*C_44))*(sqrt(C_11)*sqrt(C_33) + C_13)/sqrt(C_11)
+
+    Parameters
+    ----------
+    C_11 : array_like
+        Elastic constant, along the surface [Pa], C_11 > 0.
+    C_33 : array_like
+        Elastic constant, into the half-space [Pa], C_33 > 0.
+    C_13 : array_like
+        Elastic constant, couples both directions, C_13^2 < C_11 C_33 [Pa].
+    C_44 : array_like
+        Shear modulus in planes across the surface [Pa], C_44 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa].
+
+    Raises
+    ------
+    ValueError
+        If a parameter is outside its domain.
+
+    Notes
+    -----
+    The axis of symmetry is normal to the surface. Normal contact holds with it as with E_star, also with
+    adhesion or under a viscoelastic law; not tangential contact, stresses below the surface, or a graded
+    half-space. Handbook: materials.E_ti.
+
+    Examples
+    --------
+    >>> from axicontact import materials
+    >>> value = materials.transversely_isotropic_modulus(3.0, 2.0, 1.0, 0.5)
+    >>> round(value, 6)
+    1.60754
+    """
+    _require_positive(C_11, C_33, C_13, C_44)
+    return elementwise(_transversely_isotropic_modulus, C_11=C_11, C_33=C_33, C_13=C_13, C_44=C_44)
 
 
 def effective_shear_modulus(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike) -> Result:
@@ -198,9 +252,135 @@ def h_N(k: ArrayLike, nu: ArrayLike) -> Result:
     return elementwise(_h_N, k=k, nu=nu)
 
 
+def effective_radius(R_1: ArrayLike, R_2: ArrayLike) -> Result:
+    """Effective radius R of two bodies; negative for a cup, infinite for a plane.
+
+    1/R = 1/R_2 + 1/R_1
+
+    Parameters
+    ----------
+    R_1 : array_like
+        Radius of the first body [m], R_1 > 0.
+    R_2 : array_like
+        Radius of the second body, negative for a cup [m].
+
+    Returns
+    -------
+    float or ndarray
+        Radius of curvature [m].
+
+    Raises
+    ------
+    ValueError
+        If a parameter is outside its domain.
+
+    Notes
+    -----
+    Handbook: materials.R.
+
+    Examples
+    --------
+    >>> from axicontact import materials
+    >>> value = materials.effective_radius(1.0, -3.0)
+    >>> round(value, 6)
+    1.5
+    """
+    _require_gap(R_1, R_2)
+    return elementwise(_effective_radius, R_1=R_1, R_2=R_2)
+
+
+def tabor(R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike, z_0: ArrayLike) -> Result:
+    """Tabor's number: what adhesion pulls out over the distance in which it acts.
+
+    mu_T**3 = R*dgamma**2/(E_star**2*z_0**3)
+
+    Parameters
+    ----------
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+    z_0 : array_like
+        Distance of the surfaces at which they do not attract [m], z_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Tabor's number [1].
+
+    Raises
+    ------
+    ValueError
+        If a parameter is outside its domain.
+
+    Notes
+    -----
+    Handbook: materials.mu_T.
+
+    Examples
+    --------
+    >>> from axicontact import materials
+    >>> value = materials.tabor(2.0, 1.0, 0.5, 0.1)
+    >>> round(value, 6)
+    7.937005
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma, z_0=z_0)
+    return elementwise(_tabor, R=R, E_star=E_star, dgamma=dgamma, z_0=z_0)
+
+
+def maugis_lambda(R: ArrayLike, E_star: ArrayLike, dgamma: ArrayLike, sigma_0: ArrayLike) -> Result:
+    """Parameter lambda of Maugis' transition, for the attraction of a constant stress sigma_0.
+
+    lambda_M**3 = 9*R*sigma_0**3/(2*pi*E_star**2*dgamma)
+
+    Parameters
+    ----------
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    dgamma : array_like
+        Work of separation per unit area [N/m], dgamma >= 0.
+    sigma_0 : array_like
+        Greatest stress of the attraction [Pa], sigma_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Parameter of Maugis [1].
+
+    Raises
+    ------
+    ValueError
+        If a parameter is outside its domain.
+
+    Notes
+    -----
+    Maugis 1992 writes it by K = 4 E_star/3. With the greatest attraction 16 dgamma/(9 sqrt(3) z_0) of
+    Lennard-Jones it is 1.157 times Tabor's number. Handbook: materials.lambda_M.
+
+    Examples
+    --------
+    >>> from axicontact import materials
+    >>> value = materials.maugis_lambda(2.0, 1.0, 0.5, 3.0)
+    >>> round(value, 6)
+    5.368201
+    """
+    require(R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    return elementwise(_maugis_lambda, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+
+
 def _effective_modulus(E_1: Array, nu_1: Array, E_2: Array, nu_2: Array) -> Array:
     compliance = np.divide((1.0 - nu_1) * (1.0 + nu_1), E_1) + np.divide((1.0 - nu_2) * (1.0 + nu_2), E_2)
     return np.divide(1.0, compliance)
+
+
+def _transversely_isotropic_modulus(C_11: Array, C_33: Array, C_13: Array, C_44: Array) -> Array:
+    mean = np.sqrt(C_11) * np.sqrt(C_33)
+    high, low = mean + C_13, mean - C_13
+    return 2.0 * high * np.sqrt(C_44 / C_11 * (low / (high + 2.0 * C_44)))
 
 
 def _effective_shear_modulus(E_1: Array, nu_1: Array, E_2: Array, nu_2: Array) -> Array:
@@ -221,11 +401,50 @@ def _h_N(k: Array, nu: Array) -> Array:
     return punch / (beta * np.sin(np.pi * beta / 2.0) * gammas)
 
 
+def _effective_radius(R_1: Array, R_2: Array) -> Array:
+    # of a ball that nearly fills its cup the sum of the radii keeps the digits that the curvatures lose
+    share = np.where(np.isinf(R_2), 1.0, R_2 / (R_1 + R_2))
+    return np.where(np.isinf(R_1), R_2, R_1 * share)
+
+
+def _tabor(R: Array, E_star: Array, dgamma: Array, z_0: Array) -> Array:
+    return np.cbrt(R / z_0 * (dgamma / E_star / z_0) ** 2)
+
+
+def _maugis_lambda(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return np.cbrt(4.5 / np.pi * (sigma_0 / E_star) ** 2 * (R * sigma_0 / dgamma))
+
+
 def _require_bodies(E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike) -> None:
     require(young_1=_finite("E_1", E_1), nu_1=nu_1, young_2=_finite("E_2", E_2), nu_2=nu_2)
 
 
 def _finite(name: str, modulus: ArrayLike) -> Array:
-    """A rigid body is allowed: its infinite modulus passes as one."""
+    """A rigid body or a plane is allowed: its infinite modulus or radius passes as one."""
     array = numbers(name, modulus)
     return np.where(array == np.inf, 1.0, array)
+
+
+def _require_positive(C_11: ArrayLike, C_33: ArrayLike, C_13: ArrayLike, C_44: ArrayLike) -> None:
+    require(C_11=C_11, C_33=C_33, C_13=C_13, C_44=C_44)
+    require_order(
+        np.abs(C_13) < np.sqrt(C_11) * np.sqrt(C_33),
+        "C_13**2 < C_11*C_33",
+        "the energy of some strain would be negative; look at the order of the constants, C_11 is along the "
+        "surface, and C_13 of both directions",
+        C_11=C_11,
+        C_33=C_33,
+        C_13=C_13,
+    )
+
+
+def _require_gap(R_1: ArrayLike, R_2: ArrayLike) -> None:
+    require(radius_1=_finite("R_1", R_1), radius_2=_finite("R_2", R_2))
+    one, two = np.asarray(R_1), np.asarray(R_2)
+    require_order(
+        np.where(two > 0.0, np.minimum(one, two) < np.inf, two < -one),
+        "1/R_1 + 1/R_2 > 0",
+        "give a cup as -R_2 > R_1, wider than the ball in it, and two planes as no contact",
+        R_1=R_1,
+        R_2=R_2,
+    )

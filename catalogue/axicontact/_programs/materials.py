@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import cbrt, sqrt
+
 import numpy as np
 
 from .._runtime.interface import largest, ordinary
@@ -9,6 +11,7 @@ from .._programs.bodies import materials as bodies
 
 C0 = np.array(1.0)
 C1 = np.array(2.0)
+C2 = np.array(1.432394487827058)
 
 
 def effective_modulus(E_1, nu_1, E_2, nu_2):
@@ -89,11 +92,98 @@ def h_N(k, nu):
     return None
 
 
+def maugis_lambda(R, E_star, dgamma, sigma_0):
+    if R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and R > 1e-30 and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v4 = sigma_0 / E_star
+            return cbrt(1.432394487827058 * (v4 * v4) * (R * sigma_0 / dgamma))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_maugis_lambda_all_signed():
+    return ()
+
+
+def block_maugis_lambda_all_signed(out, R, E_star, dgamma, sigma_0, t0):
+    np.divide(sigma_0, E_star, out)
+    np.square(out, out)
+    np.multiply(C2, out, out)
+    np.multiply(R, sigma_0, t0)
+    np.divide(t0, dgamma, t0)
+    np.multiply(out, t0, t0)
+    np.cbrt(t0, out)
+
+
+def tabor(R, E_star, dgamma, z_0):
+    if R.__class__ is E_star.__class__ is dgamma.__class__ is z_0.__class__ is float and R > 1e-30 and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (z_0 > 1e-30) and (z_0 < 1e+30):
+        try:
+            v6 = dgamma / E_star / z_0
+            return cbrt(R / z_0 * (v6 * v6))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_tabor_all_signed():
+    return ()
+
+
+def block_tabor_all_signed(out, R, E_star, dgamma, z_0, t0):
+    np.divide(R, z_0, out)
+    np.divide(dgamma, E_star, t0)
+    np.divide(t0, z_0, t0)
+    np.square(t0, t0)
+    np.multiply(out, t0, t0)
+    np.cbrt(t0, out)
+
+
+def transversely_isotropic_modulus(C_11, C_33, C_13, C_44):
+    if C_11.__class__ is C_33.__class__ is C_13.__class__ is C_44.__class__ is float and C_11 > 1e-30 and (C_11 < 1e+30) and (C_33 > 1e-30) and (C_33 < 1e+30) and (C_13 > 1e-30) and (C_13 < 1e+30) and (C_44 > 1e-30) and (C_44 < 1e+30):
+        try:
+            v6 = sqrt(C_11) * sqrt(C_33)
+            v7 = v6 + C_13
+            return 2.0 * v7 * sqrt(C_44 / C_11 * ((v6 - C_13) / (v7 + 2.0 * C_44)))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_transversely_isotropic_modulus_all_signed():
+    return ()
+
+
+def block_transversely_isotropic_modulus_all_signed(out, C_11, C_33, C_13, C_44, t0, t1, t2, t3):
+    np.sqrt(C_11, out)
+    np.sqrt(C_33, t0)
+    np.multiply(out, t0, t0)
+    np.add(t0, C_13, out)
+    np.subtract(t0, C_13, t0)
+    np.multiply(C1, out, t1)
+    np.divide(C_44, C_11, t2)
+    np.multiply(C1, C_44, t3)
+    np.add(out, t3, t3)
+    np.divide(t0, t3, t3)
+    np.multiply(t2, t3, t3)
+    np.sqrt(t3, t3)
+    np.multiply(t1, t3, out)
+
+
 BLOCKS = {
     ('_effective_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
         ('E_1', 'nu_1', 'E_2', 'nu_2'): (('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_modulus_all_signed, block_effective_modulus_all_signed, 2, 0, (), False),
     },
     ('_effective_shear_modulus', 0, 'E_1', 'nu_1', 'E_2', 'nu_2'): {
         ('E_1', 'nu_1', 'E_2', 'nu_2'): (('E_1', 'nu_1', 'E_2', 'nu_2'), prepare_effective_shear_modulus_all_signed, block_effective_shear_modulus_all_signed, 2, 0, (), False),
+    },
+    ('_maugis_lambda', 0, 'R', 'E_star', 'dgamma', 'sigma_0'): {
+        ('R', 'E_star', 'dgamma', 'sigma_0'): (('R', 'E_star', 'dgamma', 'sigma_0'), prepare_maugis_lambda_all_signed, block_maugis_lambda_all_signed, 1, 0, (), False),
+    },
+    ('_tabor', 0, 'R', 'E_star', 'dgamma', 'z_0'): {
+        ('R', 'E_star', 'dgamma', 'z_0'): (('R', 'E_star', 'dgamma', 'z_0'), prepare_tabor_all_signed, block_tabor_all_signed, 1, 0, (), False),
+    },
+    ('_transversely_isotropic_modulus', 0, 'C_11', 'C_33', 'C_13', 'C_44'): {
+        ('C_11', 'C_33', 'C_13', 'C_44'): (('C_11', 'C_33', 'C_13', 'C_44'), prepare_transversely_isotropic_modulus_all_signed, block_transversely_isotropic_modulus_all_signed, 4, 0, (), False),
     },
 }

@@ -16,7 +16,7 @@ from .._runtime.kernels import OUTSIDE_2
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["depth_from_force", "displacement", "force", "pressure", "profile", "stiffness"]
+__all__ = ["depth_from_force", "displacement", "energy", "force", "load_within", "pressure", "profile", "stiffness"]
 
 
 def __dir__() -> list[str]:
@@ -322,6 +322,109 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, a=a, R=R, E_star=E_star)
 
 
+def energy(d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 8*E_star*sqrt(R)*d**(5/2)/15   for sqrt(R)*sqrt(d) < a
+    U = E_star*(a*d**2 - 2*a**3*d/(3*R) + a**5/(5*R**2))   for a < sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.U.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.energy(0.6, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    0.219504
+    """
+    value = plain.energy(d, a, R, E_star)
+    if value is not None:
+        return value
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_energy, d, a=a, R=R, E_star=E_star)
+
+
+def load_within(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 4*E_star*(R**(3/2)*d**(3/2) + (-sqrt(R)*sqrt(d) + r)*(sqrt(R)*sqrt(d) + r)*sqrt(R*d - r**2))/(3*R)
+    for sqrt(R)*sqrt(d) < a
+    F_r = 2*E_star*(2*r**2*sqrt(a**2 - r**2) + (a - sqrt(a**2 - r**2))*(3*R*d - a**2))/(3*R)   for a <
+    sqrt(R)*sqrt(d)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: capped_cylinder.Fr.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_cylinder
+    >>> value = capped_cylinder.load_within(0.3, 0.6, a=1.0, R=2.2, E_star=1.0)
+    >>> round(value, 6)
+    0.093348
+    """
+    value = plain.load_within(r, d, a, R, E_star)
+    if value is not None:
+        return value
+    require(a=a, R=R, E_star=E_star)
+    return elementwise(_load_within, r, d, a=a, R=R, E_star=E_star)
+
+
 def _profile(r: Array, a: Array, R: Array) -> Array:
     return np.where(r <= a, r**2 / (2 * R), np.nan)
 
@@ -360,3 +463,22 @@ def _depth_from_force(F: Array, a: Array, R: Array, E_star: Array) -> Array:
     below = np.cbrt(9 * F**2 / (16 * E_star**2 * R))
     above = F / (2 * E_star * a) + a**2 / (3 * R)
     return np.where(edge > F, below, above)
+
+
+def _energy(d: Array, a: Array, R: Array, E_star: Array) -> Array:
+    whole = np.sqrt(R * d)
+    rho = np.minimum(whole, a)
+    return 8 * E_star / (15 * R**2) * rho**5 + np.where(
+        whole > a, -E_star / (3 * R**2) * a * (a**2 - R * d) * (a**2 + 3 * R * d), 0.0
+    )
+
+
+def _load_within(r: Array, d: Array, a: Array, R: Array, E_star: Array) -> Array:
+    whole = np.sqrt(R * d)
+    rho = np.minimum(whole, a)
+    root = np.sqrt((a - r) * (a + r))
+    root_rhor = np.sqrt((rho - r) * (rho + r))
+    within = 4 * E_star / (3 * R) * r**2 * (root_rhor + rho**2 / (rho + root_rhor)) + np.where(
+        whole > a, -2 * E_star * r**2 * (a**2 - R * d) / (R * (root + a)), 0.0
+    )
+    return np.where(r < rho, within, _force(d, a, R, E_star))

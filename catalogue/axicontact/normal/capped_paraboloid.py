@@ -14,6 +14,8 @@ from .._runtime.interface import Array, Result, elementwise, require, require_or
 from .._runtime.kernels import OUTSIDE_2
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 from .._runtime.shapes.across import inverse_beyond
+from .._runtime.shapes.energy import energy_integral, energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral, load_within_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -22,8 +24,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -577,6 +581,118 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     return elementwise(_depth_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 8*E_star*a**5/(15*R1**2)   for a < b
+    U = 2*E_star*(2*(R1 - R2)*sqrt(a**2 - b**2)*(4*a**4 + 2*a**2*b**2 - b**4) + (4*R1**2*a**5 - 5*R1**2*a*b**4
+    + R1**2*b**5 - 8*R1*R2*a**5 + 10*R1*R2*a*b**4 - 2*R1*R2*b**5 + 8*R2**2*a**5 - 5*R2**2*a*b**4 +
+    R2**2*b**5)/R2)/(15*R1**2*R2)   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: capped_paraboloid.U.
+
+    References
+    ----------
+    Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.energy(1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.504389
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_energy, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 4*E_star*(a**3 + (-a + r)*(a + r)*sqrt(a**2 - r**2))/(3*R1)   for a < b
+    F_r = 2*E_star*(2*a**3 + 2*(-a + r)*(a + r)*sqrt(a**2 - r**2) + a*(R1 - R2)*sqrt(a**2 - b**2)*(-2*a**2 -
+    b**2 + 4*r**2)/(R2*sqrt(a**2 - r**2)) + b*(R1 - R2)*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2)/R2 - b*(R1 - R2)*(-b**2 + 2*r**2)*elliptic_e(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2)/R2 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1)   for r < b
+    and b < a
+    F_r = 2*E_star*(2*a**3 + 2*(-a + r)*(a + r)*sqrt(a**2 - r**2) + a*(R1 - R2)*sqrt(a**2 - r**2)*(-2*a**2 +
+    b**2 + 2*r**2)/(R2*sqrt(a**2 - b**2)) + 2*r*(R1 - R2)*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2)/R2 - r*(R1 - R2)*(-b**2 + 2*r**2)*elliptic_e(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2)/R2 + (R1 - R2)*sqrt(a**2 - b**2)*(2*a**2 + b**2)/R2)/(3*R1)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R2. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: capped_paraboloid.Fr.
+
+    References
+    ----------
+    Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import capped_paraboloid
+    >>> value = capped_paraboloid.load_within(0.3, 1.0, R1=4.0, R2=1.0, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.130252
+    """
+    _check(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_load_within, r, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
 def _check(R1: ArrayLike, R2: ArrayLike, b: ArrayLike, **material: ArrayLike) -> None:
     require(R1=R1, R2=R2, b=b, **material)
     R1, R2 = np.asarray(R1), np.asarray(R2)
@@ -651,6 +767,21 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> A
     root = np.sqrt((a - b) * (a + b))
     beyond = 2 * E_star / (3 * np.pi * R1) * (2 * a + (R1 - R2) * (2 * a**2 + b**2) * root / (a**2 * R2))
     return np.where(a < b, tip, beyond)
+
+
+def _energy(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R1, R2, b)
+    inner = np.minimum(a, b)
+    tip = energy_integral(_depth, (R1, R2, b), inner, sunk, inner)
+    beyond = energy_integral_beyond(_depth_beyond, (R1, R2), a, sunk, b)
+    return E_star * (tip + beyond)
+
+
+def _load_within(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = load_within_integral(_slope, (R1,), np.minimum(r, inner), inner)
+    beyond = load_within_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
+    return _force(np.minimum(r, a), R1, R2, b, E_star) + 2 * E_star * (tip + beyond)
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:

@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 __all__ = [
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
+    "load_within",
     "minimum_depth",
     "minimum_force",
     "pressure",
@@ -467,6 +469,110 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike
     return elementwise(_minimum_force, a=a, h=h, n=n, E_star=E_star)
 
 
+def energy(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*a*(d**2 + 2*sqrt(pi)*d*h*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2)) + pi*h**2*gamma(n/2 +
+    1)**2/((2*n + 1)*gamma((n + 1)/2)**2))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_power.U.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import concave_power
+    >>> value = concave_power.energy(0.6, a=1.0, h=0.15, n=3.0, E_star=1.0)
+    >>> round(value, 6)
+    0.483873
+    """
+    _check(a=a, h=h, n=n, E_star=E_star)
+    return elementwise(_energy, d, a=a, h=h, n=n, E_star=E_star)
+
+
+def load_within(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*E_star*((a - sqrt(a**2 - r**2))*(d*n*gamma((n + 1)/2) + d*gamma((n + 1)/2) + sqrt(pi)*h*gamma(n/2
+    + 1)) - sqrt(pi)*h*n*r**(n + 1)*IncompleteBeta(1 - r**2/a**2, 1/2, (1 - n)/2)*gamma(n/2 + 1)/(2*a**n))/((n
+    + 1)*gamma((n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Evaluated as an
+    integral over the growing contact by a Gauss-Legendre rule. Handbook: concave_power.Fr.
+
+    References
+    ----------
+    Barber 1976; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import concave_power
+    >>> value = concave_power.load_within(0.3, 0.6, a=1.0, h=0.15, n=3.0, E_star=1.0)
+    >>> round(value, 6)
+    0.036632
+    """
+    _check(a=a, h=h, n=n, E_star=E_star)
+    return elementwise(_load_within, r, d, a=a, h=h, n=n, E_star=E_star)
+
+
 def _check(a: ArrayLike, h: ArrayLike, n: ArrayLike, **material: ArrayLike) -> None:
     require(a=a, h=h, n=n, **material)
     n = np.asarray(n)
@@ -536,4 +642,24 @@ def _displacement(r: Array, d: Array, a: Array, h: Array, n: Array) -> Array:
     inside = d - _profile(r, a, h, n)
     complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
     result = np.where(r > a, outside, inside)
+    return np.where(complete, result, np.nan)
+
+
+def _energy(d: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    plus = d**2 + 2 * np.sqrt(np.pi) * h / (n + 1) * d * kappa + np.pi * h**2 / (2 * n + 1) * kappa**2
+    complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
+    result = E_star * a * plus
+    return np.where(complete, result, np.nan)
+
+
+def _load_within(r: Array, d: Array, a: Array, h: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    root = np.sqrt((a - r) * (a + r))
+    share = power_pressure(r, a, n)
+    punch = n * d * r**2 / (root + a) + d * r**2 / (root + a)
+    face = np.sqrt(np.pi) * h * r**2 * kappa / (root + a) - np.sqrt(np.pi) * n * h * share * r**2 * kappa / a
+    within = 2 * E_star / (n + 1) * (punch + face)
+    complete = _minimum_depth(h, n) * (1.0 - 1e-15) <= d
+    result = np.where(r < a, within, _force(d, a, h, n, E_star))
     return np.where(complete, result, np.nan)

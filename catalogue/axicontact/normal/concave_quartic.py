@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 __all__ = [
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
+    "load_within",
     "minimum_depth",
     "minimum_force",
     "pressure",
@@ -465,6 +467,108 @@ def minimum_force(*, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
     return elementwise(_minimum_force, a=a, h=h, E_star=E_star)
 
 
+def energy(d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*(a*d**2 + 16*a*d*h/15 + 64*a*h**2/81)
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_quartic.U.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import concave_quartic
+    >>> value = concave_quartic.energy(0.6, a=1.0, h=0.15, E_star=1.0)
+    >>> round(value, 6)
+    0.473778
+    """
+    value = plain.energy(d, a, h, E_star)
+    if value is not None:
+        return value
+    require(a=a, h=h, E_star=E_star)
+    return elementwise(_energy, d, a=a, h=h, E_star=E_star)
+
+
+def load_within(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, h: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*E_star*(3*(a - sqrt(a**2 - r**2))*(15*d + 8*h) - 32*h*r**2*sqrt(a**2 - r**2)*(a**2 +
+    2*r**2)/a**4)/45
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    h : array_like
+        Depth of the concave face [m], h > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes; complete contact only. Negative or NaN field values give NaN. Handbook:
+    concave_quartic.Fr.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import concave_quartic
+    >>> value = concave_quartic.load_within(0.3, 0.6, a=1.0, h=0.15, E_star=1.0)
+    >>> round(value, 6)
+    0.04103
+    """
+    value = plain.load_within(r, d, a, h, E_star)
+    if value is not None:
+        return value
+    require(a=a, h=h, E_star=E_star)
+    return elementwise(_load_within, r, d, a=a, h=h, E_star=E_star)
+
+
 def _profile(r: Array, a: Array, h: Array) -> Array:
     return np.where(r <= a, -h * r**4 / a**4, np.nan)
 
@@ -511,4 +615,20 @@ def _displacement(r: Array, d: Array, a: Array, h: Array) -> Array:
     inside = d - _profile(r, a, h)
     complete = _minimum_depth(h) * (1.0 - 1e-15) <= d
     result = np.where(r > a, outside, inside)
+    return np.where(complete, result, np.nan)
+
+
+def _energy(d: Array, a: Array, h: Array, E_star: Array) -> Array:
+    complete = _minimum_depth(h) * (1.0 - 1e-15) <= d
+    result = E_star * (d**2 * a + 16 * h / 15 * d * a + 64 * h**2 / 81 * a)
+    return np.where(complete, result, np.nan)
+
+
+def _load_within(r: Array, d: Array, a: Array, h: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    rise = r**2 / (a + root)
+    face = 4 * h * (16 * root**4 + 21 * a**4 + 16 * root**3 * a - 24 * root**2 * a**2 - 24 * root * a**3) / (45 * a**4)
+    within = 2 * E_star * rise * (d - _minimum_depth(h) + face)
+    complete = _minimum_depth(h) * (1.0 - 1e-15) <= d
+    result = np.where(r < a, within, _force(d, a, h, E_star))
     return np.where(complete, result, np.nan)

@@ -19,8 +19,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -548,6 +550,102 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Re
     return elementwise(_depth_from_force, F, theta=theta, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = pi**2*E_star*a**3*tan(theta)**2/12
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook: cone.U.
+
+    References
+    ----------
+    Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.energy(1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.10959
+    """
+    value = plain.energy(a, theta, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, E_star=E_star)
+    return elementwise(_energy, a, theta=theta, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = pi*E_star*(a**2 - a*sqrt(a**2 - r**2) + r**2*acosh(a/r))*tan(theta)/2
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1; a << size of the body. Negative or NaN field values give NaN. Handbook:
+    cone.Fr.
+
+    References
+    ----------
+    Love 1939; Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import cone
+    >>> value = cone.load_within(0.3, 1.0, theta=0.35, E_star=1.0)
+    >>> round(value, 6)
+    0.123108
+    """
+    value = plain.load_within(r, a, theta, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, E_star=E_star)
+    return elementwise(_load_within, r, a, theta=theta, E_star=E_star)
+
+
 def _profile(r: Array, theta: Array) -> Array:
     return np.tan(theta) * r
 
@@ -582,6 +680,16 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, theta: Array, E_star: Array) -> Array:
     return E_star * np.tan(theta) / 2
+
+
+def _energy(a: Array, theta: Array, E_star: Array) -> Array:
+    return np.pi**2 * E_star * np.tan(theta) ** 2 / 12 * a**3
+
+
+def _load_within(r: Array, a: Array, theta: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    within = np.pi * E_star * np.tan(theta) * r**2 * (a / (root + a) + np.log1p((a - r + root) / r)) / 2
+    return np.where(r < a, np.where(r > 0.0, within, 0.0), _force(a, theta, E_star))
 
 
 def _radius_from_depth(d: Array, theta: Array) -> Array:

@@ -13,6 +13,8 @@ from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
 from .._runtime.shapes.arcs import arc_strips
+from .._runtime.shapes.energy import energy_integral_tanh
+from .._runtime.shapes.load_within import load_within_integral_tanh
 from .._runtime.special import tanh_gap
 
 if TYPE_CHECKING:
@@ -22,8 +24,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -575,6 +579,111 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, h=h, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((a*h*atanh(a/b)/b - h*t*atanh(t/b)/b)**2, (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Semi-axis along the axis of revolution [m], h > 0.
+    b : array_like
+        Semi-axis across, the largest radius of the body [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: ellipsoid.U.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.energy(1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.131349
+    """
+    value = plain.energy(a, h, b, E_star)
+    if value is not None:
+        return value
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_energy, a, h=h, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = E_star*h*(-a - a*sqrt(a**2 - r**2)*atanh(a/b)/b + sqrt(a**2 - r**2) - sqrt(b**2 -
+    r**2)*atanh(sqrt(a**2 - r**2)/sqrt(b**2 - r**2)) - r**2*LegendreChi2((a - sqrt(a**2 - r**2))/(b +
+    sqrt(b**2 - r**2)))/b + r**2*LegendreChi2((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 - r**2)))/b + (a**2 +
+    b**2)*atanh(a/b)/b)
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Semi-axis along the axis of revolution [m], h > 0.
+    b : array_like
+        Semi-axis across, the largest radius of the body [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < b; small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: ellipsoid.Fr.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import ellipsoid
+    >>> value = ellipsoid.load_within(0.3, 1.0, h=0.9, b=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.080517
+    """
+    value = plain.load_within(r, a, h, b, E_star)
+    if value is not None:
+        return value
+    require(h=h, b=b, E_star=E_star)
+    return elementwise(_load_within, r, a, h=h, b=b, E_star=E_star)
+
+
 def _profile(r: Array, h: Array, b: Array) -> Array:
     root_0 = np.sqrt((1 - r / b) * (r / b + 1))
     return h * r**2 / (b**2 * (root_0 + 1))
@@ -628,6 +737,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, h: Array, b: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, h, b, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, h, b)
+    tip = energy_integral_tanh(_depth_at, (h, b), a, sunk, b)
+    return np.where(a <= b, E_star * tip, np.nan)
+
+
+def _load_within(r: Array, a: Array, h: Array, b: Array, E_star: Array) -> Array:
+    tip = load_within_integral_tanh(_slope, (h, b), np.minimum(r, a), a, b)
+    return np.where(a <= b, _force(np.minimum(r, a), h, b, E_star) + 2 * E_star * tip, np.nan)
 
 
 def _contact_from_depth(d: Array, h: Array, b: Array) -> tuple[Array, Array]:

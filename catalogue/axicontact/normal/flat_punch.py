@@ -14,7 +14,7 @@ from .._runtime.interface import Array, Plain, Result, elementwise, require
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["depth_from_force", "displacement", "force", "pressure", "profile", "stiffness"]
+__all__ = ["depth_from_force", "displacement", "energy", "force", "load_within", "pressure", "profile", "stiffness"]
 
 
 def __dir__() -> list[str]:
@@ -301,6 +301,101 @@ def depth_from_force(F: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, a=a, E_star=E_star)
 
 
+def energy(d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*a*d**2
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for sharp edge, frictionless. Negative or NaN field values give NaN. Handbook: flat_punch.U.
+
+    References
+    ----------
+    Boussinesq 1885; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import flat_punch
+    >>> value = flat_punch.energy(0.25, a=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.0625
+    """
+    value = plain.energy(d, a, E_star)
+    if value is not None:
+        return value
+    require(a=a, E_star=E_star)
+    return elementwise(_energy, d, a=a, E_star=E_star)
+
+
+def load_within(r: ArrayLike, d: ArrayLike, *, a: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*E_star*d*(a - sqrt(a**2 - r**2))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    a : array_like
+        Contact radius [m], a > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for sharp edge, frictionless. Negative or NaN field values give NaN. Handbook: flat_punch.Fr.
+
+    References
+    ----------
+    Boussinesq 1885; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import flat_punch
+    >>> value = flat_punch.load_within(0.3, 0.25, a=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.02303
+    """
+    value = plain.load_within(r, d, a, E_star)
+    if value is not None:
+        return value
+    require(a=a, E_star=E_star)
+    return elementwise(_load_within, r, d, a=a, E_star=E_star)
+
+
 def _profile(r: Array, a: Array) -> Array:
     return np.where(r <= a, 0, np.nan)
 
@@ -328,3 +423,13 @@ def _displacement(r: Array, d: Array, a: Array) -> Array:
     outside = 2 * d * angle / np.pi
     inside = d - _profile(r, a)
     return np.where(r > a, outside, inside)
+
+
+def _energy(d: Array, a: Array, E_star: Array) -> Array:
+    return E_star * d**2 * a
+
+
+def _load_within(r: Array, d: Array, a: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    within = 2 * E_star * d * r**2 / (root + a)
+    return np.where(r < a, within, _force(d, a, E_star))

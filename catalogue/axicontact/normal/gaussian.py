@@ -12,6 +12,8 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse_below
 from .._runtime.rules import displacement_integral, force_integral, pressure_integral
+from .._runtime.shapes.energy import energy_integral
+from .._runtime.shapes.load_within import load_within_integral
 from .._runtime.special import dawson
 
 if TYPE_CHECKING:
@@ -21,8 +23,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -585,6 +589,111 @@ def depth_from_force(F: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, h=h, s=s, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((2*a*h*Dawson(a/s)/s - 2*h*t*Dawson(t/s)/s)**2, (t, 0, a))
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the bump [m], h > 0.
+    s : array_like
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.U.
+
+    References
+    ----------
+    Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.energy(1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.245365
+    """
+    value = plain.energy(a, h, s, E_star)
+    if value is not None:
+        return value
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_energy, a, h=h, s=s, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, h: ArrayLike, s: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*E_star*h*(-r + (2*r**2 + s**2)*Dawson(r/s)/s) + 2*E_star*r**2*Integral(u*(2*h*Dawson(sqrt(r**2 +
+    u**2)/s)/s + 2*h*(1 - 2*sqrt(r**2 + u**2)*Dawson(sqrt(r**2 + u**2)/s)/s)*sqrt(r**2 +
+    u**2)/s**2)/(sqrt(r**2 + u**2)*(u + sqrt(r**2 + u**2))), (u, 0, sqrt(a**2 - r**2)))
+    with Dawson: D(x) = exp(-x**2) int_0^x exp(u**2) du, with D' = 1 - 2 x D
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    h : array_like
+        Height of the bump [m], h > 0.
+    s : array_like
+        Width of the bump, the radius at which its height is down to 37 per cent [m], s > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for h << s. Negative or NaN field values give NaN. Evaluated as an integral over the growing contact
+    by a Gauss-Legendre rule. Handbook: gaussian.Fr.
+
+    References
+    ----------
+    Popov, Heß & Willert 2019.
+
+    Examples
+    --------
+    >>> from axicontact.normal import gaussian
+    >>> value = gaussian.load_within(0.3, 1.0, h=0.7, s=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.159773
+    """
+    value = plain.load_within(r, a, h, s, E_star)
+    if value is not None:
+        return value
+    require(h=h, s=s, E_star=E_star)
+    return elementwise(_load_within, r, a, h=h, s=s, E_star=E_star)
+
+
 def _profile(r: Array, h: Array, s: Array) -> Array:
     return -h * np.expm1(-(r**2) / s**2)
 
@@ -624,6 +733,17 @@ def _stiffness(a: Array, s: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, h: Array, s: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, h, s, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    sunk = _depth(a, h, s)
+    tip = energy_integral(_depth, (h, s), a, sunk, a)
+    return np.where(a <= 1.5019752682686114 * s, E_star * tip, np.nan)
+
+
+def _load_within(r: Array, a: Array, h: Array, s: Array, E_star: Array) -> Array:
+    tip = load_within_integral(_slope, (h, s), np.minimum(r, a), a)
+    return np.where(a <= 1.5019752682686114 * s, _force(np.minimum(r, a), h, s, E_star) + 2 * E_star * tip, np.nan)
 
 
 def _radius_from_depth(d: Array, h: Array, s: Array) -> Array:

@@ -12,6 +12,8 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import inverse
 from .._runtime.rules import displacement_integral_sinh, pressure_integral_sinh
+from .._runtime.shapes.energy import energy_integral
+from .._runtime.shapes.load_within import load_within_integral
 from .._runtime.special import arctan_gap
 
 if TYPE_CHECKING:
@@ -21,8 +23,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -574,6 +578,111 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((a*tan(theta)*atan(a/b) - t*tan(theta)*atan(t/b))**2, (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: hyperboloid.U.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import hyperboloid
+    >>> value = hyperboloid.energy(1.0, theta=0.42, b=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.125007
+    """
+    value = plain.energy(a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_energy, a, theta=theta, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = E_star*(a*b - a*sqrt(a**2 - r**2)*atan(a/b) - b*sqrt(a**2 - r**2) + b*sqrt(b**2 +
+    r**2)*atan(sqrt(a**2 - r**2)/sqrt(b**2 + r**2)) - r**2*ArctanIntegral((a - sqrt(a**2 - r**2))/(b +
+    sqrt(b**2 + r**2))) + r**2*ArctanIntegral((a + sqrt(a**2 - r**2))/(b + sqrt(b**2 + r**2))) + (a - b)*(a +
+    b)*atan(a/b))*tan(theta)
+    with ArctanIntegral: Ti_2(x) = int_0^x atan(t)/t dt = Im Li_2(i x)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Length of the rounded tip, whose radius of curvature is b/tan(theta) [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: hyperboloid.Fr.
+
+    References
+    ----------
+    Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import hyperboloid
+    >>> value = hyperboloid.load_within(0.3, 1.0, theta=0.42, b=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.10983
+    """
+    value = plain.load_within(r, a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_load_within, r, a, theta=theta, b=b, E_star=E_star)
+
+
 def _profile(r: Array, theta: Array, b: Array) -> Array:
     root = np.sqrt(r**2 + b**2)
     return np.tan(theta) * r**2 / (root + b)
@@ -613,6 +722,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, theta, b, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, theta, b)
+    tip = energy_integral(_depth, (theta, b), a, sunk, b)
+    return E_star * tip
+
+
+def _load_within(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    tip = load_within_integral(_slope, (theta, b), np.minimum(r, a), a)
+    return _force(np.minimum(r, a), theta, b, E_star) + 2 * E_star * tip
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:

@@ -20,8 +20,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -541,6 +543,101 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 8*E_star*a**5/(15*R**2)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.U.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.energy(1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.208333
+    """
+    value = plain.energy(a, R, E_star)
+    if value is not None:
+        return value
+    require(R=R, E_star=E_star)
+    return elementwise(_energy, a, R=R, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 4*E_star*(a**3 + (-a + r)*(a + r)*sqrt(a**2 - r**2))/(3*R)
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values give NaN. Handbook: paraboloid.Fr.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import paraboloid
+    >>> value = paraboloid.load_within(0.3, 1.0, R=1.6, E_star=1.0)
+    >>> round(value, 6)
+    0.109929
+    """
+    value = plain.load_within(r, a, R, E_star)
+    if value is not None:
+        return value
+    require(R=R, E_star=E_star)
+    return elementwise(_load_within, r, a, R=R, E_star=E_star)
+
+
 def _profile(r: Array, R: Array) -> Array:
     return r**2 / (2 * R)
 
@@ -575,6 +672,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
     return 4 * E_star / (3 * np.pi * R) * a
+
+
+def _energy(a: Array, R: Array, E_star: Array) -> Array:
+    return 8 * E_star / (15 * R**2) * a**5
+
+
+def _load_within(r: Array, a: Array, R: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    return np.where(
+        r < a, np.where(r > 0.0, 4 * E_star / (3 * R) * r**2 * (root + a**2 / (root + a)), 0.0), _force(a, R, E_star)
+    )
 
 
 def _radius_from_depth(d: Array, R: Array) -> Array:

@@ -13,6 +13,8 @@ import numpy as np
 from .._runtime.functions import depth_over_height
 from .._runtime.interface import Array, Result, elementwise, require, require_coefficients
 from .._runtime.inverse import inverse
+from .._runtime.shapes.energy import energy_integral
+from .._runtime.shapes.load_within import load_within_integral
 from .._runtime.shapes.powers import power_displacement, power_pressure
 
 if TYPE_CHECKING:
@@ -22,8 +24,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -526,6 +530,103 @@ def depth_from_force(F: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(partial(_depth_from_force, A=A), F, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((sqrt(pi)*Sum(a**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)) -
+    sqrt(pi)*Sum(t**j*gamma(j/2 + 1)*A[j]/gamma((j + 1)/2), (j, 1, N)))**2, (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : sequence of float
+        A is the sequence A_1, A_2, ... of coefficients of r, r^2, ..., none negative and not all zero.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: polynomial.U.
+
+    References
+    ----------
+    Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import polynomial
+    >>> value = polynomial.energy(1.0, A=(0.1, 0.25, 0.05), E_star=1.0)
+    >>> round(value, 6)
+    0.301307
+    """
+    A = require_coefficients(A)
+    require(E_star=E_star)
+    return elementwise(partial(_energy, A=A), a, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = sqrt(pi)*E_star*Sum(j*(-2*a**j*sqrt(a**2 - r**2) + 2*a**(j + 1) + r**(j + 1)*IncompleteBeta(1 -
+    r**2/a**2, 1/2, (1 - j)/2))*gamma(j/2 + 1)*A[j]/((j + 1)*gamma((j + 1)/2)), (j, 1, N))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : sequence of float
+        A is the sequence A_1, A_2, ... of coefficients of r, r^2, ..., none negative and not all zero.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes. Negative or NaN field values give NaN. Evaluated as an integral over the growing
+    contact by a Gauss-Legendre rule. Handbook: polynomial.Fr.
+
+    References
+    ----------
+    Schubert 1942; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import polynomial
+    >>> value = polynomial.load_within(0.3, 1.0, A=(0.1, 0.25, 0.05), E_star=1.0)
+    >>> round(value, 6)
+    0.138736
+    """
+    A = require_coefficients(A)
+    require(E_star=E_star)
+    return elementwise(partial(_load_within, A=A), r, a, E_star=E_star)
+
+
 def _profile(r: Array, A: tuple[float, ...]) -> Array:
     return sum(r**j * A_j for j, A_j in enumerate(A, 1))
 
@@ -565,6 +666,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 def _mean_pressure(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
     terms = (j * depth_over_height(j) / (j + 1) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star / np.pi * sum(terms)
+
+
+def _energy(a: Array, A: tuple[float, ...], E_star: Array) -> Array:
+    sunk = _depth(a, A)
+    tip = energy_integral(lambda t: _depth(t, A), (), a, sunk, a)
+    return E_star * tip
+
+
+def _load_within(r: Array, a: Array, A: tuple[float, ...], E_star: Array) -> Array:
+    tip = load_within_integral(lambda t: _slope(t, A), (), np.minimum(r, a), a)
+    return _force(np.minimum(r, a), A, E_star) + 2 * E_star * tip
 
 
 def _radius_from_depth(d: Array, A: tuple[float, ...]) -> Array:

@@ -22,8 +22,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "peak_pressure",
     "pressure",
@@ -632,6 +634,109 @@ def peak_pressure(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike
     return PeakPressure(pressure, radius)
 
 
+def energy(a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 2*pi*A**2*E_star*a**(2*n + 1)*n**2*gamma(n/2 + 1)**2/((n + 1)*(2*n + 1)*gamma(n/2 + 1/2)**2)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Handbook: power_law.U.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.energy(1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.294331
+    """
+    value = plain.energy(a, A, n, E_star)
+    if value is not None:
+        return value
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_energy, a, A=A, n=n, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, n: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = sqrt(pi)*A*E_star*n*(-2*a**n*sqrt(a**2 - r**2) + 2*a**(n + 1) + r**(n + 1)*IncompleteBeta(1 -
+    r**2/a**2, 1/2, (1 - n)/2))*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
+    with IncompleteBeta: B(z; p, q) = int_0^z u**(p - 1) (1 - u)**(q - 1) du, for p > 0, 0 <= z < 1 and any
+    real q
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, n A a^(n-1) << 1. Negative or NaN field values give NaN. Evaluated as an integral
+    over the growing contact by a Gauss-Legendre rule. Handbook: power_law.Fr.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import power_law
+    >>> value = power_law.load_within(0.3, 1.0, A=0.45, n=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.159371
+    """
+    value = plain.load_within(r, a, A, n, E_star)
+    if value is not None:
+        return value
+    require(A=A, n=n, E_star=E_star)
+    return elementwise(_load_within, r, a, A=A, n=n, E_star=E_star)
+
+
 def _profile(r: Array, A: Array, n: Array) -> Array:
     return A * r**n
 
@@ -682,6 +787,19 @@ def _peak_pressure(a: Array, A: Array, n: Array, E_star: Array) -> Array:
     rise = rise_to_greatest_pressure(n)
     greatest = E_star * n * A * rise / (np.sqrt(np.pi) * (n - 1)) * lower_power(a, n) * kappa
     return np.where(n > 1.0, greatest, np.inf)
+
+
+def _energy(a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    return 2 * np.pi * E_star * n**2 * A**2 / ((2 * n + 1) * (n + 1)) * a * a ** (2 * n) * kappa**2
+
+
+def _load_within(r: Array, a: Array, A: Array, n: Array, E_star: Array) -> Array:
+    kappa = gamma_ratio(n / 2 + 1 / 2)
+    root = np.sqrt((a - r) * (a + r))
+    share = power_pressure(r, a, n)
+    within = 2 * np.sqrt(np.pi) * E_star * n * A / (n + 1) * a**n * r**2 * (1 / (root + a) + share / a) * kappa
+    return np.where(r < a, np.where(r > 0.0, within, 0.0), _force(a, A, n, E_star))
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array) -> Array:

@@ -21,8 +21,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "peak_pressure",
     "pressure",
@@ -590,6 +592,101 @@ def peak_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> PeakPress
     return PeakPressure(pressure, radius)
 
 
+def energy(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 2048*A**2*E_star*a**9/405
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.U.
+
+    References
+    ----------
+    Steuermann 1939; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import quartic
+    >>> value = quartic.energy(1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.809086
+    """
+    value = plain.energy(a, A, E_star)
+    if value is not None:
+        return value
+    require(A=A, E_star=E_star)
+    return elementwise(_energy, a, A=A, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 64*A*E_star*(3*a**5 + (-a + r)*(a + r)*sqrt(a**2 - r**2)*(3*a**2 + 2*r**2))/45
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 4 A a^3 << 1. Negative or NaN field values give NaN. Handbook: quartic.Fr.
+
+    References
+    ----------
+    Steuermann 1939; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import quartic
+    >>> value = quartic.load_within(0.3, 1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.136244
+    """
+    value = plain.load_within(r, a, A, E_star)
+    if value is not None:
+        return value
+    require(A=A, E_star=E_star)
+    return elementwise(_load_within, r, a, A=A, E_star=E_star)
+
+
 def _profile(r: Array, A: Array) -> Array:
     return A * r**4
 
@@ -632,6 +729,16 @@ def _peak_radius(a: Array) -> Array:
 
 def _peak_pressure(a: Array, A: Array, E_star: Array) -> Array:
     return 32 * E_star * A / (9 * np.pi) * a**3 * np.sqrt(2)
+
+
+def _energy(a: Array, A: Array, E_star: Array) -> Array:
+    return 2048 * E_star * A**2 / 405 * a**9
+
+
+def _load_within(r: Array, a: Array, A: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    within = 64 * E_star * A / 45 * r**2 * (3 * a**4 / (root + a) + a**2 * root + 2 * r**2 * root)
+    return np.where(r < a, np.where(r > 0.0, within, 0.0), _force(a, A, E_star))
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:

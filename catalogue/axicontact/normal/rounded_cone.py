@@ -14,6 +14,8 @@ from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 from .._runtime.shapes.across import inverse_beyond
+from .._runtime.shapes.energy import energy_integral, energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral, load_within_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -22,8 +24,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -591,6 +595,110 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 8*E_star*a**5*tan(theta)**2/(15*b**2)   for a < b
+    U = E_star*(Integral((a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) - t**2*tan(theta)/b)**2, (t, 0,
+    b)) + Integral((a*(a/b + acos(b/a) - sqrt(a**2 - b**2)/b)*tan(theta) - t*(acos(b/t) + t/b - sqrt(-b**2 +
+    t**2)/b)*tan(theta))**2, (t, b, a)))   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_cone.U.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.energy(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.15515
+    """
+    value = plain.energy(a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_energy, a, theta=theta, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*pi*Integral(t*p(t), (t, 0, r))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_cone.Fr.
+
+    References
+    ----------
+    Ciavarella 1999; Maugis & Barquins 1983.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_cone
+    >>> value = rounded_cone.load_within(0.3, 1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.120941
+    """
+    value = plain.load_within(r, a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    return elementwise(_load_within, r, a, theta=theta, b=b, E_star=E_star)
+
+
 def _profile(r: Array, theta: Array, b: Array) -> Array:
     return np.where(r < b, np.tan(theta) / (2 * b) * r**2, np.tan(theta) * (r - b / 2))
 
@@ -658,6 +766,21 @@ def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     angle = np.arctan(root / b)
     beyond = E_star * np.tan(theta) / np.pi * (angle + 4 * b / (3 * (root + a)) + b * root / (3 * a**2))
     return np.where(a < b, tip, beyond)
+
+
+def _energy(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, theta, b)
+    inner = np.minimum(a, b)
+    tip = energy_integral(_depth, (theta, b), inner, sunk, inner)
+    beyond = energy_integral_beyond(_depth_beyond, (theta, b), a, sunk, b)
+    return E_star * (tip + beyond)
+
+
+def _load_within(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = load_within_integral(_slope, (theta, b), np.minimum(r, inner), inner)
+    beyond = load_within_integral_beyond(_slope_beyond, (theta, b), r, a, b)
+    return _force(np.minimum(r, a), theta, b, E_star) + 2 * E_star * (tip + beyond)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array) -> Array:

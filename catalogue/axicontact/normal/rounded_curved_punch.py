@@ -14,6 +14,8 @@ from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.kernels import OUTSIDE_2
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
 from .._runtime.shapes.across import inverse_beyond
+from .._runtime.shapes.energy import energy_integral, energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral, load_within_integral_beyond
 from .._runtime.special import arctan_gap, root_gap
 
 if TYPE_CHECKING:
@@ -23,8 +25,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -608,6 +612,106 @@ def depth_from_force(F: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike
     return elementwise(_depth_from_force, F, R1=R1, R2=R2, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 8*E_star*a**5/(15*R1**2)   for a < b
+    U = E_star*(Integral((a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) - t**2/R1)**2, (t, 0, b)) +
+    Integral((a*(-b*acos(b/a)/R2 + sqrt(a**2 - b**2)/R2 + a/R1) - t*(-b*acos(b/t)/R2 + sqrt(-b**2 + t**2)/R2 +
+    t/R1))**2, (t, b, a)))   for b < a
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_curved_punch.U.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.energy(1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.512059
+    """
+    value = plain.energy(a, R1, R2, b, E_star)
+    if value is not None:
+        return value
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_energy, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R1: ArrayLike, R2: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*pi*Integral(t*p(t), (t, 0, r))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R1 : array_like
+        Radius of curvature of the inner part [m], R1 > 0.
+    R2 : array_like
+        Radius of curvature of the outer part [m], R2 > 0.
+    b : array_like
+        Radius of the inner part [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R1, a - b << R2. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: rounded_curved_punch.Fr.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_curved_punch
+    >>> value = rounded_curved_punch.load_within(0.45, 1.5, R1=6.0, R2=1.2, b=1.0, E_star=1.0)
+    >>> round(value, 6)
+    0.154773
+    """
+    value = plain.load_within(r, a, R1, R2, b, E_star)
+    if value is not None:
+        return value
+    require(R1=R1, R2=R2, b=b, E_star=E_star)
+    return elementwise(_load_within, r, a, R1=R1, R2=R2, b=b, E_star=E_star)
+
+
 def _profile(r: Array, R1: Array, R2: Array, b: Array) -> Array:
     return np.where(r < b, r**2 / (2 * R1), r**2 / (2 * R1) + (r - b) ** 2 / (2 * R2))
 
@@ -671,6 +775,21 @@ def _mean_pressure(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> A
     plus = 4 * a / (3 * R1) + b / R2 * root_gap(a, b) + (a - b) * (a + b) * root / (3 * a**2 * R2)
     beyond = E_star / np.pi * plus
     return np.where(a < b, tip, beyond)
+
+
+def _energy(a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R1, R2, b)
+    inner = np.minimum(a, b)
+    tip = energy_integral(_depth, (R1, R2, b), inner, sunk, inner)
+    beyond = energy_integral_beyond(_depth_beyond, (R1, R2, b), a, sunk, b)
+    return E_star * (tip + beyond)
+
+
+def _load_within(r: Array, a: Array, R1: Array, R2: Array, b: Array, E_star: Array) -> Array:
+    inner = np.minimum(a, b)
+    tip = load_within_integral(_slope, (R1,), np.minimum(r, inner), inner)
+    beyond = load_within_integral_beyond(_slope_beyond, (R1, R2, b), r, a, b)
+    return _force(np.minimum(r, a), R1, R2, b, E_star) + 2 * E_star * (tip + beyond)
 
 
 def _radius_from_depth(d: Array, R1: Array, R2: Array, b: Array) -> Array:

@@ -12,6 +12,8 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require, require_reach
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_beyond, peak_integral_beyond, pressure_integral_beyond
+from .._runtime.shapes.energy import energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral_beyond
 from .._runtime.special import PeakPressure, arctan_gap, peak_share, root_gap
 
 if TYPE_CHECKING:
@@ -21,8 +23,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "peak_pressure",
     "pressure",
@@ -650,6 +654,121 @@ def peak_pressure(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike
     return PeakPressure(pressure, radius)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*(Integral((a*(-b*acos(b/a) + sqrt(a**2 - b**2))/R - t*(-b*acos(b/t) + sqrt(-b**2 +
+    t**2))/R)**2, (t, b, a)) + a**2*b*(-b*acos(b/a) + sqrt(a**2 - b**2))**2/R**2)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    rounded_punch.U.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.energy(1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.100523
+    """
+    value = plain.energy(a, R, b, E_star)
+    if value is not None:
+        return value
+    require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_energy, a, R=R, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = E_star*(-a**2*b*acos(b/a) + a*b*sqrt(a**2 - r**2)*acos(b/a) + a*sqrt(a**2 - b**2)*(-4*a**2 + b**2 +
+    8*r**2)/(3*sqrt(a**2 - r**2)) - b*r**2*C0(b, r, a) - b*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 -
+    b**2)/(a**2 - r**2))), r**2/b**2)/3 - b*(b**2 + 4*r**2)*elliptic_e(asin(sqrt((a**2 - b**2)/(a**2 -
+    r**2))), r**2/b**2)/3 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R   for r < b
+    F_r = E_star*(-a**2*b*acos(b/a) + a*b*sqrt(a**2 - r**2)*acos(b/a) + a*sqrt(a**2 - r**2)*(-4*a**2 + 5*b**2
+    + 4*r**2)/(3*sqrt(a**2 - b**2)) - b*r**2*C0(b, r, a) + 4*r*(-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 -
+    r**2)/(a**2 - b**2))), b**2/r**2)/3 - r*(b**2 + 4*r**2)*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 -
+    b**2))), b**2/r**2)/3 + (2*a - b)*(2*a + b)*sqrt(a**2 - b**2)/3)/R   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a - b << R (parabolic rounding). Negative or NaN field values, and radii below b among larger
+    ones, give NaN. Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook:
+    rounded_punch.Fr.
+
+    References
+    ----------
+    Schubert 1942; Ciavarella 1999.
+
+    Examples
+    --------
+    >>> from axicontact.normal import rounded_punch
+    >>> value = rounded_punch.load_within(0.486, 1.62, R=1.45, b=1.15, E_star=1.0)
+    >>> round(value, 6)
+    0.046124
+    """
+    value = plain.load_within(r, a, R, b, E_star)
+    if value is not None:
+        return value
+    require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_load_within, r, a, R=R, b=b, E_star=E_star)
+
+
 def _profile(r: Array, R: Array, b: Array) -> Array:
     return np.where(r < b, 0, (r - b) ** 2 / (2 * R))
 
@@ -706,6 +825,18 @@ def _peak_radius(a: Array, b: Array) -> Array:
 def _peak_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     growth = peak_integral_beyond(_slope_beyond, (R, b), peak_share(a, b), a, b)
     return np.where(a >= b, np.where(a < np.inf, E_star / np.pi * growth, a), np.nan)
+
+
+def _energy(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R, b)
+    beyond = energy_integral_beyond(_depth_at, (R, b), a, sunk, b)
+    return np.where(a >= b, E_star * (b * sunk * sunk + beyond), np.nan)
+
+
+def _load_within(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    beyond = load_within_integral_beyond(_slope_beyond, (R, b), r, a, b)
+    found = np.where(r > b, _force(np.maximum(np.minimum(r, a), b), R, b, E_star), 0.0) + 2 * E_star * beyond
+    return np.where(a >= b, found, np.nan)
 
 
 def _contact_from_depth(d: Array, R: Array, b: Array) -> tuple[Array, Array]:

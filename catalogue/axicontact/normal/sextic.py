@@ -21,8 +21,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "peak_pressure",
     "pressure",
@@ -590,6 +592,101 @@ def peak_pressure(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> PeakPress
     return PeakPressure(pressure, radius)
 
 
+def energy(a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 18432*A**2*E_star*a**13/2275
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.U.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.energy(1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    1.296316
+    """
+    value = plain.energy(a, A, E_star)
+    if value is not None:
+        return value
+    require(A=A, E_star=E_star)
+    return elementwise(_energy, a, A=A, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, A: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 64*A*E_star*(15*a**7 + (-a + r)*(a + r)*sqrt(a**2 - r**2)*(15*a**4 + 12*a**2*r**2 + 8*r**4))/175
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for small slopes, 6 A a^5 << 1. Negative or NaN field values give NaN. Handbook: sextic.Fr.
+
+    References
+    ----------
+    Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sextic
+    >>> value = sextic.load_within(0.3, 1.0, A=0.4, E_star=1.0)
+    >>> round(value, 6)
+    0.144084
+    """
+    value = plain.load_within(r, a, A, E_star)
+    if value is not None:
+        return value
+    require(A=A, E_star=E_star)
+    return elementwise(_load_within, r, a, A=A, E_star=E_star)
+
+
 def _profile(r: Array, A: Array) -> Array:
     return A * r**6
 
@@ -634,6 +731,16 @@ def _peak_radius(a: Array) -> Array:
 def _peak_pressure(a: Array, A: Array, E_star: Array) -> Array:
     root = np.sqrt(3 - np.sqrt(3))
     return 32 * (3 + np.sqrt(3)) * E_star * A / (25 * np.pi) * a**5 * root
+
+
+def _energy(a: Array, A: Array, E_star: Array) -> Array:
+    return 18432 * E_star * A**2 / 2275 * a**13
+
+
+def _load_within(r: Array, a: Array, A: Array, E_star: Array) -> Array:
+    root = np.sqrt((a - r) * (a + r))
+    plus = 15 * a**6 / (root + a) + 3 * a**4 * root + 4 * a**2 * r**2 * root + 8 * r**4 * root
+    return np.where(r < a, np.where(r > 0.0, 64 * E_star * A / 175 * r**2 * plus, 0.0), _force(a, A, E_star))
 
 
 def _radius_from_depth(d: Array, A: Array) -> Array:

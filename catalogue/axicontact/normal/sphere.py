@@ -13,6 +13,8 @@ from .._runtime.interface import Array, Plain, Result, elementwise, require
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_tanh
 from .._runtime.shapes.arcs import arc_strips
+from .._runtime.shapes.energy import energy_integral_tanh
+from .._runtime.shapes.load_within import load_within_integral_tanh
 from .._runtime.special import tanh_gap
 
 if TYPE_CHECKING:
@@ -22,8 +24,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -558,6 +562,106 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result
     return elementwise(_depth_from_force, F, R=R, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((a*atanh(a/R) - t*atanh(t/R))**2, (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: sphere.U.
+
+    References
+    ----------
+    Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere
+    >>> value = sphere.energy(1.0, R=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.36486
+    """
+    value = plain.energy(a, R, E_star)
+    if value is not None:
+        return value
+    require(R=R, E_star=E_star)
+    return elementwise(_energy, a, R=R, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = E_star*(-R*a - R*sqrt(R**2 - r**2)*atanh(sqrt(a**2 - r**2)/sqrt(R**2 - r**2)) + R*sqrt(a**2 - r**2)
+    - a*sqrt(a**2 - r**2)*atanh(a/R) - r**2*LegendreChi2((a - sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2))) +
+    r**2*LegendreChi2((a + sqrt(a**2 - r**2))/(R + sqrt(R**2 - r**2))) + (R**2 + a**2)*atanh(a/R))
+    with LegendreChi2: chi_2(x) = int_0^x atanh(t)/t dt = (Li_2(x) - Li_2(-x))/2, for 0 <= x < 1
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R. Negative or NaN field values give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: sphere.Fr.
+
+    References
+    ----------
+    Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere
+    >>> value = sphere.load_within(0.3, 1.0, R=1.5, E_star=1.0)
+    >>> round(value, 6)
+    0.134196
+    """
+    value = plain.load_within(r, a, R, E_star)
+    if value is not None:
+        return value
+    require(R=R, E_star=E_star)
+    return elementwise(_load_within, r, a, R=R, E_star=E_star)
+
+
 def _profile(r: Array, R: Array) -> Array:
     root_Rr = np.sqrt((R - r) * (r + R))
     return r**2 / (root_Rr + R)
@@ -611,6 +715,17 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, R, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, R: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R)
+    tip = energy_integral_tanh(_depth_at, (), a, sunk, R)
+    return np.where(a <= R, E_star * tip, np.nan)
+
+
+def _load_within(r: Array, a: Array, R: Array, E_star: Array) -> Array:
+    tip = load_within_integral_tanh(_slope, (R,), np.minimum(r, a), a, R)
+    return np.where(a <= R, _force(np.minimum(r, a), R, E_star) + 2 * E_star * tip, np.nan)
 
 
 def _contact_from_depth(d: Array, R: Array) -> tuple[Array, Array]:

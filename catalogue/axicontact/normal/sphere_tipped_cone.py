@@ -19,6 +19,8 @@ from .._runtime.rules import (
 )
 from .._runtime.shapes.across import inverse_across
 from .._runtime.shapes.arcs import arc_strips
+from .._runtime.shapes.energy import energy_integral, energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral_beyond, load_within_integral_tanh
 from .._runtime.special import tanh_gap
 
 if TYPE_CHECKING:
@@ -28,8 +30,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -594,6 +598,99 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, R=R, theta=theta, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((g(a) - g(t))**2, (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.U.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.energy(1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.179178
+    """
+    value = plain.energy(a, R, theta, E_star)
+    if value is not None:
+        return value
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_energy, a, R=R, theta=theta, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, theta: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*pi*Integral(t*p(t), (t, 0, r))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values give NaN. Evaluated as an integral over the
+    growing contact by a Gauss-Legendre rule. Handbook: sphere_tipped_cone.Fr.
+
+    Examples
+    --------
+    >>> from axicontact.normal import sphere_tipped_cone
+    >>> value = sphere_tipped_cone.load_within(0.3, 1.0, R=1.2, theta=0.45, E_star=1.0)
+    >>> round(value, 6)
+    0.125102
+    """
+    value = plain.load_within(r, a, R, theta, E_star)
+    if value is not None:
+        return value
+    require(R=R, theta=theta, E_star=E_star)
+    return elementwise(_load_within, r, a, R=R, theta=theta, E_star=E_star)
+
+
 def _profile(r: Array, R: Array, theta: Array) -> Array:
     b = R * np.sin(theta)
     root_Rr = np.sqrt((R - r) * (r + R))
@@ -673,6 +770,23 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, R, theta, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+    sunk = _depth(a, R, theta)
+    inner = np.minimum(a, b)
+    tip = energy_integral(_depth, (R, theta), inner, sunk, R, width=1.0 - 2.0 * theta / np.pi)
+    beyond = energy_integral_beyond(_depth_at, (R, theta), a, sunk, b, width=1.0 - 2.0 * theta / np.pi)
+    return E_star * (tip + beyond)
+
+
+def _load_within(r: Array, a: Array, R: Array, theta: Array, E_star: Array) -> Array:
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    tip = load_within_integral_tanh(_slope, (R,), np.minimum(r, inner), inner, R)
+    beyond = load_within_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
+    return _force(np.minimum(r, a), R, theta, E_star) + 2 * E_star * (tip + beyond)
 
 
 def _slope_at(a: Array, root: Array, R: Array, theta: Array) -> Array:

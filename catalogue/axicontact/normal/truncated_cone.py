@@ -12,6 +12,8 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require, require_reach
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
+from .._runtime.shapes.energy import energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -20,8 +22,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -587,6 +591,118 @@ def depth_from_force(F: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: Ar
     return elementwise(_depth_from_force, F, theta=theta, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*(a**2*b*tan(theta)**2*acos(b/a)**2 + Integral((a*tan(theta)*acos(b/a) -
+    t*tan(theta)*acos(b/t))**2, (t, b, a)))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_cone.U.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.energy(1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.135109
+    """
+    value = plain.energy(a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_energy, a, theta=theta, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = E_star*(a**2*acos(b/a) - a*b*sqrt(a**2 - b**2)/sqrt(a**2 - r**2) - a*sqrt(a**2 - r**2)*acos(b/a) +
+    b**2*elliptic_e(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2) + b*sqrt(a**2 - b**2) + r**2*C0(b, r,
+    a) + (-b + r)*(b + r)*elliptic_f(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2))*tan(theta)   for r <
+    b
+    F_r = E_star*(a**2*acos(b/a) - a*b*sqrt(a**2 - r**2)/sqrt(a**2 - b**2) - a*sqrt(a**2 - r**2)*acos(b/a) +
+    b*r*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2) + b*sqrt(a**2 - b**2) + r**2*C0(b, r,
+    a))*tan(theta)   for b < r
+    with C0(b, r, a) = int_{max(b, r)}^a acos(b/t) / sqrt(t**2 - r**2) dt, for 0 <= b, r < a
+    with elliptic integrals of the parameter m = k**2, their last argument
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for tan(theta) << 1. Negative or NaN field values, and radii below b among larger ones, give NaN.
+    Evaluated as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_cone.Fr.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_cone
+    >>> value = truncated_cone.load_within(0.3, 1.0, theta=0.42, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.066597
+    """
+    value = plain.load_within(r, a, theta, b, E_star)
+    if value is not None:
+        return value
+    require(theta=theta, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_load_within, r, a, theta=theta, b=b, E_star=E_star)
+
+
 def _profile(r: Array, theta: Array, b: Array) -> Array:
     return np.where(r < b, 0, np.tan(theta) * (r - b))
 
@@ -639,6 +755,18 @@ def _mean_pressure(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
     angle = np.arctan(root / b)
     return E_star * np.tan(theta) / np.pi * (angle + b * root / a**2)
+
+
+def _energy(a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, theta, b)
+    beyond = energy_integral_beyond(_depth_at, (theta, b), a, sunk, b)
+    return np.where(a >= b, E_star * (b * sunk * sunk + beyond), np.nan)
+
+
+def _load_within(r: Array, a: Array, theta: Array, b: Array, E_star: Array) -> Array:
+    beyond = load_within_integral_beyond(_slope_beyond, (theta, b), r, a, b)
+    found = np.where(r > b, _force(np.maximum(np.minimum(r, a), b), theta, b, E_star), 0.0) + 2 * E_star * beyond
+    return np.where(a >= b, found, np.nan)
 
 
 def _contact_from_depth(d: Array, theta: Array, b: Array) -> tuple[Array, Array]:

@@ -12,6 +12,8 @@ import numpy as np
 from .._runtime.interface import Array, Plain, Result, elementwise, require, require_reach
 from .._runtime.inverse import between, inverse
 from .._runtime.rules import displacement_integral_beyond, pressure_integral_beyond
+from .._runtime.shapes.energy import energy_integral_beyond
+from .._runtime.shapes.load_within import load_within_integral_beyond
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -20,8 +22,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -588,6 +592,117 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayL
     return elementwise(_depth_from_force, F, R=R, b=b, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = 2*E_star*(a - b)*(4*a**4 + 4*a**3*b + 4*a**2*b**2 + 4*a*b**3 - b**4)/(15*R**2)
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_paraboloid.U.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_paraboloid
+    >>> value = truncated_paraboloid.energy(1.0, R=1.2, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.344329
+    """
+    value = plain.energy(a, R, b, E_star)
+    if value is not None:
+        return value
+    require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_energy, a, R=R, b=b, E_star=E_star)
+
+
+def load_within(r: ArrayLike, a: ArrayLike, *, R: ArrayLike, b: ArrayLike, E_star: ArrayLike) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*E_star*(a*sqrt(a**2 - b**2)*(-2*a**2 - b**2 + 4*r**2)/sqrt(a**2 - r**2) + b*(-b + r)*(b +
+    r)*elliptic_f(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2) - b*(-b**2 +
+    2*r**2)*elliptic_e(asin(sqrt((a**2 - b**2)/(a**2 - r**2))), r**2/b**2) + sqrt(a**2 - b**2)*(2*a**2 +
+    b**2))/(3*R)   for r < b
+    F_r = 2*E_star*(a*sqrt(a**2 - r**2)*(-2*a**2 + b**2 + 2*r**2)/sqrt(a**2 - b**2) + 2*r*(-b + r)*(b +
+    r)*elliptic_f(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2) - r*(-b**2 +
+    2*r**2)*elliptic_e(asin(sqrt((a**2 - r**2)/(a**2 - b**2))), b**2/r**2) + sqrt(a**2 - b**2)*(2*a**2 +
+    b**2))/(3*R)   for b < r
+    with elliptic integrals of the parameter m = k**2, their last argument
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    b : array_like
+        Radius of the flat face [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R. Negative or NaN field values, and radii below b among larger ones, give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: truncated_paraboloid.Fr.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.normal import truncated_paraboloid
+    >>> value = truncated_paraboloid.load_within(0.3, 1.0, R=1.2, b=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.095867
+    """
+    value = plain.load_within(r, a, R, b, E_star)
+    if value is not None:
+        return value
+    require(R=R, b=b, E_star=E_star)
+    require_reach(a, b)
+    return elementwise(_load_within, r, a, R=R, b=b, E_star=E_star)
+
+
 def _profile(r: Array, R: Array, b: Array) -> Array:
     return np.where(r < b, 0, (r - b) * (r + b) / (2 * R))
 
@@ -636,6 +751,18 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 def _mean_pressure(a: Array, R: Array, b: Array, E_star: Array) -> Array:
     root = np.sqrt((a - b) * (a + b))
     return 4 * E_star / (3 * np.pi * R) * root + 2 * E_star * b**2 * root / (3 * np.pi * a**2 * R)
+
+
+def _energy(a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R, b)
+    beyond = energy_integral_beyond(_depth_at, (R,), a, sunk, b)
+    return np.where(a >= b, E_star * (b * sunk * sunk + beyond), np.nan)
+
+
+def _load_within(r: Array, a: Array, R: Array, b: Array, E_star: Array) -> Array:
+    beyond = load_within_integral_beyond(_slope_beyond, (R, b), r, a, b)
+    found = np.where(r > b, _force(np.maximum(np.minimum(r, a), b), R, b, E_star), 0.0) + 2 * E_star * beyond
+    return np.where(a >= b, found, np.nan)
 
 
 def _radius_from_depth(d: Array, R: Array, b: Array) -> Array:

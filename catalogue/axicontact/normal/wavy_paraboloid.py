@@ -11,6 +11,8 @@ import numpy as np
 
 from .._runtime.interface import Array, Result, elementwise, require, require_order
 from .._runtime.rules import displacement_integral_waves, pressure_integral_waves
+from .._runtime.shapes.energy import energy_integral
+from .._runtime.shapes.load_within import load_within_integral
 from .._runtime.shapes.waves import inverse_over_waves
 from .._runtime.special import struve_h0, struve_h1
 
@@ -21,8 +23,10 @@ __all__ = [
     "depth",
     "depth_from_force",
     "displacement",
+    "energy",
     "force",
     "force_from_depth",
+    "load_within",
     "mean_pressure",
     "pressure",
     "profile",
@@ -580,6 +584,109 @@ def depth_from_force(F: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: Ar
     return elementwise(_depth_from_force, F, R=R, h=h, wavelength=wavelength, E_star=E_star)
 
 
+def energy(a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike) -> Result:
+    """Elastic energy, the work of pressing the indenter in.
+
+    U = E_star*Integral((a*(pi**2*h*StruveH(0, 2*pi*a/wavelength)/wavelength + a/R) - t*(pi**2*h*StruveH(0,
+    2*pi*t/wavelength)/wavelength + t/R))**2, (t, 0, a))
+    with StruveH: Struve function H_nu(z), (11.97); H_0' = 2/pi - H_1 and (z H_1)' = z H_0
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Elastic energy, the work of pressing the indenter in [J]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: wavy_paraboloid.U.
+
+    References
+    ----------
+    Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.energy(1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.182654
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_energy, a, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
+def load_within(
+    r: ArrayLike, a: ArrayLike, *, R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, E_star: ArrayLike
+) -> Result:
+    """Part of the normal force that is carried within the radius r; all of it beyond the contact.
+
+    F_r = 2*pi*Integral(t*p(t), (t, 0, r))
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    h : array_like
+        Amplitude of the waves, half of their height from valley to peak [m], h > 0.
+    wavelength : array_like
+        Wavelength of the waviness [m], wavelength > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Part of the normal force that is carried within the radius r [N]. The shape to which the arguments
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a << R; waves so flat that g' >= 0 for every a. Negative or NaN field values give NaN. Evaluated
+    as an integral over the growing contact by a Gauss-Legendre rule. Handbook: wavy_paraboloid.Fr.
+
+    References
+    ----------
+    Guduru 2007.
+
+    Examples
+    --------
+    >>> from axicontact.normal import wavy_paraboloid
+    >>> value = wavy_paraboloid.load_within(0.3, 1.0, R=1.6, h=0.01, wavelength=0.5, E_star=1.0)
+    >>> round(value, 6)
+    0.099723
+    """
+    _check(R=R, h=h, wavelength=wavelength, E_star=E_star)
+    return elementwise(_load_within, r, a, R=R, h=h, wavelength=wavelength, E_star=E_star)
+
+
 def _check(R: ArrayLike, h: ArrayLike, wavelength: ArrayLike, **material: ArrayLike) -> None:
     require(R=R, h=h, wavelength=wavelength, **material)
     R, h, wavelength = np.asarray(R), np.asarray(h), np.asarray(wavelength)
@@ -635,6 +742,19 @@ def _stiffness(a: Array, E_star: Array) -> Array:
 
 def _mean_pressure(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
     return np.where(a > 0.0, _force(a, R, h, wavelength, E_star) / (np.pi * a**2), 0.0)
+
+
+def _energy(a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    sunk = _depth(a, R, h, wavelength)
+    tip = energy_integral(_depth, (R, h, wavelength), a, sunk, a, width=1.0 / (1.0 + 4.0 * np.pi / wavelength * a))
+    return E_star * tip
+
+
+def _load_within(r: Array, a: Array, R: Array, h: Array, wavelength: Array, E_star: Array) -> Array:
+    tip = load_within_integral(
+        _slope, (R, h, wavelength), np.minimum(r, a), a, width=1.0 / (1.0 + 4.0 * np.pi / wavelength * a)
+    )
+    return _force(np.minimum(r, a), R, h, wavelength, E_star) + 2 * E_star * tip
 
 
 def _radius_from_depth(d: Array, R: Array, h: Array, wavelength: Array) -> Array:

@@ -246,16 +246,16 @@ def full_slip_torque(a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, mu: Array
 
 
 def _torque(a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
-    return E_star*mu/R * slipping_torque(a, c)
+    return E_star * mu / R * slipping_torque(a, c)
 
 
 def _slip_angle(a: Array, c: Array, R: Array, E_star: Array, G: Array, mu: Array) -> Array:
-    return E_star*mu/R / (np.pi * G) * turned(a, c)
+    return E_star * mu / R / (np.pi * G) * turned(a, c)
 
 
 def _traction(r: Array, a: Array, c: Array, R: Array, E_star: Array, mu: Array) -> Array:
-    return E_star*mu/R * slipping_traction(r, a, c)
+    return E_star * mu / R * slipping_traction(r, a, c)
 
 
 def _full_slip_torque(a: Array, R: Array, E_star: Array, mu: Array) -> Array:
-    return np.pi / 4.0 * E_star*mu/R * a**4
+    return np.pi / 4.0 * E_star * mu / R * a**4

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, cbrt, nan, sqrt
+from math import atan2, cbrt, nan, pow, sqrt
 
 import numpy as np
 
@@ -36,7 +36,11 @@ C24 = np.array(0.0)
 C25 = np.array(0.6366197723675814)
 C26 = np.array(np.nan)
 C27 = np.array(134217729.0)
-C28 = np.array(3.141592653589793)
+C28 = np.array(5.0)
+C29 = np.array(8.0)
+C30 = np.array(15.0)
+C31 = np.array(-2.0)
+C32 = np.array(3.141592653589793)
 
 
 def depth_from_force(F, a, R, E_star):
@@ -538,6 +542,97 @@ def block_displacement_all(out, r, d, a, R, t0, t1, t2, t3, t4, t5, t6, t7, m0, 
             np.copyto(out, other130, where=~m0)
 
 
+def energy(d, a, R, E_star):
+    if d.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v4 = R * d
+            v5 = sqrt(v4)
+            v10 = R * R
+            if v5 > a:
+                v23 = a * a
+                v31 = -E_star / (3.0 * v10) * a * (v23 - v4) * (v23 + 3.0 * R * d)
+            else:
+                v31 = 0.0
+            return 8.0 * E_star / (15.0 * v10) * pow(v5 if v5 < a or v5 != v5 else a, 5.0) + v31
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_d(a, R, E_star):
+    v8 = (8.0) * E_star
+    v10 = np.square(R)
+    v12 = (15.0) * v10
+    v13 = v8 / v12
+    v18 = np.negative(E_star)
+    v20 = (3.0) * v10
+    v21 = v18 / v20
+    v22 = v21 * a
+    v23 = np.square(a)
+    v26 = (3.0) * R
+    return (a, R, v13, v22, v23, v26)
+
+
+def block_energy_d(out, d, a, R, v13, v22, v23, v26, t0, t1, t2, m0):
+    size = out.size
+    np.multiply(R, d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(out, t0)
+    np.minimum(t0, a, out=t1)
+    np.power(t1, C28, t1)
+    np.multiply(v13, t1, t1)
+    np.greater(t0, a, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.subtract(v23, out, t0)
+        np.multiply(v22, t0, t0)
+        np.multiply(v26, d, t2)
+        np.add(v23, t2, t2)
+        np.multiply(t0, t2, t0)
+    if some31 != size:
+        np.copyto(t0, C24, where=~m0)
+    np.add(t1, t0, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, d, a, R, E_star, t0, t1, t2, t3, t4, m0):
+    size = out.size
+    np.multiply(R, d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(out, t0)
+    np.minimum(t0, a, out=t1)
+    np.multiply(C29, E_star, t2)
+    np.square(R, t3)
+    np.multiply(C30, t3, t4)
+    np.divide(t2, t4, t4)
+    np.power(t1, C28, t1)
+    np.multiply(t4, t1, t1)
+    np.greater(t0, a, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.negative(E_star, t0)
+        np.multiply(C3, t3, t4)
+        np.divide(t0, t4, t4)
+        np.multiply(t4, a, t4)
+        np.square(a, t0)
+        np.subtract(t0, out, t2)
+        np.multiply(t4, t2, t2)
+        np.multiply(C3, R, t4)
+        np.multiply(t4, d, t4)
+        np.add(t0, t4, t4)
+        np.multiply(t2, t4, t0)
+    if some31 != size:
+        np.copyto(t0, C24, where=~m0)
+    np.add(t1, t0, out)
+
+
 def force(d, a, R, E_star):
     if d.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -678,6 +773,330 @@ def block_force_all(out, d, a, R, E_star, t0, t1, t2, t3, t4, t5, t6, f0):
     np.maximum(t5, f0, out=t5)
     np.multiply(out, t5, t5)
     np.add(t1, t5, out)
+
+
+def load_within(r, d, a, R, E_star):
+    if r.__class__ is d.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = R * d
+            v6 = sqrt(v5)
+            v7 = v6 if v6 < a or v6 != v6 else a
+            v17 = 4.0 * E_star
+            v33 = a * a
+            if r < v7:
+                v15 = sqrt((v7 - r) * (v7 + r))
+                v22 = r * r
+                return v17 / (3.0 * R) * v22 * (v15 + v7 * v7 / (v7 + v15)) + (-2.0 * E_star * v22 * (v33 - v5) / (R * (sqrt((a - r) * (a + r)) + a)) if v6 > a else 0.0)
+            v43 = a * a
+            v46 = 134217729.0 * R
+            v48 = v46 - (v46 - R)
+            v49 = R - v48
+            v50 = 134217729.0 * d
+            v52 = v50 - (v50 - d)
+            v53 = d - v52
+            v62 = 134217729.0 * a
+            v64 = v62 - (v62 - a)
+            v65 = a - v64
+            v76 = (v5 - v43 + (v48 * v52 - v5 + v48 * v53 + v49 * v52 + v49 * v53 - (v64 * v64 - v43 + v64 * v65 + v65 * v64 + v65 * v65))) / R
+            v79 = v33 / R
+            value = v17 / 3.0 * v7 * (d if d < v79 or d != d else v79) + 2.0 * E_star * a * (v76 if v76 > 0.0 or v76 != v76 else 0.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(d, a, R, E_star):
+    v5 = R * d
+    v6 = np.sqrt(v5)
+    v7 = np.minimum(v6, a)
+    v17 = (4.0) * E_star
+    v19 = (3.0) * R
+    v20 = v17 / v19
+    v24 = np.square(v7)
+    v29 = np.greater(v6, a)
+    v31 = (-2.0) * E_star
+    v33 = np.square(a)
+    v34 = v33 - v5
+    v43 = a * a
+    v44 = v5 - v43
+    v46 = (134217729.0) * R
+    v47 = v46 - R
+    v48 = v46 - v47
+    v49 = R - v48
+    v50 = (134217729.0) * d
+    v51 = v50 - d
+    v52 = v50 - v51
+    v53 = d - v52
+    v54 = v48 * v52
+    v55 = v54 - v5
+    v56 = v48 * v53
+    v57 = v55 + v56
+    v58 = v49 * v52
+    v59 = v57 + v58
+    v60 = v49 * v53
+    v61 = v59 + v60
+    v62 = (134217729.0) * a
+    v63 = v62 - a
+    v64 = v62 - v63
+    v65 = a - v64
+    v66 = v64 * v64
+    v67 = v66 - v43
+    v68 = v64 * v65
+    v69 = v67 + v68
+    v70 = v65 * v64
+    v71 = v69 + v70
+    v72 = v65 * v65
+    v73 = v71 + v72
+    v74 = v61 - v73
+    v75 = v44 + v74
+    v76 = v75 / R
+    v77 = v17 / (3.0)
+    v78 = v77 * v7
+    v79 = v33 / R
+    v80 = np.minimum(d, v79)
+    v81 = v78 * v80
+    v82 = (2.0) * E_star
+    v83 = v82 * a
+    v84 = np.maximum(v76, (0.0))
+    v85 = v83 * v84
+    v86 = v81 + v85
+    return (a, R, v7, v20, v24, v29, v31, v34, v86)
+
+
+def block_load_within_r(out, r, a, R, v7, v20, v24, v29, v31, v34, v86, t0, t1, t2, m0):
+    size = out.size
+    np.less(r, v7, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.subtract(v7, r, out)
+        np.add(v7, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.square(r, out)
+        np.multiply(v20, out, t1)
+        np.add(v7, t0, t2)
+        np.divide(v24, t2, t2)
+        np.add(t0, t2, t2)
+        np.multiply(t1, t2, t2)
+        if v29:
+            np.subtract(a, r, t1)
+            np.add(a, r, t0)
+            np.multiply(t1, t0, t0)
+            np.sqrt(t0, t0)
+            np.multiply(v31, out, t1)
+            np.multiply(t1, v34, t1)
+            np.add(t0, a, t0)
+            np.multiply(R, t0, t0)
+            np.divide(t1, t0, t1)
+        else:
+            np.copyto(t1, C24)
+        np.add(t2, t1, out)
+    if some87 != size:
+        np.copyto(out, v86, where=~m0)
+
+
+def prepare_load_within_r_d(a, R, E_star):
+    v17 = (4.0) * E_star
+    v19 = (3.0) * R
+    v20 = v17 / v19
+    v31 = (-2.0) * E_star
+    v33 = np.square(a)
+    v43 = a * a
+    v46 = (134217729.0) * R
+    v47 = v46 - R
+    v48 = v46 - v47
+    v49 = R - v48
+    v62 = (134217729.0) * a
+    v63 = v62 - a
+    v64 = v62 - v63
+    v65 = a - v64
+    v66 = v64 * v64
+    v67 = v66 - v43
+    v68 = v64 * v65
+    v69 = v67 + v68
+    v70 = v65 * v64
+    v71 = v69 + v70
+    v72 = v65 * v65
+    v73 = v71 + v72
+    v77 = v17 / (3.0)
+    v79 = v33 / R
+    v82 = (2.0) * E_star
+    v83 = v82 * a
+    return (a, R, v20, v31, v33, v43, v48, v49, v73, v77, v79, v83)
+
+
+def block_load_within_r_d(out, r, d, a, R, v20, v31, v33, v43, v48, v49, v73, v77, v79, v83, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
+    size = out.size
+    np.multiply(R, d, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(t0, t1)
+    np.minimum(t1, a, out=t2)
+    np.less(r, t2, m0)
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.subtract(t2, r, out)
+        np.add(t2, r, t3)
+        np.multiply(out, t3, t3)
+        np.sqrt(t3, t3)
+        np.square(r, out)
+        np.multiply(v20, out, t4)
+        np.square(t2, t5)
+        np.add(t2, t3, t6)
+        np.divide(t5, t6, t6)
+        np.add(t3, t6, t6)
+        np.multiply(t4, t6, t6)
+        np.greater(t1, a, m1)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.subtract(a, r, t4)
+            np.add(a, r, t3)
+            np.multiply(t4, t3, t3)
+            np.sqrt(t3, t3)
+            np.multiply(v31, out, t4)
+            np.subtract(v33, t0, t5)
+            np.multiply(t4, t5, t5)
+            np.add(t3, a, t3)
+            np.multiply(R, t3, t3)
+            np.divide(t5, t3, t4)
+        if some40 != size:
+            np.copyto(t4, C24, where=~m1)
+        np.add(t6, t4, out)
+    if some87 != size:
+        other87 = t4 if some87 else out
+        np.subtract(t0, v43, other87)
+        np.multiply(C27, d, t6)
+        np.subtract(t6, d, t3)
+        np.subtract(t6, t3, t3)
+        np.subtract(d, t3, t6)
+        np.multiply(v48, t3, t5)
+        np.subtract(t5, t0, t5)
+        np.multiply(v48, t6, t7)
+        np.add(t5, t7, t7)
+        np.multiply(v49, t3, t3)
+        np.add(t7, t3, t3)
+        np.multiply(v49, t6, t6)
+        np.add(t3, t6, t6)
+        np.subtract(t6, v73, t6)
+        np.add(other87, t6, t6)
+        np.divide(t6, R, t6)
+        np.multiply(v77, t2, other87)
+        np.minimum(d, v79, out=t3)
+        np.multiply(other87, t3, t3)
+        np.maximum(t6, f0, out=t6)
+        np.multiply(v83, t6, t6)
+        np.add(t3, t6, other87)
+        if some87:
+            np.copyto(out, other87, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, d, a, R, E_star, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, f0):
+    size = out.size
+    np.multiply(R, d, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.sqrt(t0, t1)
+    np.minimum(t1, a, out=t2)
+    np.multiply(C2, E_star, t3)
+    np.square(a, t4)
+    np.less(r, t2, m0)
+    some87 = np.count_nonzero(m0)
+    if some87:
+        np.subtract(t2, r, out)
+        np.add(t2, r, t5)
+        np.multiply(out, t5, t5)
+        np.sqrt(t5, t5)
+        np.multiply(C3, R, out)
+        np.divide(t3, out, out)
+        np.square(r, t6)
+        np.multiply(out, t6, out)
+        np.square(t2, t7)
+        np.add(t2, t5, t8)
+        np.divide(t7, t8, t8)
+        np.add(t5, t8, t8)
+        np.multiply(out, t8, t8)
+        np.greater(t1, a, m1)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.subtract(a, r, out)
+            np.add(a, r, t5)
+            np.multiply(out, t5, t5)
+            np.sqrt(t5, t5)
+            np.multiply(C31, E_star, out)
+            np.multiply(out, t6, out)
+            np.subtract(t4, t0, t7)
+            np.multiply(out, t7, t7)
+            np.add(t5, a, t5)
+            np.multiply(R, t5, t5)
+            np.divide(t7, t5, out)
+        if some40 != size:
+            np.copyto(out, C24, where=~m1)
+        np.add(t8, out, out)
+    if some87 != size:
+        other87 = t8 if some87 else out
+        np.multiply(a, a, other87)
+        np.subtract(t0, other87, t6)
+        np.multiply(C27, R, t5)
+        np.subtract(t5, R, t7)
+        np.subtract(t5, t7, t7)
+        np.subtract(R, t7, t5)
+        np.multiply(C27, d, t9)
+        np.subtract(t9, d, t10)
+        np.subtract(t9, t10, t10)
+        np.subtract(d, t10, t9)
+        np.multiply(t7, t10, t11)
+        np.subtract(t11, t0, t11)
+        np.multiply(t7, t9, t7)
+        np.add(t11, t7, t7)
+        np.multiply(t5, t10, t10)
+        np.add(t7, t10, t10)
+        np.multiply(t5, t9, t9)
+        np.add(t10, t9, t9)
+        np.multiply(C27, a, t10)
+        np.subtract(t10, a, t5)
+        np.subtract(t10, t5, t5)
+        np.subtract(a, t5, t10)
+        np.multiply(t5, t5, t7)
+        np.subtract(t7, other87, other87)
+        np.multiply(t5, t10, t7)
+        np.add(other87, t7, t7)
+        np.multiply(t10, t5, t5)
+        np.add(t7, t5, t5)
+        np.multiply(t10, t10, t10)
+        np.add(t5, t10, t10)
+        np.subtract(t9, t10, t10)
+        np.add(t6, t10, t10)
+        np.divide(t10, R, t10)
+        np.divide(t3, C3, t6)
+        np.multiply(t6, t2, t6)
+        np.divide(t4, R, t9)
+        np.minimum(d, t9, out=t9)
+        np.multiply(t6, t9, t9)
+        np.multiply(C0, E_star, t6)
+        np.multiply(t6, a, t6)
+        np.maximum(t10, f0, out=t10)
+        np.multiply(t6, t10, t10)
+        np.add(t9, t10, other87)
+        if some87:
+            np.copyto(out, other87, where=~m0)
 
 
 def pressure(r, d, a, R, E_star):
@@ -979,11 +1398,11 @@ def block_pressure_all(out, r, d, a, R, E_star, t0, t1, t2, t3, t4, t5, t6, t7, 
         np.sqrt(t1, t1)
         np.multiply(C0, E_star, t4)
         np.multiply(t4, t1, t1)
-        np.multiply(C28, R, t4)
+        np.multiply(C32, R, t4)
         np.divide(t1, t4, t4)
         some74 = np.count_nonzero(m1)
         if some74:
-            np.divide(E_star, C28, t1)
+            np.divide(E_star, C32, t1)
             np.multiply(t1, t5, t1)
             np.sqrt(t2, out)
             np.divide(t1, out, t1)
@@ -1093,9 +1512,18 @@ BLOCKS = {
         ('r', 'd'): (('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, 7, 2, (0.0,), False),
         ('r', 'd', 'a', 'R'): (('r', 'd', 'a', 'R'), prepare_displacement_all, block_displacement_all, 8, 2, (0.0,), False),
     },
+    ('_energy', 1, 'd', 'a', 'R', 'E_star'): {
+        ('d',): (('d',), prepare_energy_d, block_energy_d, 3, 1, (), False),
+        ('d', 'a', 'R', 'E_star'): (('d', 'a', 'R', 'E_star'), prepare_energy_all, block_energy_all, 5, 1, (), False),
+    },
     ('_force', 1, 'd', 'a', 'R', 'E_star'): {
         ('d',): (('d',), prepare_force_d, block_force_d, 5, 0, (0.0,), False),
         ('d', 'a', 'R', 'E_star'): (('d', 'a', 'R', 'E_star'), prepare_force_all, block_force_all, 7, 0, (0.0,), False),
+    },
+    ('_load_within', 2, 'r', 'd', 'a', 'R', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 3, 1, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 8, 2, (0.0,), False),
+        ('r', 'd', 'a', 'R', 'E_star'): (('r', 'd', 'a', 'R', 'E_star'), prepare_load_within_all, block_load_within_all, 12, 2, (0.0,), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'R', 'E_star'): {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 5, 1, (0.0,), False),

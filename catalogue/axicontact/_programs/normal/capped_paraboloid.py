@@ -154,6 +154,55 @@ def displacement(r, a, R1, R2, b):
     return None
 
 
+def energy(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = a - b
+            v9 = a + b
+            v13 = (R1 - R2) / R2
+            v19 = a * a / R1 if a < b else a * (a + v13 * sqrt(v8 * v9)) / R1
+            v20 = a if a < b or a != a else b
+            v22 = asinh(v20 / v20)
+            v28 = 0.0 - expm1(-2.0 * v22)
+            v31 = v28 if v28 > 0.0 else inf
+            v56 = v20 * v20
+            v61 = []
+            for node, weight in RULE_0(v22 / 1.0):
+                v32 = node * v22
+                v41 = v20 * (exp(-v32) * (0.0 - expm1(-2.0 * (v22 - v32))) / v31)
+                v54 = v19 - (v41 * v41 / R1 if v41 < b else v41 * (v41 + v13 * sqrt((v41 - b) * (v41 + b))) / R1)
+                v60 = v54 * v54 * sqrt(v56 + v41 * v41)
+                v61.append(weight * v60)
+            v61 = fsum(v61) * v22
+            if a > b:
+                v65 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * v9)
+                v67 = asinh(v65 / b)
+                v70 = 0.0 - expm1(-2.0 * v67)
+                v72 = v70 if v70 > 0.0 else inf
+                v84 = b * b
+                v95 = []
+                for node, weight in RULE_0(v67 / 1.0):
+                    v74 = node * v67
+                    v83 = v65 * (exp(-v74) * (0.0 - expm1(-2.0 * (v67 - v74))) / v72)
+                    v87 = sqrt(v84 + v83 * v83)
+                    v92 = v19 - v87 * (v87 + v13 * v83) / R1
+                    v94 = v92 * v92 * v83
+                    v95.append(weight * v94)
+                v95 = fsum(v95) * v67
+                v96 = v95
+            else:
+                v96 = 0.0
+            value = E_star * (v61 + v96)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R1, R2, b, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R1, R2, b, E_star):
     if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -256,6 +305,83 @@ def force_from_depth(d, R1, R2, b, E_star):
                 return value
             if value != value and ordinary(d, R1, R2, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R1, R2, b, E_star):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = a if a < b or a != a else b
+            v7 = r if r < v6 or r != r else v6
+            if v7 > 0.0:
+                v8 = v6 - v7
+                v13 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (v6 + v7))
+                v15 = asinh(v13 / v7)
+                v20 = 0.0 - expm1(-2.0 * v15)
+                v23 = v20 if v20 > 0.0 else inf
+                v24 = v7 * v7
+                v45 = []
+                for node, weight in RULE_0(v15 / 1.0):
+                    v26 = node * v15
+                    v35 = v13 * (exp(-v26) * (0.0 - expm1(-2.0 * (v15 - v26))) / v23)
+                    v38 = sqrt(v24 + v35 * v35)
+                    v44 = 2.0 * v38 / R1 * (v35 / (v38 + v35))
+                    v45.append(weight * v44)
+                v45 = fsum(v45) * v15
+                v47 = v24 * v45
+            else:
+                v47 = 0.0
+            v50 = nextafter(b, inf) if r == b else r
+            v111 = R1 - R2
+            v117 = b * b
+            if a > (v50 if v50 > b or v50 != v50 else b):
+                v51 = v50 < b
+                v52 = 0.0 if v51 else 1.0
+                v53 = a - b
+                v57 = sqrt((v53 if v53 > 0.0 or v53 != v53 else 0.0) * (a + b))
+                v58 = a - v50
+                v62 = sqrt((v58 if v58 > 0.0 or v58 != v58 else 0.0) * (a + v50))
+                v70 = asinh((v57 if v51 else v62) / sqrt(abs(v50 - b) * (v50 + b)))
+                v71 = 2.0 * v52
+                v72 = 1.0 - v71
+                v74 = expm1(-2.0 * v70)
+                v76 = v71 - v72 * v74
+                v78 = v76 if v76 > 0.0 else inf
+                v80 = 2.0 * (1.0 - v52)
+                v81 = 1.0 - v80
+                v83 = v80 - v81 * v74
+                v85 = v83 if v83 > 0.0 else inf
+                v105 = b * b
+                v113 = R1 * R2
+                v114 = 2.0 * v111 / v113
+                v118 = v117 * v111
+                v127 = []
+                for node, weight in RULE_0(v70 / 1.0):
+                    v89 = node * v70
+                    v91 = exp(-v89)
+                    v94 = expm1(-2.0 * (v70 - v89))
+                    v99 = v57 * (v91 * (v71 - v72 * v94) / v78)
+                    v104 = v62 * (v91 * (v80 - v81 * v94) / v85)
+                    v108 = sqrt(v105 + v99 * v99)
+                    v126 = (2.0 * v108 / R1 + v114 * v99 + v118 / (v113 * v99)) * (v99 / v108) * (v104 / (v108 + v104))
+                    v127.append(weight * v126)
+                v127 = fsum(v127) * v70
+                v129 = v50 * v50 * v127
+            else:
+                v129 = 0.0
+            v130 = r if r < a or r != r else a
+            v134 = 3.0 * R1
+            v136 = v130 * v130
+            v137 = v130 * v136
+            v143 = 2.0 * E_star
+            value = (4.0 * E_star / v134 * v137 if v130 < b else v143 / v134 * (2.0 * v137 + v111 / R2 * (2.0 * v136 + v117) * sqrt((v130 - b) * (v130 + b)))) + v143 * (v47 + v129)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star):
+                return value
+            return None
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -323,6 +323,148 @@ def displacement(r, d, a, h, n):
     return None
 
 
+def energy(d, a, h, n, E_star):
+    if d.__class__ is a.__class__ is h.__class__ is n.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = n / 2.0 + 0.5
+            v10 = v8 + 1.75
+            v14 = (v8 + 0.5) * (v8 + 1.5)
+            v28 = 1.0 / (v10 * v10)
+            v69 = (v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))
+            v87 = n > 2.0
+            if v87:
+                v89 = n if v87 else 3.0
+                v90 = v89 - 2.0
+                v99 = log1p((1.2732395447351628 + 0.9883942191601786 * v90 / (v90 + 0.72)) / v90)
+                if v90 < 2.0:
+                    v105 = log(v90 * (v90 + 2.0) / 2.0) / v90
+                    v107 = v99 if v99 > v105 or v99 != v99 else v105
+                else:
+                    v107 = v99
+                v109 = -2.0 * v107
+                v111 = -expm1(v109)
+                v118 = v89 - 1.0 + 0.0
+                v120 = v118 - v89 * exp(-2.0 * (v107 if v107 < 300.0 or v107 != v107 else 300.0))
+                v121 = v120 if v120 > 1.0 or v120 != v120 else 1.0
+                v122 = v90 + 1.0
+                v124 = 1.0 / (v122 * v107)
+                v140 = v90 * v107
+                v143 = 0.5 * v90
+                v159 = []
+                for node, weight in RULE_0(1.0 / v124):
+                    v125 = node * 1.0
+                    v127 = v125 * v125 * v125
+                    v129 = v127 * v127 * v125
+                    v132 = v129 * v125
+                    v135 = -expm1(v109 * v132)
+                    v136 = 1.0 - v132
+                    v142 = expm1(v140 * v132)
+                    v158 = 8.0 * v129 * (exp(v107 * v136) * pow(v135 / v111, -0.5) * (v142 - v143 * (v142 + 1.0) * v135 * (-expm1(v109 * v136) / v111)) / v135)
+                    v159.append(weight * v158)
+                v159 = fsum(v159) * 1.0
+                v160 = v107 * v159
+                v165 = 2.0 * v118
+                v174 = v107 - log(v160) * v160 / (exp(v140) / (v111 * v121) + (v160 - 1.0) * (v165 / v121 - 1.0 / v111))
+                v175 = -2.0 * v174
+                v177 = -expm1(v175)
+                v182 = v118 - v89 * exp(-2.0 * (v174 if v174 < 300.0 or v174 != v174 else 300.0))
+                v183 = v182 if v182 > 1.0 or v182 != v182 else 1.0
+                v185 = 1.0 / (v122 * v174)
+                v200 = v90 * v174
+                v217 = []
+                for node, weight in RULE_0(1.0 / v185):
+                    v186 = node * 1.0
+                    v188 = v186 * v186 * v186
+                    v190 = v188 * v188 * v186
+                    v192 = v190 * v186
+                    v195 = -expm1(v175 * v192)
+                    v196 = 1.0 - v192
+                    v202 = expm1(v200 * v192)
+                    v216 = 8.0 * v190 * (exp(v174 * v196) * pow(v195 / v177, -0.5) * (v202 - v143 * (v202 + 1.0) * v195 * (-expm1(v175 * v196) / v177)) / v195)
+                    v217.append(weight * v216)
+                v217 = fsum(v217) * 1.0
+                v218 = v174 * v217
+                v231 = v174 - log(v218) * v218 / (exp(v200) / (v177 * v183) + (v218 - 1.0) * (v165 / v183 - 1.0 / v177))
+                v232 = -2.0 * v231
+                v234 = -expm1(v232)
+                v239 = v118 - v89 * exp(-2.0 * (v231 if v231 < 300.0 or v231 != v231 else 300.0))
+                v240 = v239 if v239 > 1.0 or v239 != v239 else 1.0
+                v242 = 1.0 / (v122 * v231)
+                v257 = v90 * v231
+                v274 = []
+                for node, weight in RULE_0(1.0 / v242):
+                    v243 = node * 1.0
+                    v245 = v243 * v243 * v243
+                    v247 = v245 * v245 * v243
+                    v249 = v247 * v243
+                    v252 = -expm1(v232 * v249)
+                    v253 = 1.0 - v249
+                    v259 = expm1(v257 * v249)
+                    v273 = 8.0 * v247 * (exp(v231 * v253) * pow(v252 / v234, -0.5) * (v259 - v143 * (v259 + 1.0) * v252 * (-expm1(v232 * v253) / v234)) / v252)
+                    v274.append(weight * v273)
+                v274 = fsum(v274) * 1.0
+                v275 = v231 * v274
+                v288 = v231 - log(v275) * v275 / (exp(v257) / (v234 * v240) + (v275 - 1.0) * (v165 / v240 - 1.0 / v234))
+                v289 = -2.0 * v288
+                v291 = -expm1(v289)
+                v296 = v118 - v89 * exp(-2.0 * (v288 if v288 < 300.0 or v288 != v288 else 300.0))
+                v297 = v296 if v296 > 1.0 or v296 != v296 else 1.0
+                v299 = 1.0 / (v122 * v288)
+                v314 = v90 * v288
+                v331 = []
+                for node, weight in RULE_0(1.0 / v299):
+                    v300 = node * 1.0
+                    v302 = v300 * v300 * v300
+                    v304 = v302 * v302 * v300
+                    v306 = v304 * v300
+                    v309 = -expm1(v289 * v306)
+                    v310 = 1.0 - v306
+                    v316 = expm1(v314 * v306)
+                    v330 = 8.0 * v304 * (exp(v288 * v310) * pow(v309 / v291, -0.5) * (v316 - v143 * (v316 + 1.0) * v309 * (-expm1(v289 * v310) / v291)) / v309)
+                    v331.append(weight * v330)
+                v331 = fsum(v331) * 1.0
+                v332 = v288 * v331
+                v345 = v288 - log(v332) * v332 / (exp(v314) / (v291 * v297) + (v332 - 1.0) * (v165 / v297 - 1.0 / v291))
+                v346 = -2.0 * v345
+                v348 = -expm1(v346)
+                v353 = v118 - v89 * exp(-2.0 * (v345 if v345 < 300.0 or v345 != v345 else 300.0))
+                v354 = v353 if v353 > 1.0 or v353 != v353 else 1.0
+                v356 = 1.0 / (v122 * v345)
+                v371 = v90 * v345
+                v388 = []
+                for node, weight in RULE_0(1.0 / v356):
+                    v357 = node * 1.0
+                    v359 = v357 * v357 * v357
+                    v361 = v359 * v359 * v357
+                    v363 = v361 * v357
+                    v366 = -expm1(v346 * v363)
+                    v367 = 1.0 - v363
+                    v373 = expm1(v371 * v363)
+                    v387 = 8.0 * v361 * (exp(v345 * v367) * pow(v366 / v348, -0.5) * (v373 - v143 * (v373 + 1.0) * v366 * (-expm1(v346 * v367) / v348)) / v366)
+                    v388.append(weight * v387)
+                v388 = fsum(v388) * 1.0
+                v389 = v345 * v388
+                v406 = -expm1(-2.0 * (v345 - log(v389) * v389 / (exp(v371) / (v348 * v354) + (v389 - 1.0) * (v165 / v354 - 1.0 / v348))))
+            else:
+                v406 = 1.0
+            if 1.7724538509055159 * h * v69 / (n * v406 - 1.0) * 0.999999999999999 <= d:
+                value = E_star * a * (d * d + 3.5449077018110318 * h / (n + 1.0) * d * v69 + 3.141592653589793 * (h * h) / (2.0 * n + 1.0) * (v69 * v69))
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(d, a, h, n, E_star):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(d, a, h, n, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(d, a, h, n, E_star):
     if d.__class__ is a.__class__ is h.__class__ is n.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -459,6 +601,297 @@ def force(d, a, h, n, E_star):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(d, a, h, n, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, d, a, h, n, E_star):
+    if r.__class__ is d.__class__ is a.__class__ is h.__class__ is n.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v9 = n / 2.0 + 0.5
+            v11 = v9 + 1.75
+            v15 = (v9 + 0.5) * (v9 + 1.5)
+            v29 = 1.0 / (v11 * v11)
+            v70 = (v9 * (v9 + 1.0) / v15 if v9 < 1.0 else 1.0 - (v9 + 0.75) / v15) * sqrt(v11) * (1.0 + v29 * (((((((0.01524698625788054 * v29 + 0.5334320651111477) * v29 + 2.250488865813539) * v29 + 2.8612106440066865) * v29 + 1.3794681629043655) * v29 + 0.2596058532893223) * v29 + 0.015624999999999823) / ((((((3.278794792785737 * v29 + 49.328555418276075) * v29 + 167.28648538571198) * v29 + 195.37226190335065) * v29 + 90.69722535867314) * v29 + 16.763212110504565) * v29 + 1.0)))
+            v142 = 1.7724538509055159 * h
+            v158 = n > 2.0
+            v160 = n if v158 else 3.0
+            v161 = v160 - 2.0
+            v170 = log1p((1.2732395447351628 + 0.9883942191601786 * v161 / (v161 + 0.72)) / v161)
+            if v161 < 2.0:
+                v176 = log(v161 * (v161 + 2.0) / 2.0) / v161
+                v178 = v170 if v170 > v176 or v170 != v170 else v176
+            else:
+                v178 = v170
+            v179 = -2.0 * v178
+            v181 = -expm1(v179)
+            v187 = v160 - 1.0 + 0.0
+            v189 = v187 - v160 * exp(-2.0 * (v178 if v178 < 300.0 or v178 != v178 else 300.0))
+            v190 = v189 if v189 > 1.0 or v189 != v189 else 1.0
+            v191 = v161 + 1.0
+            v193 = 1.0 / (v191 * v178)
+            v209 = v161 * v178
+            v212 = 0.5 * v161
+            v232 = exp(v209) / (v181 * v190)
+            v234 = 2.0 * v187
+            v237 = v234 / v190 - 1.0 / v181
+            if v158:
+                v228 = []
+                for node, weight in RULE_0(1.0 / v193):
+                    v194 = node * 1.0
+                    v196 = v194 * v194 * v194
+                    v198 = v196 * v196 * v194
+                    v201 = v198 * v194
+                    v204 = -expm1(v179 * v201)
+                    v205 = 1.0 - v201
+                    v211 = expm1(v209 * v201)
+                    v227 = 8.0 * v198 * (exp(v178 * v205) * pow(v204 / v181, -0.5) * (v211 - v212 * (v211 + 1.0) * v204 * (-expm1(v179 * v205) / v181)) / v204)
+                    v228.append(weight * v227)
+                v228 = fsum(v228) * 1.0
+                v229 = v178 * v228
+                v243 = v178 - log(v229) * v229 / (v232 + (v229 - 1.0) * v237)
+                v244 = -2.0 * v243
+                v246 = -expm1(v244)
+                v251 = v187 - v160 * exp(-2.0 * (v243 if v243 < 300.0 or v243 != v243 else 300.0))
+                v252 = v251 if v251 > 1.0 or v251 != v251 else 1.0
+                v254 = 1.0 / (v191 * v243)
+                v269 = v161 * v243
+                v286 = []
+                for node, weight in RULE_0(1.0 / v254):
+                    v255 = node * 1.0
+                    v257 = v255 * v255 * v255
+                    v259 = v257 * v257 * v255
+                    v261 = v259 * v255
+                    v264 = -expm1(v244 * v261)
+                    v265 = 1.0 - v261
+                    v271 = expm1(v269 * v261)
+                    v285 = 8.0 * v259 * (exp(v243 * v265) * pow(v264 / v246, -0.5) * (v271 - v212 * (v271 + 1.0) * v264 * (-expm1(v244 * v265) / v246)) / v264)
+                    v286.append(weight * v285)
+                v286 = fsum(v286) * 1.0
+                v287 = v243 * v286
+                v300 = v243 - log(v287) * v287 / (exp(v269) / (v246 * v252) + (v287 - 1.0) * (v234 / v252 - 1.0 / v246))
+                v301 = -2.0 * v300
+                v303 = -expm1(v301)
+                v308 = v187 - v160 * exp(-2.0 * (v300 if v300 < 300.0 or v300 != v300 else 300.0))
+                v309 = v308 if v308 > 1.0 or v308 != v308 else 1.0
+                v311 = 1.0 / (v191 * v300)
+                v326 = v161 * v300
+                v343 = []
+                for node, weight in RULE_0(1.0 / v311):
+                    v312 = node * 1.0
+                    v314 = v312 * v312 * v312
+                    v316 = v314 * v314 * v312
+                    v318 = v316 * v312
+                    v321 = -expm1(v301 * v318)
+                    v322 = 1.0 - v318
+                    v328 = expm1(v326 * v318)
+                    v342 = 8.0 * v316 * (exp(v300 * v322) * pow(v321 / v303, -0.5) * (v328 - v212 * (v328 + 1.0) * v321 * (-expm1(v301 * v322) / v303)) / v321)
+                    v343.append(weight * v342)
+                v343 = fsum(v343) * 1.0
+                v344 = v300 * v343
+                v357 = v300 - log(v344) * v344 / (exp(v326) / (v303 * v309) + (v344 - 1.0) * (v234 / v309 - 1.0 / v303))
+                v358 = -2.0 * v357
+                v360 = -expm1(v358)
+                v365 = v187 - v160 * exp(-2.0 * (v357 if v357 < 300.0 or v357 != v357 else 300.0))
+                v366 = v365 if v365 > 1.0 or v365 != v365 else 1.0
+                v368 = 1.0 / (v191 * v357)
+                v383 = v161 * v357
+                v400 = []
+                for node, weight in RULE_0(1.0 / v368):
+                    v369 = node * 1.0
+                    v371 = v369 * v369 * v369
+                    v373 = v371 * v371 * v369
+                    v375 = v373 * v369
+                    v378 = -expm1(v358 * v375)
+                    v379 = 1.0 - v375
+                    v385 = expm1(v383 * v375)
+                    v399 = 8.0 * v373 * (exp(v357 * v379) * pow(v378 / v360, -0.5) * (v385 - v212 * (v385 + 1.0) * v378 * (-expm1(v358 * v379) / v360)) / v378)
+                    v400.append(weight * v399)
+                v400 = fsum(v400) * 1.0
+                v401 = v357 * v400
+                v414 = v357 - log(v401) * v401 / (exp(v383) / (v360 * v366) + (v401 - 1.0) * (v234 / v366 - 1.0 / v360))
+                v415 = -2.0 * v414
+                v417 = -expm1(v415)
+                v422 = v187 - v160 * exp(-2.0 * (v414 if v414 < 300.0 or v414 != v414 else 300.0))
+                v423 = v422 if v422 > 1.0 or v422 != v422 else 1.0
+                v425 = 1.0 / (v191 * v414)
+                v440 = v161 * v414
+                v457 = []
+                for node, weight in RULE_0(1.0 / v425):
+                    v426 = node * 1.0
+                    v428 = v426 * v426 * v426
+                    v430 = v428 * v428 * v426
+                    v432 = v430 * v426
+                    v435 = -expm1(v415 * v432)
+                    v436 = 1.0 - v432
+                    v442 = expm1(v440 * v432)
+                    v456 = 8.0 * v430 * (exp(v414 * v436) * pow(v435 / v417, -0.5) * (v442 - v212 * (v442 + 1.0) * v435 * (-expm1(v415 * v436) / v417)) / v435)
+                    v457.append(weight * v456)
+                v457 = fsum(v457) * 1.0
+                v458 = v414 * v457
+                v475 = -expm1(-2.0 * (v414 - log(v458) * v458 / (exp(v440) / (v417 * v423) + (v458 - 1.0) * (v234 / v423 - 1.0 / v417))))
+            else:
+                v475 = 1.0
+            v478 = v142 * v70
+            if v478 / (n * v475 - 1.0) * 0.999999999999999 <= d:
+                v153 = 2.0 * E_star
+                v154 = n + 1.0
+                if r < a:
+                    v71 = a - r
+                    v75 = n > 1.0
+                    v77 = abs(n - 1.0)
+                    if r > 0.0:
+                        v88 = v71 / r
+                        v94 = log1p(v88) if isfinite(v88) else log(a) - log(r)
+                        if v94 > 0.0:
+                            v99 = v94 - 42.0 / (v77 if v77 > 0.001 or v77 != v77 else 0.001)
+                            v100 = v99 if v99 > 0.0 or v99 != v99 else 0.0
+                            v101 = sqrt(v94)
+                            v106 = v101 - sqrt(v100) if v75 else sqrt(v94 - v100)
+                            v109 = 2.0 * v101
+                            v114 = -v77
+                            v129 = []
+                            for node, weight in RULE_2(v106 / 1.0):
+                                v108 = node * v106
+                                if v75:
+                                    v117 = v101 - v108
+                                    v119 = v117 if v117 > 0.0 or v117 != v117 else 0.0
+                                else:
+                                    v119 = v108
+                                v128 = exp(v114 * (v108 * (v109 - v108) if v75 else v108 * v108)) * (2.0 * v119 / sqrt(-expm1(-2.0 * v119 * v119)))
+                                v129.append(weight * v128)
+                            v129 = fsum(v129) * v106
+                            v130 = v129
+                        else:
+                            v130 = 0.0
+                        v132 = (1.0 if v75 else pow(r / a, n) * (a / r)) * v130
+                    else:
+                        v132 = 1.0 / v77 if v75 else inf
+                    v134 = r * r
+                    v136 = sqrt(v71 * (a + r)) + a
+                    value = v153 / v154 * (n * d * v134 / v136 + d * v134 / v136 + (v142 * v134 * v70 / v136 - 1.7724538509055159 * n * h * v132 * v134 * v70 / a))
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
+                        return value
+                    return None
+                if v158:
+                    v514 = []
+                    for node, weight in RULE_0(1.0 / v193):
+                        v484 = node * 1.0
+                        v486 = v484 * v484 * v484
+                        v488 = v486 * v486 * v484
+                        v490 = v488 * v484
+                        v493 = -expm1(v179 * v490)
+                        v494 = 1.0 - v490
+                        v499 = expm1(v209 * v490)
+                        v513 = 8.0 * v488 * (exp(v178 * v494) * pow(v493 / v181, -0.5) * (v499 - v212 * (v499 + 1.0) * v493 * (-expm1(v179 * v494) / v181)) / v493)
+                        v514.append(weight * v513)
+                    v514 = fsum(v514) * 1.0
+                    v515 = v178 * v514
+                    v522 = v178 - log(v515) * v515 / (v232 + (v515 - 1.0) * v237)
+                    v523 = -2.0 * v522
+                    v525 = -expm1(v523)
+                    v530 = v187 - v160 * exp(-2.0 * (v522 if v522 < 300.0 or v522 != v522 else 300.0))
+                    v531 = v530 if v530 > 1.0 or v530 != v530 else 1.0
+                    v533 = 1.0 / (v191 * v522)
+                    v548 = v161 * v522
+                    v565 = []
+                    for node, weight in RULE_0(1.0 / v533):
+                        v534 = node * 1.0
+                        v536 = v534 * v534 * v534
+                        v538 = v536 * v536 * v534
+                        v540 = v538 * v534
+                        v543 = -expm1(v523 * v540)
+                        v544 = 1.0 - v540
+                        v550 = expm1(v548 * v540)
+                        v564 = 8.0 * v538 * (exp(v522 * v544) * pow(v543 / v525, -0.5) * (v550 - v212 * (v550 + 1.0) * v543 * (-expm1(v523 * v544) / v525)) / v543)
+                        v565.append(weight * v564)
+                    v565 = fsum(v565) * 1.0
+                    v566 = v522 * v565
+                    v579 = v522 - log(v566) * v566 / (exp(v548) / (v525 * v531) + (v566 - 1.0) * (v234 / v531 - 1.0 / v525))
+                    v580 = -2.0 * v579
+                    v582 = -expm1(v580)
+                    v587 = v187 - v160 * exp(-2.0 * (v579 if v579 < 300.0 or v579 != v579 else 300.0))
+                    v588 = v587 if v587 > 1.0 or v587 != v587 else 1.0
+                    v590 = 1.0 / (v191 * v579)
+                    v605 = v161 * v579
+                    v622 = []
+                    for node, weight in RULE_0(1.0 / v590):
+                        v591 = node * 1.0
+                        v593 = v591 * v591 * v591
+                        v595 = v593 * v593 * v591
+                        v597 = v595 * v591
+                        v600 = -expm1(v580 * v597)
+                        v601 = 1.0 - v597
+                        v607 = expm1(v605 * v597)
+                        v621 = 8.0 * v595 * (exp(v579 * v601) * pow(v600 / v582, -0.5) * (v607 - v212 * (v607 + 1.0) * v600 * (-expm1(v580 * v601) / v582)) / v600)
+                        v622.append(weight * v621)
+                    v622 = fsum(v622) * 1.0
+                    v623 = v579 * v622
+                    v636 = v579 - log(v623) * v623 / (exp(v605) / (v582 * v588) + (v623 - 1.0) * (v234 / v588 - 1.0 / v582))
+                    v637 = -2.0 * v636
+                    v639 = -expm1(v637)
+                    v644 = v187 - v160 * exp(-2.0 * (v636 if v636 < 300.0 or v636 != v636 else 300.0))
+                    v645 = v644 if v644 > 1.0 or v644 != v644 else 1.0
+                    v647 = 1.0 / (v191 * v636)
+                    v662 = v161 * v636
+                    v679 = []
+                    for node, weight in RULE_0(1.0 / v647):
+                        v648 = node * 1.0
+                        v650 = v648 * v648 * v648
+                        v652 = v650 * v650 * v648
+                        v654 = v652 * v648
+                        v657 = -expm1(v637 * v654)
+                        v658 = 1.0 - v654
+                        v664 = expm1(v662 * v654)
+                        v678 = 8.0 * v652 * (exp(v636 * v658) * pow(v657 / v639, -0.5) * (v664 - v212 * (v664 + 1.0) * v657 * (-expm1(v637 * v658) / v639)) / v657)
+                        v679.append(weight * v678)
+                    v679 = fsum(v679) * 1.0
+                    v680 = v636 * v679
+                    v693 = v636 - log(v680) * v680 / (exp(v662) / (v639 * v645) + (v680 - 1.0) * (v234 / v645 - 1.0 / v639))
+                    v694 = -2.0 * v693
+                    v696 = -expm1(v694)
+                    v701 = v187 - v160 * exp(-2.0 * (v693 if v693 < 300.0 or v693 != v693 else 300.0))
+                    v702 = v701 if v701 > 1.0 or v701 != v701 else 1.0
+                    v704 = 1.0 / (v191 * v693)
+                    v719 = v161 * v693
+                    v736 = []
+                    for node, weight in RULE_0(1.0 / v704):
+                        v705 = node * 1.0
+                        v707 = v705 * v705 * v705
+                        v709 = v707 * v707 * v705
+                        v711 = v709 * v705
+                        v714 = -expm1(v694 * v711)
+                        v715 = 1.0 - v711
+                        v721 = expm1(v719 * v711)
+                        v735 = 8.0 * v709 * (exp(v693 * v715) * pow(v714 / v696, -0.5) * (v721 - v212 * (v721 + 1.0) * v714 * (-expm1(v694 * v715) / v696)) / v714)
+                        v736.append(weight * v735)
+                    v736 = fsum(v736) * 1.0
+                    v737 = v693 * v736
+                    v754 = -expm1(-2.0 * (v693 - log(v737) * v737 / (exp(v719) / (v696 * v702) + (v737 - 1.0) * (v234 / v702 - 1.0 / v696))))
+                else:
+                    v754 = 1.0
+                if v478 / (n * v754 - 1.0) * 0.999999999999999 <= d:
+                    value = v153 * a * (d + v142 / v154 * v70)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
+                        return value
+                    return None
+                value = nan
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, d, a, h, n, E_star):
                 return value
             return None
         except (ArithmeticError, ValueError):

@@ -11,7 +11,9 @@ from ..._runtime.interface import largest
 C0 = np.array(3.141592653589793)
 C1 = np.array(0.5)
 C2 = np.array(2.0)
-C3 = np.array(0.0)
+C3 = np.array(9.869604401089358)
+C4 = np.array(12.0)
+C5 = np.array(0.0)
 
 
 def depth(a, theta):
@@ -216,6 +218,52 @@ def block_displacement_all(out, r, a, theta, t0, t1, t2, m0):
             np.copyto(out, other24, where=~m0)
 
 
+def energy(a, theta, E_star):
+    if a.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = tan(theta)
+            return 9.869604401089358 * E_star * (v5 * v5) / 12.0 * (a * (a * a))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_a(theta, E_star):
+    v4 = (9.869604401089358) * E_star
+    v5 = np.tan(theta)
+    v7 = np.square(v5)
+    v8 = v4 * v7
+    v10 = v8 / (12.0)
+    return (v10,)
+
+
+def block_energy_a(out, a, v10):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v10, out, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, a, theta, E_star, t0):
+    np.multiply(C3, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.tan(theta, t0)
+    np.square(t0, t0)
+    np.multiply(out, t0, t0)
+    np.divide(t0, C4, t0)
+    np.square(a, out)
+    np.multiply(a, out, out)
+    np.multiply(t0, out, out)
+
+
 def force(a, theta, E_star):
     if a.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -296,6 +344,155 @@ def block_force_from_depth_all(out, d, theta, E_star, t0):
     np.divide(out, t0, t0)
     np.square(d, out)
     np.multiply(t0, out, out)
+
+
+def load_within(r, a, theta, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v11 = 3.141592653589793 * E_star * tan(theta)
+            if r < a:
+                if r > 0.0:
+                    v4 = a - r
+                    v7 = sqrt(v4 * (a + r))
+                    return v11 * (r * r) * (a / (v7 + a) + log1p((v4 + v7) / r)) / 2.0
+                return 0.0
+            return v11 * (a * a) / 2.0
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(a, theta, E_star):
+    v9 = (3.141592653589793) * E_star
+    v10 = np.tan(theta)
+    v11 = v9 * v10
+    v28 = np.square(a)
+    v29 = v11 * v28
+    v30 = v29 / (2.0)
+    return (a, v11, v30)
+
+
+def block_load_within_r(out, r, a, v11, v30, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.greater(r, C5, m1)
+        some27 = np.count_nonzero(m1)
+        if some27:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, t1)
+            np.multiply(v11, t1, t1)
+            np.add(t0, a, t2)
+            np.divide(a, t2, t2)
+            np.add(out, t0, t0)
+            np.divide(t0, r, t0)
+            np.log1p(t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(t1, t0, t0)
+            np.multiply(t0, C1, out)
+        if some27 != size:
+            np.copyto(out, C5, where=~m1)
+    if some31 != size:
+        np.copyto(out, v30, where=~m0)
+
+
+def prepare_load_within_r_a(theta, E_star):
+    v9 = (3.141592653589793) * E_star
+    v10 = np.tan(theta)
+    v11 = v9 * v10
+    v30 = v11 * (0.5)
+    return (v11, v30)
+
+
+def block_load_within_r_a(out, r, a, v11, v30, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some32 = np.count_nonzero(m0)
+    if some32:
+        np.greater(r, C5, m1)
+        some27 = np.count_nonzero(m1)
+        if some27:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, t1)
+            np.multiply(v11, t1, t1)
+            np.add(t0, a, t2)
+            np.divide(a, t2, t2)
+            np.add(out, t0, t0)
+            np.divide(t0, r, t0)
+            np.log1p(t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(t1, t0, t0)
+            np.multiply(t0, C1, out)
+        if some27 != size:
+            np.copyto(out, C5, where=~m1)
+    if some32 != size:
+        other32 = t0 if some32 else out
+        np.square(a, other32)
+        np.multiply(v30, other32, other32)
+        if some32:
+            np.copyto(out, other32, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, a, theta, E_star, t0, t1, t2, t3, m0, m1):
+    size = out.size
+    np.multiply(C0, E_star, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.tan(theta, t1)
+    np.multiply(t0, t1, t1)
+    np.less(r, a, m0)
+    some31 = np.count_nonzero(m0)
+    if some31:
+        np.greater(r, C5, m1)
+        some27 = np.count_nonzero(m1)
+        if some27:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, t2)
+            np.multiply(t1, t2, t2)
+            np.add(t0, a, t3)
+            np.divide(a, t3, t3)
+            np.add(out, t0, t0)
+            np.divide(t0, r, t0)
+            np.log1p(t0, t0)
+            np.add(t3, t0, t0)
+            np.multiply(t2, t0, t0)
+            np.multiply(t0, C1, out)
+        if some27 != size:
+            np.copyto(out, C5, where=~m1)
+    if some31 != size:
+        other31 = t0 if some31 else out
+        np.square(a, other31)
+        np.multiply(t1, other31, other31)
+        np.multiply(other31, C1, other31)
+        if some31:
+            np.copyto(out, other31, where=~m0)
 
 
 def mean_pressure(a, theta, E_star):
@@ -396,7 +593,7 @@ def block_pressure_r_a(out, r, a, v17, t0, m0):
         np.log1p(t0, t0)
         np.multiply(v17, t0, out)
     if some20 != size:
-        np.copyto(out, C3, where=~m0)
+        np.copyto(out, C5, where=~m0)
 
 
 def prepare_pressure_all():
@@ -426,7 +623,7 @@ def block_pressure_all(out, r, a, theta, E_star, t0, t1, m0):
         np.multiply(t1, t0, t0)
         np.multiply(t0, C1, out)
     if some19 != size:
-        np.copyto(out, C3, where=~m0)
+        np.copyto(out, C5, where=~m0)
 
 
 def profile(r, theta):
@@ -587,6 +784,10 @@ BLOCKS = {
         ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 2, 1, (), False),
         ('r', 'a', 'theta'): (('r', 'a', 'theta'), prepare_displacement_all, block_displacement_all, 3, 1, (), False),
     },
+    ('_energy', 1, 'a', 'theta', 'E_star'): {
+        ('a',): (('a',), prepare_energy_a, block_energy_a, 0, 0, (), False),
+        ('a', 'theta', 'E_star'): (('a', 'theta', 'E_star'), prepare_energy_all, block_energy_all, 1, 0, (), False),
+    },
     ('_force', 1, 'a', 'theta', 'E_star'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
         ('a', 'theta', 'E_star'): (('a', 'theta', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
@@ -594,6 +795,11 @@ BLOCKS = {
     ('_force_from_depth', 1, 'd', 'theta', 'E_star'): {
         ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 0, 0, (), False),
         ('d', 'theta', 'E_star'): (('d', 'theta', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 1, 0, (), False),
+    },
+    ('_load_within', 2, 'r', 'a', 'theta', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 3, 2, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_load_within_r_a, block_load_within_r_a, 3, 2, (), False),
+        ('r', 'a', 'theta', 'E_star'): (('r', 'a', 'theta', 'E_star'), prepare_load_within_all, block_load_within_all, 4, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'theta', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),

@@ -155,6 +155,43 @@ def displacement(r, a, h, b):
     return None
 
 
+def energy(a, h, b, E_star):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= b:
+                if a < b:
+                    v6 = b - a
+                    v10 = h / b
+                    v12 = v10 * a * (log1p(2.0 * a / v6) / 2.0)
+                    v18 = a / sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (b + a))
+                    v19 = asinh(v18)
+                    v24 = 0.0 - expm1(-2.0 * v19)
+                    v27 = v24 if v24 > 0.0 else inf
+                    v53 = []
+                    for node, weight in RULE_0(v19 / 1.0):
+                        v29 = node * v19
+                        v38 = v18 * (exp(-v29) * (0.0 - expm1(-2.0 * (v19 - v29))) / v27)
+                        v41 = sqrt(1.0 + v38 * v38)
+                        v43 = b * (v38 / v41)
+                        v49 = v12 - v10 * v43 * asinh(v43 / (b / v41))
+                        v52 = v49 * v49 / (v41 * v41)
+                        v53.append(weight * v52)
+                    v53 = fsum(v53) * v19
+                    v55 = b * v53
+                else:
+                    v55 = inf
+                value = E_star * v55
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, h, b, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, h, b, E_star):
     if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -298,6 +335,58 @@ def force_from_depth(d, h, b, E_star):
                 return value
             if value != value and ordinary(d, h, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, h, b, E_star):
+    if r.__class__ is a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= b:
+                v5 = r if r < a or r != r else a
+                v6 = b - v5
+                v12 = v5 / b
+                v35 = v5 > 0.0
+                v74 = v12 * v12
+                if v35 and a < b:
+                    v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (b + v5))
+                    v13 = a - v5
+                    v18 = b - a
+                    v23 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + v5)) / sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (b + a))
+                    v25 = asinh(v23 / v12)
+                    v30 = 0.0 - expm1(-2.0 * v25)
+                    v33 = v30 if v30 > 0.0 else inf
+                    v34 = v5 * v5
+                    v60 = h / b
+                    v78 = []
+                    for node, weight in RULE_0(v25 / 1.0):
+                        v39 = node * v25
+                        v48 = v23 * (exp(-v39) * (0.0 - expm1(-2.0 * (v25 - v39))) / v33)
+                        v49 = v48 * v48
+                        v51 = sqrt(1.0 + v49)
+                        v53 = v11 * (v48 / v51)
+                        v54 = v11 / v51
+                        v57 = sqrt(v34 + v53 * v53)
+                        v77 = (v60 * asinh(v57 / v54) + h * v57 / (v54 * v54)) * (v53 / (v57 + v53)) * (v54 / (v51 * v51 * v57)) * sqrt(v74 + v49)
+                        v78.append(weight * v77)
+                    v78 = fsum(v78) * v25
+                    v80 = v34 * v78
+                else:
+                    v80 = inf if v35 else 0.0
+                v85 = log1p(2.0 * v5 / v6) / 2.0
+                if v85 < 1.0:
+                    v93 = v85 * v85
+                    v128 = v12 * v74 * ((((((1.0716932453474512e-06 * v93 + 0.00019982814521087247) * v93 + 0.007076196047699156) * v93 + 0.08608622548411103) * v93 + 0.3073858328214721) * v93 + 0.3333333333333333) / (((((2.565078604208634e-08 * v93 + 2.0203143566039827e-05) * v93 + 0.001617010334189783) * v93 + 0.03639274880225476) * v93 + 0.32215749846441627) * v93 + 1.0))
+                else:
+                    v128 = v85 - v12
+                value = E_star * h * (v5 * v5 * v85 / b + b * v128) + 2.0 * E_star * v80
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, b, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -171,6 +171,41 @@ def block_displacement_all(out, r, d, a, t0, m0, m1):
             np.copyto(out, other20, where=~m0)
 
 
+def energy(d, a, E_star):
+    if d.__class__ is a.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return E_star * (d * d) * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_d(a, E_star):
+    return (a, E_star)
+
+
+def block_energy_d(out, d, a, E_star):
+    np.square(d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(E_star, out, out)
+    np.multiply(out, a, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, d, a, E_star):
+    np.square(d, out)
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(E_star, out, out)
+    np.multiply(out, a, out)
+
+
 def force(d, a, E_star):
     if d.__class__ is a.__class__ is E_star.__class__ is float and d > 1e-30 and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -204,6 +239,109 @@ def block_force_all(out, d, a, E_star):
         raise FloatingPointError
     np.multiply(out, d, out)
     np.multiply(out, a, out)
+
+
+def load_within(r, d, a, E_star):
+    if r.__class__ is d.__class__ is a.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v10 = 2.0 * E_star * d
+            if r < a:
+                return v10 * (r * r) / (sqrt((a - r) * (a + r)) + a)
+            return v10 * a
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(d, a, E_star):
+    v9 = (2.0) * E_star
+    v10 = v9 * d
+    v16 = v10 * a
+    return (a, v10, v16)
+
+
+def block_load_within_r(out, r, a, v10, v16, t0, m0):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, r, out)
+        np.add(a, r, t0)
+        np.multiply(out, t0, t0)
+        np.sqrt(t0, t0)
+        np.square(r, out)
+        np.multiply(v10, out, out)
+        np.add(t0, a, t0)
+        np.divide(out, t0, out)
+    if some17 != size:
+        np.copyto(out, v16, where=~m0)
+
+
+def prepare_load_within_r_d(a, E_star):
+    v9 = (2.0) * E_star
+    return (a, v9)
+
+
+def block_load_within_r_d(out, r, d, a, v9, t0, t1, m0):
+    size = out.size
+    np.multiply(v9, d, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.less(r, a, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, r, out)
+        np.add(a, r, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
+        np.square(r, out)
+        np.multiply(t0, out, out)
+        np.add(t1, a, t1)
+        np.divide(out, t1, out)
+    if some17 != size:
+        other17 = t1 if some17 else out
+        np.multiply(t0, a, other17)
+        if some17:
+            np.copyto(out, other17, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, d, a, E_star, t0, t1, m0):
+    size = out.size
+    np.multiply(C0, E_star, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_d = largest(d)
+    if largest_d == np.inf:
+        raise FloatingPointError
+    np.multiply(t0, d, t0)
+    np.less(r, a, m0)
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(a, r, out)
+        np.add(a, r, t1)
+        np.multiply(out, t1, t1)
+        np.sqrt(t1, t1)
+        np.square(r, out)
+        np.multiply(t0, out, out)
+        np.add(t1, a, t1)
+        np.divide(out, t1, out)
+    if some17 != size:
+        other17 = t1 if some17 else out
+        np.multiply(t0, a, other17)
+        if some17:
+            np.copyto(out, other17, where=~m0)
 
 
 def pressure(r, d, a, E_star):
@@ -371,9 +509,18 @@ BLOCKS = {
         ('r', 'd'): (('r', 'd'), prepare_displacement_r_d, block_displacement_r_d, 1, 2, (), False),
         ('r', 'd', 'a'): (('r', 'd', 'a'), prepare_displacement_all, block_displacement_all, 1, 2, (), False),
     },
+    ('_energy', 1, 'd', 'a', 'E_star'): {
+        ('d',): (('d',), prepare_energy_d, block_energy_d, 0, 0, (), False),
+        ('d', 'a', 'E_star'): (('d', 'a', 'E_star'), prepare_energy_all, block_energy_all, 0, 0, (), False),
+    },
     ('_force', 1, 'd', 'a', 'E_star'): {
         ('d',): (('d',), prepare_force_d, block_force_d, 0, 0, (), False),
         ('d', 'a', 'E_star'): (('d', 'a', 'E_star'), prepare_force_all, block_force_all, 0, 0, (), False),
+    },
+    ('_load_within', 2, 'r', 'd', 'a', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 1, 1, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 2, 1, (), False),
+        ('r', 'd', 'a', 'E_star'): (('r', 'd', 'a', 'E_star'), prepare_load_within_all, block_load_within_all, 2, 1, (), False),
     },
     ('_pressure', 2, 'r', 'd', 'a', 'E_star'): {
         ('r',): (('r',), prepare_pressure_r, block_pressure_r, 1, 1, (), False),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, expm1, fsum, inf, nan, sin, sqrt
+from math import asinh, atan2, cos, exp, expm1, fsum, inf, nan, sin, sqrt
 
 import numpy as np
 
@@ -33,6 +33,7 @@ C19 = np.array(np.nan)
 C20 = np.array(1.5019752682686114)
 C21 = np.array(2.0)
 RULE_0 = rule(((inf, 32),))
+RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def depth(a, h, s):
@@ -228,6 +229,51 @@ def displacement(r, a, h, s):
     return None
 
 
+def energy(a, h, s, E_star):
+    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = 1.5019752682686114 * s
+            v7 = a <= v6
+            if v7:
+                v9 = 2.0 * h
+                if v7:
+                    v4 = a / s
+                    v10 = v4 * v4
+                    v48 = ((((((((((((1.567077144036674e-13 * v10 + -3.840375691006307e-12) * v10 + 3.8015754128174666e-11) * v10 + -1.8423006918213799e-10) * v10 + 4.472469827763728e-10) * v10 + -1.1927516362741588e-09) * v10 + 6.225892246861416e-09) * v10 + 3.4413148480148793e-09) * v10 + -9.933344851449817e-08) * v10 + -5.127541706569233e-07) * v10 + 1.8119768160503268e-06) * v10 + 2.151585040783394e-05) * v10 + 4.61098799999374e-06) * v10
+                    v70 = v9 * (v4 / ((((((v48 + -0.000684089638073553) * v10 + -0.002257495580553435) * v10 + 0.016931216930225715) * v10 + 0.17777777777782838) * v10 + 0.6666666666666656) * v10 + 1.0)) * v4
+                else:
+                    v70 = nan
+                v72 = asinh(a / a)
+                v77 = 0.0 - expm1(-2.0 * v72)
+                v80 = v77 if v77 > 0.0 else inf
+                v136 = a * a
+                v141 = []
+                for node, weight in RULE_1(v72 / 1.0):
+                    v81 = node * v72
+                    v90 = a * (exp(-v81) * (0.0 - expm1(-2.0 * (v72 - v81))) / v80)
+                    if v90 <= v6:
+                        v91 = v90 / s
+                        v93 = v91 * v91
+                        v118 = ((((((((((((1.567077144036674e-13 * v93 + -3.840375691006307e-12) * v93 + 3.8015754128174666e-11) * v93 + -1.8423006918213799e-10) * v93 + 4.472469827763728e-10) * v93 + -1.1927516362741588e-09) * v93 + 6.225892246861416e-09) * v93 + 3.4413148480148793e-09) * v93 + -9.933344851449817e-08) * v93 + -5.127541706569233e-07) * v93 + 1.8119768160503268e-06) * v93 + 2.151585040783394e-05) * v93 + 4.61098799999374e-06) * v93
+                        v133 = v9 * (v91 / ((((((v118 + -0.000684089638073553) * v93 + -0.002257495580553435) * v93 + 0.016931216930225715) * v93 + 0.17777777777782838) * v93 + 0.6666666666666656) * v93 + 1.0)) * v91
+                    else:
+                        v133 = nan
+                    v134 = v70 - v133
+                    v140 = v134 * v134 * sqrt(v136 + v90 * v90)
+                    v141.append(weight * v140)
+                v141 = fsum(v141) * v72
+                value = E_star * v141
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, h, s, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, h, s, E_star):
     if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -263,6 +309,62 @@ def force_from_depth(d, h, s, E_star):
                 return value
             if value != value and ordinary(d, h, s, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, h, s, E_star):
+    if r.__class__ is a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v110 = 1.5019752682686114 * s
+            if a <= v110:
+                v5 = r if r < a or r != r else a
+                v40 = 2.0 * h / s
+                if v5 > 0.0:
+                    v6 = a - v5
+                    v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (a + v5))
+                    v13 = asinh(v11 / v5)
+                    v18 = 0.0 - expm1(-2.0 * v13)
+                    v21 = v18 if v18 > 0.0 else inf
+                    v22 = v5 * v5
+                    v106 = []
+                    for node, weight in RULE_1(v13 / 1.0):
+                        v24 = node * v13
+                        v33 = v11 * (exp(-v24) * (0.0 - expm1(-2.0 * (v13 - v24))) / v21)
+                        v36 = sqrt(v22 + v33 * v33)
+                        v37 = v36 / s
+                        v41 = v37 * v37
+                        v79 = ((((((((((((1.567077144036674e-13 * v41 + -3.840375691006307e-12) * v41 + 3.8015754128174666e-11) * v41 + -1.8423006918213799e-10) * v41 + 4.472469827763728e-10) * v41 + -1.1927516362741588e-09) * v41 + 6.225892246861416e-09) * v41 + 3.4413148480148793e-09) * v41 + -9.933344851449817e-08) * v41 + -5.127541706569233e-07) * v41 + 1.8119768160503268e-06) * v41 + 2.151585040783394e-05) * v41 + 4.61098799999374e-06) * v41
+                        v96 = v37 / ((((((v79 + -0.000684089638073553) * v41 + -0.002257495580553435) * v41 + 0.016931216930225715) * v41 + 0.17777777777782838) * v41 + 0.6666666666666656) * v41 + 1.0)
+                        v105 = v40 * (v96 + (1.0 - 2.0 * v96 * v37) * v37) * (v33 / (v36 + v33))
+                        v106.append(weight * v105)
+                    v106 = fsum(v106) * v13
+                    v108 = v22 * v106
+                else:
+                    v108 = 0.0
+                v112 = 2.0 * E_star
+                if v5 <= v110:
+                    v160 = []
+                    for node, weight in RULE_0(v5 / 1.0):
+                        v113 = node * v5
+                        v114 = v113 / s
+                        v115 = v114 * v114
+                        v140 = ((((((((((((1.567077144036674e-13 * v115 + -3.840375691006307e-12) * v115 + 3.8015754128174666e-11) * v115 + -1.8423006918213799e-10) * v115 + 4.472469827763728e-10) * v115 + -1.1927516362741588e-09) * v115 + 6.225892246861416e-09) * v115 + 3.4413148480148793e-09) * v115 + -9.933344851449817e-08) * v115 + -5.127541706569233e-07) * v115 + 1.8119768160503268e-06) * v115 + 2.151585040783394e-05) * v115 + 4.61098799999374e-06) * v115
+                        v152 = v114 / ((((((v140 + -0.000684089638073553) * v115 + -0.002257495580553435) * v115 + 0.016931216930225715) * v115 + 0.17777777777782838) * v115 + 0.6666666666666656) * v115 + 1.0)
+                        v159 = v113 * (v40 * (v152 + (1.0 - 2.0 * v152 * v114) * v114))
+                        v160.append(weight * v159)
+                    v160 = fsum(v160) * v5
+                    v164 = v112 * v160
+                else:
+                    v164 = nan
+                value = v164 + v112 * v108
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, s, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

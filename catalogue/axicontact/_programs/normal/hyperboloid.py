@@ -119,6 +119,35 @@ def displacement(r, a, theta, b):
     return None
 
 
+def energy(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v4 = a / b
+            v6 = tan(theta)
+            v8 = v6 * a * atan(v4)
+            v9 = asinh(v4)
+            v15 = 0.0 - expm1(-2.0 * v9)
+            v18 = v15 if v15 > 0.0 else inf
+            v35 = b * b
+            v40 = []
+            for node, weight in RULE_0(v9 / 1.0):
+                v19 = node * v9
+                v28 = a * (exp(-v19) * (0.0 - expm1(-2.0 * (v9 - v19))) / v18)
+                v33 = v8 - v6 * v28 * atan(v28 / b)
+                v39 = v33 * v33 * sqrt(v35 + v28 * v28)
+                v40.append(weight * v39)
+            v40 = fsum(v40) * v9
+            value = E_star * v40
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, theta, b, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, theta, b, E_star):
     if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -263,6 +292,48 @@ def force_from_depth(d, theta, b, E_star):
                 return value
             if value != value and ordinary(d, theta, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, theta, b, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = r if r < a or r != r else a
+            v39 = tan(theta)
+            v45 = b * b
+            if v5 > 0.0:
+                v6 = a - v5
+                v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (a + v5))
+                v13 = asinh(v11 / v5)
+                v18 = 0.0 - expm1(-2.0 * v13)
+                v21 = v18 if v18 > 0.0 else inf
+                v22 = v5 * v5
+                v41 = b * v39
+                v52 = []
+                for node, weight in RULE_0(v13 / 1.0):
+                    v24 = node * v13
+                    v33 = v11 * (exp(-v24) * (0.0 - expm1(-2.0 * (v13 - v24))) / v21)
+                    v36 = sqrt(v22 + v33 * v33)
+                    v51 = (v39 * atan(v36 / b) + v41 * v36 / (v36 * v36 + v45)) * (v33 / (v36 + v33))
+                    v52.append(weight * v51)
+                v52 = fsum(v52) * v13
+                v54 = v22 * v52
+            else:
+                v54 = 0.0
+            v59 = v5 / b
+            if v59 < 1.0:
+                v62 = v59 * v59
+                v105 = v59 * v62 * (((((((2.229767813968649e-06 * v62 + 0.0021043873129700233) * v62 + 0.04325113828415611) * v62 + 0.2725778671008127) * v62 + 0.7123414383945195) * v62 + 0.8116412201960678) * v62 + 0.3333333333333333) / ((((((0.002445452808893491 * v62 + 0.06453295925870227) * v62 + 0.5368820963772863) * v62 + 1.9680296155712274) * v62 + 3.5294070829658954) * v62 + 3.034923660588189) * v62 + 1.0))
+            else:
+                v105 = v59 - atan(v59)
+            value = E_star * v39 * (v5 * v5 * atan2(v5, b) + v45 * v105) + 2.0 * E_star * v54
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star):
+                return value
+            return None
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cbrt, sqrt
+from math import cbrt, pow, sqrt
 
 import numpy as np
 
@@ -31,10 +31,13 @@ C19 = np.array(14099.684276696918)
 C20 = np.array(1.0)
 C21 = np.array(0.6666666666666666)
 C22 = np.array(3.141592653589793)
-C23 = np.array(4.0)
-C24 = np.array(3.0)
-C25 = np.array(9.42477796076938)
-C26 = np.array(0.0)
+C23 = np.array(5.0)
+C24 = np.array(8.0)
+C25 = np.array(15.0)
+C26 = np.array(4.0)
+C27 = np.array(3.0)
+C28 = np.array(0.0)
+C29 = np.array(9.42477796076938)
 
 
 def depth(a, R):
@@ -352,6 +355,47 @@ def block_displacement_all(out, r, a, R, t0, t1, t2, t3, t4, m0):
             np.copyto(out, other79, where=~m0)
 
 
+def energy(a, R, E_star):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            return 8.0 * E_star / (15.0 * (R * R)) * pow(a, 5.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_a(R, E_star):
+    v4 = (8.0) * E_star
+    v6 = np.square(R)
+    v8 = (15.0) * v6
+    v9 = v4 / v8
+    return (v9,)
+
+
+def block_energy_a(out, a, v9):
+    np.power(a, C23, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, a, R, E_star, t0):
+    np.multiply(C24, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(R, t0)
+    np.multiply(C25, t0, t0)
+    np.divide(out, t0, t0)
+    np.power(a, C23, out)
+    np.multiply(t0, out, out)
+
+
 def force(a, R, E_star):
     if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -382,11 +426,11 @@ def prepare_force_all():
 
 
 def block_force_all(out, a, R, E_star, t0):
-    np.multiply(C23, E_star, out)
+    np.multiply(C26, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C24, R, t0)
+    np.multiply(C27, R, t0)
     np.divide(out, t0, t0)
     np.square(a, out)
     np.multiply(a, out, out)
@@ -423,15 +467,152 @@ def prepare_force_from_depth_all():
 
 
 def block_force_from_depth_all(out, d, R, E_star, t0):
-    np.multiply(C23, E_star, out)
+    np.multiply(C26, E_star, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.divide(out, C24, out)
+    np.divide(out, C27, out)
     np.multiply(out, d, out)
     np.multiply(R, d, t0)
     np.sqrt(t0, t0)
     np.multiply(out, t0, out)
+
+
+def load_within(r, a, R, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v15 = 4.0 * E_star / (3.0 * R)
+            v19 = a * a
+            if r < a:
+                if r > 0.0:
+                    v7 = sqrt((a - r) * (a + r))
+                    return v15 * (r * r) * (v7 + v19 / (v7 + a))
+                return 0.0
+            return v15 * (a * v19)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(a, R, E_star):
+    v12 = (4.0) * E_star
+    v14 = (3.0) * R
+    v15 = v12 / v14
+    v19 = np.square(a)
+    v25 = a * v19
+    v26 = v15 * v25
+    return (a, v15, v19, v26)
+
+
+def block_load_within_r(out, r, a, v15, v19, v26, t0, t1, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(r, C28, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, out)
+            np.multiply(v15, out, out)
+            np.add(t0, a, t1)
+            np.divide(v19, t1, t1)
+            np.add(t0, t1, t1)
+            np.multiply(out, t1, out)
+        if some24 != size:
+            np.copyto(out, C28, where=~m1)
+    if some27 != size:
+        np.copyto(out, v26, where=~m0)
+
+
+def prepare_load_within_r_a(R, E_star):
+    v12 = (4.0) * E_star
+    v14 = (3.0) * R
+    v15 = v12 / v14
+    return (v15,)
+
+
+def block_load_within_r_a(out, r, a, v15, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(a, t0)
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(r, C28, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.subtract(a, r, out)
+            np.add(a, r, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
+            np.square(r, out)
+            np.multiply(v15, out, out)
+            np.add(t1, a, t2)
+            np.divide(t0, t2, t2)
+            np.add(t1, t2, t2)
+            np.multiply(out, t2, out)
+        if some24 != size:
+            np.copyto(out, C28, where=~m1)
+    if some27 != size:
+        other27 = t2 if some27 else out
+        np.multiply(a, t0, other27)
+        np.multiply(v15, other27, other27)
+        if some27:
+            np.copyto(out, other27, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, a, R, E_star, t0, t1, t2, t3, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(C26, E_star, t0)
+    np.multiply(C27, R, t1)
+    np.divide(t0, t1, t1)
+    np.square(a, t0)
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.greater(r, C28, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.subtract(a, r, out)
+            np.add(a, r, t2)
+            np.multiply(out, t2, t2)
+            np.sqrt(t2, t2)
+            np.square(r, out)
+            np.multiply(t1, out, out)
+            np.add(t2, a, t3)
+            np.divide(t0, t3, t3)
+            np.add(t2, t3, t3)
+            np.multiply(out, t3, out)
+        if some24 != size:
+            np.copyto(out, C28, where=~m1)
+    if some27 != size:
+        other27 = t3 if some27 else out
+        np.multiply(a, t0, other27)
+        np.multiply(t1, other27, other27)
+        if some27:
+            np.copyto(out, other27, where=~m0)
 
 
 def mean_pressure(a, R, E_star):
@@ -462,11 +643,11 @@ def prepare_mean_pressure_all():
 
 
 def block_mean_pressure_all(out, a, R, E_star, t0):
-    np.multiply(C23, E_star, out)
+    np.multiply(C26, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
-    np.multiply(C25, R, t0)
+    np.multiply(C29, R, t0)
     np.divide(out, t0, t0)
     np.multiply(t0, a, out)
 
@@ -526,7 +707,7 @@ def block_pressure_r_a(out, r, a, v13, t0, m0):
         np.sqrt(t0, t0)
         np.multiply(v13, t0, out)
     if some16 != size:
-        np.copyto(out, C26, where=~m0)
+        np.copyto(out, C28, where=~m0)
 
 
 def prepare_pressure_all():
@@ -553,7 +734,7 @@ def block_pressure_all(out, r, a, R, E_star, t0, t1, m0):
         np.divide(out, t1, t1)
         np.multiply(t1, t0, out)
     if some16 != size:
-        np.copyto(out, C26, where=~m0)
+        np.copyto(out, C28, where=~m0)
 
 
 def profile(r, R):
@@ -653,11 +834,11 @@ def prepare_radius_from_force_all():
 
 
 def block_radius_from_force_all(out, F, R, E_star, t0):
-    np.multiply(C24, R, out)
+    np.multiply(C27, R, out)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C23, E_star, t0)
+    np.multiply(C26, E_star, t0)
     np.divide(out, t0, t0)
     np.multiply(t0, F, t0)
     np.cbrt(t0, out)
@@ -710,6 +891,10 @@ BLOCKS = {
         ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 5, 1, (), False),
         ('r', 'a', 'R'): (('r', 'a', 'R'), prepare_displacement_all, block_displacement_all, 5, 1, (), False),
     },
+    ('_energy', 1, 'a', 'R', 'E_star'): {
+        ('a',): (('a',), prepare_energy_a, block_energy_a, 0, 0, (), False),
+        ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_energy_all, block_energy_all, 1, 0, (), False),
+    },
     ('_force', 1, 'a', 'R', 'E_star'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
         ('a', 'R', 'E_star'): (('a', 'R', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
@@ -717,6 +902,11 @@ BLOCKS = {
     ('_force_from_depth', 1, 'd', 'R', 'E_star'): {
         ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 1, 0, (), False),
         ('d', 'R', 'E_star'): (('d', 'R', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 1, 0, (), False),
+    },
+    ('_load_within', 2, 'r', 'a', 'R', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 2, 2, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_load_within_r_a, block_load_within_r_a, 3, 2, (), False),
+        ('r', 'a', 'R', 'E_star'): (('r', 'a', 'R', 'E_star'), prepare_load_within_all, block_load_within_all, 4, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'R', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),

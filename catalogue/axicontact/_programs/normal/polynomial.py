@@ -49,6 +49,19 @@ def displacement(r, a, A):
     return None
 
 
+def energy(a, E_star, A):
+    if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._energy(a, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, E_star):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, E_star, A):
     if a.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
@@ -69,6 +82,19 @@ def force_from_depth(d, E_star, A):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(d, E_star):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, E_star, A):
+    if r.__class__ is a.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._load_within(r, a, A, E_star)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

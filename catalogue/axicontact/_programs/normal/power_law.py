@@ -31,10 +31,11 @@ C18 = np.array(1.7724538509055159)
 C19 = np.array(0.0)
 C20 = np.array(np.inf)
 C21 = np.array(3.5449077018110318)
-C22 = np.array(2.0)
+C22 = np.array(6.283185307179586)
+C23 = np.array(2.0)
 RULE_0 = rule(((inf, 64),))
-RULE_1 = rule(((1.5, 32), (8.0, 64), (inf, 128)))
-RULE_2 = rule(((16.0, 64), (inf, 128)))
+RULE_1 = rule(((16.0, 64), (inf, 128)))
+RULE_2 = rule(((1.5, 32), (8.0, 64), (inf, 128)))
 
 
 def depth(a, A, n):
@@ -433,6 +434,172 @@ def displacement(r, a, A, n):
     return None
 
 
+def energy(a, A, n, E_star):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v7 = n / 2.0 + 0.5
+            v9 = v7 + 1.75
+            v13 = (v7 + 0.5) * (v7 + 1.5)
+            v27 = 1.0 / (v9 * v9)
+            v68 = (v7 * (v7 + 1.0) / v13 if v7 < 1.0 else 1.0 - (v7 + 0.75) / v13) * sqrt(v9) * (1.0 + v27 * (((((((0.01524698625788054 * v27 + 0.5334320651111477) * v27 + 2.250488865813539) * v27 + 2.8612106440066865) * v27 + 1.3794681629043655) * v27 + 0.2596058532893223) * v27 + 0.015624999999999823) / ((((((3.278794792785737 * v27 + 49.328555418276075) * v27 + 167.28648538571198) * v27 + 195.37226190335065) * v27 + 90.69722535867314) * v27 + 16.763212110504565) * v27 + 1.0)))
+            v75 = 2.0 * n
+            value = 6.283185307179586 * E_star * (n * n) * (A * A) / ((v75 + 1.0) * (n + 1.0)) * a * pow(a, v75) * (v68 * v68)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_a(A, n, E_star):
+    v5 = n / (2.0)
+    v7 = v5 + (0.5)
+    v9 = v7 + (1.75)
+    v10 = v7 + (0.5)
+    v12 = v7 + (1.5)
+    v13 = v10 * v12
+    v15 = np.less(v7, (1.0))
+    v16 = v7 + (1.0)
+    v17 = v7 * v16
+    v18 = v17 / v13
+    v20 = v7 + (0.75)
+    v21 = v20 / v13
+    v22 = (1.0) - v21
+    v23 = v18 if v15 else v22
+    v24 = np.sqrt(v9)
+    v25 = v23 * v24
+    v26 = v9 * v9
+    v27 = (1.0) / v26
+    v29 = (0.01524698625788054) * v27
+    v31 = v29 + (0.5334320651111477)
+    v32 = v31 * v27
+    v34 = v32 + (2.250488865813539)
+    v35 = v34 * v27
+    v37 = v35 + (2.8612106440066865)
+    v38 = v37 * v27
+    v40 = v38 + (1.3794681629043655)
+    v41 = v40 * v27
+    v43 = v41 + (0.2596058532893223)
+    v44 = v43 * v27
+    v46 = v44 + (0.015624999999999823)
+    v48 = (3.278794792785737) * v27
+    v50 = v48 + (49.328555418276075)
+    v51 = v50 * v27
+    v53 = v51 + (167.28648538571198)
+    v54 = v53 * v27
+    v56 = v54 + (195.37226190335065)
+    v57 = v56 * v27
+    v59 = v57 + (90.69722535867314)
+    v60 = v59 * v27
+    v62 = v60 + (16.763212110504565)
+    v63 = v62 * v27
+    v64 = v63 + (1.0)
+    v65 = v46 / v64
+    v66 = v27 * v65
+    v67 = (1.0) + v66
+    v68 = v25 * v67
+    v70 = (6.283185307179586) * E_star
+    v71 = np.square(n)
+    v72 = v70 * v71
+    v73 = np.square(A)
+    v74 = v72 * v73
+    v75 = (2.0) * n
+    v76 = v75 + (1.0)
+    v77 = n + (1.0)
+    v78 = v76 * v77
+    v79 = v74 / v78
+    v83 = np.square(v68)
+    return (v75, v79, v83)
+
+
+def block_energy_a(out, a, v75, v79, v83, t0):
+    np.multiply(v79, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.power(a, v75, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, v83, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, a, A, n, E_star, t0, t1, t2, t3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, t0)
+    np.add(out, C0, t1)
+    np.add(out, C2, t2)
+    np.multiply(t1, t2, t2)
+    np.less(out, C3, m0)
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.add(out, C3, t1)
+        np.multiply(out, t1, t1)
+        np.divide(t1, t2, t1)
+    if some23 != size:
+        other23 = t3 if some23 else t1
+        np.add(out, C4, other23)
+        np.divide(other23, t2, other23)
+        np.subtract(C3, other23, other23)
+        if some23:
+            np.copyto(t1, other23, where=~m0)
+    np.sqrt(t0, t2)
+    np.multiply(t1, t2, t2)
+    np.multiply(t0, t0, t0)
+    np.divide(C3, t0, t0)
+    np.multiply(C5, t0, t1)
+    np.add(t1, C6, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C7, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C8, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C9, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C10, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C11, t1)
+    np.multiply(C12, t0, out)
+    np.add(out, C13, out)
+    np.multiply(out, t0, out)
+    np.add(out, C14, out)
+    np.multiply(out, t0, out)
+    np.add(out, C15, out)
+    np.multiply(out, t0, out)
+    np.add(out, C16, out)
+    np.multiply(out, t0, out)
+    np.add(out, C17, out)
+    np.multiply(out, t0, out)
+    np.add(out, C3, out)
+    np.divide(t1, out, out)
+    np.multiply(t0, out, out)
+    np.add(C3, out, out)
+    np.multiply(t2, out, out)
+    np.multiply(C22, E_star, t2)
+    np.square(n, t0)
+    np.multiply(t2, t0, t0)
+    np.square(A, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(C23, n, t0)
+    np.add(t0, C3, t1)
+    np.add(n, C3, t3)
+    np.multiply(t1, t3, t3)
+    np.divide(t2, t3, t3)
+    np.multiply(t3, a, t3)
+    np.power(a, t0, t0)
+    np.multiply(t3, t0, t0)
+    np.square(out, out)
+    np.multiply(t0, out, out)
+
+
 def force(a, A, n, E_star):
     if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -782,6 +949,67 @@ def block_force_from_depth_all(out, d, A, n, E_star, t0, t1, t2, t3, t4, m0, m1)
     np.multiply(out, t3, out)
 
 
+def load_within(r, a, A, n, E_star):
+    if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v8 = n / 2.0 + 0.5
+            v10 = v8 + 1.75
+            v14 = (v8 + 0.5) * (v8 + 1.5)
+            v28 = 1.0 / (v10 * v10)
+            v69 = (v8 * (v8 + 1.0) / v14 if v8 < 1.0 else 1.0 - (v8 + 0.75) / v14) * sqrt(v10) * (1.0 + v28 * (((((((0.01524698625788054 * v28 + 0.5334320651111477) * v28 + 2.250488865813539) * v28 + 2.8612106440066865) * v28 + 1.3794681629043655) * v28 + 0.2596058532893223) * v28 + 0.015624999999999823) / ((((((3.278794792785737 * v28 + 49.328555418276075) * v28 + 167.28648538571198) * v28 + 195.37226190335065) * v28 + 90.69722535867314) * v28 + 16.763212110504565) * v28 + 1.0)))
+            v137 = 3.5449077018110318 * E_star * n * A / (n + 1.0)
+            v138 = pow(a, n)
+            if r < a:
+                v86 = r > 0.0
+                if v86:
+                    v70 = a - r
+                    v74 = n > 1.0
+                    v76 = abs(n - 1.0)
+                    if v86:
+                        v87 = v70 / r
+                        v93 = log1p(v87) if isfinite(v87) else log(a) - log(r)
+                        if v93 > 0.0:
+                            v98 = v93 - 42.0 / (v76 if v76 > 0.001 or v76 != v76 else 0.001)
+                            v99 = v98 if v98 > 0.0 or v98 != v98 else 0.0
+                            v100 = sqrt(v93)
+                            v105 = v100 - sqrt(v99) if v74 else sqrt(v93 - v99)
+                            v108 = 2.0 * v100
+                            v113 = -v76
+                            v128 = []
+                            for node, weight in RULE_1(v105 / 1.0):
+                                v107 = node * v105
+                                if v74:
+                                    v116 = v100 - v107
+                                    v118 = v116 if v116 > 0.0 or v116 != v116 else 0.0
+                                else:
+                                    v118 = v107
+                                v127 = exp(v113 * (v107 * (v108 - v107) if v74 else v107 * v107)) * (2.0 * v118 / sqrt(-expm1(-2.0 * v118 * v118)))
+                                v128.append(weight * v127)
+                            v128 = fsum(v128) * v105
+                            v129 = v128
+                        else:
+                            v129 = 0.0
+                        v131 = (1.0 if v74 else pow(r / a, n) * (a / r)) * v129
+                    else:
+                        v131 = 1.0 / v76 if v74 else inf
+                    value = v137 * v138 * (r * r) * (1.0 / (sqrt(v70 * (a + r)) + a) + v131 / a) * v69
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n, E_star):
+                        return value
+                    return None
+                return 0.0
+            value = v137 * a * v138 * v69
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, n, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def mean_pressure(a, A, n, E_star):
     if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -934,7 +1162,7 @@ def block_mean_pressure_all(out, a, A, n, E_star, t0, t1, t2, t3, m0):
     np.multiply(t0, out, out)
     np.add(C3, out, out)
     np.multiply(t2, out, out)
-    np.multiply(C22, E_star, t2)
+    np.multiply(C23, E_star, t2)
     np.multiply(t2, n, t2)
     np.multiply(t2, A, t2)
     np.add(n, C3, t0)
@@ -972,7 +1200,7 @@ def peak_pressure(a, A, n, E_star):
                     v89 = 1.0 + v83
                     v99 = 0.5 * (v72 - 1.0)
                     v102 = []
-                    for node, weight in RULE_1(v84 / 1.0):
+                    for node, weight in RULE_2(v84 / 1.0):
                         v85 = node * v84
                         v86 = sinh(v85)
                         v87 = v86 * v86
@@ -985,7 +1213,7 @@ def peak_pressure(a, A, n, E_star):
                     v107 = asinh(v104)
                     v112 = 1.0 + v106
                     v124 = []
-                    for node, weight in RULE_1(v107 / 1.0):
+                    for node, weight in RULE_2(v107 / 1.0):
                         v108 = node * v107
                         v109 = sinh(v108)
                         v110 = v109 * v109
@@ -998,7 +1226,7 @@ def peak_pressure(a, A, n, E_star):
                     v129 = asinh(v126)
                     v134 = 1.0 + v128
                     v146 = []
-                    for node, weight in RULE_1(v129 / 1.0):
+                    for node, weight in RULE_2(v129 / 1.0):
                         v130 = node * v129
                         v131 = sinh(v130)
                         v132 = v131 * v131
@@ -1011,7 +1239,7 @@ def peak_pressure(a, A, n, E_star):
                     v151 = asinh(v148)
                     v156 = 1.0 + v150
                     v168 = []
-                    for node, weight in RULE_1(v151 / 1.0):
+                    for node, weight in RULE_2(v151 / 1.0):
                         v152 = node * v151
                         v153 = sinh(v152)
                         v154 = v153 * v153
@@ -1024,7 +1252,7 @@ def peak_pressure(a, A, n, E_star):
                     v173 = asinh(v170)
                     v178 = 1.0 + v172
                     v190 = []
-                    for node, weight in RULE_1(v173 / 1.0):
+                    for node, weight in RULE_2(v173 / 1.0):
                         v174 = node * v173
                         v175 = sinh(v174)
                         v176 = v175 * v175
@@ -1060,7 +1288,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
                 v24 = 1.0 + v18
                 v35 = 0.5 * (v6 - 1.0)
                 v38 = []
-                for node, weight in RULE_1(v19 / 1.0):
+                for node, weight in RULE_2(v19 / 1.0):
                     v20 = node * v19
                     v21 = sinh(v20)
                     v22 = v21 * v21
@@ -1073,7 +1301,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
                 v43 = asinh(v40)
                 v48 = 1.0 + v42
                 v60 = []
-                for node, weight in RULE_1(v43 / 1.0):
+                for node, weight in RULE_2(v43 / 1.0):
                     v44 = node * v43
                     v45 = sinh(v44)
                     v46 = v45 * v45
@@ -1086,7 +1314,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
                 v65 = asinh(v62)
                 v70 = 1.0 + v64
                 v82 = []
-                for node, weight in RULE_1(v65 / 1.0):
+                for node, weight in RULE_2(v65 / 1.0):
                     v66 = node * v65
                     v67 = sinh(v66)
                     v68 = v67 * v67
@@ -1099,7 +1327,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
                 v87 = asinh(v84)
                 v92 = 1.0 + v86
                 v104 = []
-                for node, weight in RULE_1(v87 / 1.0):
+                for node, weight in RULE_2(v87 / 1.0):
                     v88 = node * v87
                     v89 = sinh(v88)
                     v90 = v89 * v89
@@ -1112,7 +1340,7 @@ def peak_radius(a, n, A=1.0, E_star=1.0):
                 v109 = asinh(v106)
                 v114 = 1.0 + v108
                 v126 = []
-                for node, weight in RULE_1(v109 / 1.0):
+                for node, weight in RULE_2(v109 / 1.0):
                     v110 = node * v109
                     v111 = sinh(v110)
                     v112 = v111 * v111
@@ -1156,7 +1384,7 @@ def pressure(r, a, A, n, E_star):
                         v115 = 2.0 * v107
                         v120 = -v83
                         v135 = []
-                        for node, weight in RULE_2(v112 / 1.0):
+                        for node, weight in RULE_1(v112 / 1.0):
                             v114 = node * v112
                             if v82:
                                 v123 = v107 - v114
@@ -1622,7 +1850,7 @@ def prepare_stiffness_all():
 
 
 def block_stiffness_all(out, a, E_star):
-    np.multiply(C22, E_star, out)
+    np.multiply(C23, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -1637,6 +1865,10 @@ BLOCKS = {
     ('_depth_from_force', 1, 'F', 'A', 'n', 'E_star'): {
         ('F',): (('F',), prepare_depth_from_force_F, block_depth_from_force_F, 3, 2, (), False),
         ('F', 'A', 'n', 'E_star'): (('F', 'A', 'n', 'E_star'), prepare_depth_from_force_all, block_depth_from_force_all, 5, 2, (), False),
+    },
+    ('_energy', 1, 'a', 'A', 'n', 'E_star'): {
+        ('a',): (('a',), prepare_energy_a, block_energy_a, 1, 0, (), False),
+        ('a', 'A', 'n', 'E_star'): (('a', 'A', 'n', 'E_star'), prepare_energy_all, block_energy_all, 4, 1, (), False),
     },
     ('_force', 1, 'a', 'A', 'n', 'E_star'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 1, 0, (), False),

@@ -38,15 +38,19 @@ C26 = np.array(7078.863490014608)
 C27 = np.array(0.8)
 C28 = np.array(16.0)
 C29 = np.array(9.42477796076938)
-C30 = np.array(64.0)
-C31 = np.array(15.0)
-C32 = np.array(6.0)
-C33 = np.array(4.0)
-C34 = np.array(47.12388980384689)
-C35 = np.array(1.4142135623730951)
-C36 = np.array(32.0)
-C37 = np.array(28.274333882308138)
-C38 = np.array(0.7071067811865476)
+C30 = np.array(9.0)
+C31 = np.array(2048.0)
+C32 = np.array(405.0)
+C33 = np.array(64.0)
+C34 = np.array(15.0)
+C35 = np.array(6.0)
+C36 = np.array(4.0)
+C37 = np.array(45.0)
+C38 = np.array(47.12388980384689)
+C39 = np.array(1.4142135623730951)
+C40 = np.array(32.0)
+C41 = np.array(28.274333882308138)
+C42 = np.array(0.7071067811865476)
 
 
 def depth(a, A):
@@ -461,6 +465,50 @@ def block_displacement_all(out, r, a, A, t0, t1, t2, t3, t4, m0):
             np.copyto(out, other85, where=~m0)
 
 
+def energy(a, A, E_star):
+    if a.__class__ is A.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = 2048.0 * E_star * (A * A) / 405.0 * pow(a, 9.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_a(A, E_star):
+    v4 = (2048.0) * E_star
+    v6 = np.square(A)
+    v7 = v4 * v6
+    v9 = v7 / (405.0)
+    return (v9,)
+
+
+def block_energy_a(out, a, v9):
+    np.power(a, C30, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, a, A, E_star, t0):
+    np.multiply(C31, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(A, t0)
+    np.multiply(out, t0, t0)
+    np.divide(t0, C32, t0)
+    np.power(a, C30, out)
+    np.multiply(t0, out, out)
+
+
 def force(a, A, E_star):
     if a.__class__ is A.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -490,12 +538,12 @@ def prepare_force_all():
 
 
 def block_force_all(out, a, A, E_star, t0):
-    np.multiply(C30, E_star, out)
+    np.multiply(C33, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C31, out)
+    np.divide(out, C34, out)
     np.power(a, C6, t0)
     np.multiply(out, t0, out)
 
@@ -520,7 +568,7 @@ def block_force_from_depth_d(out, d, A, v6, t0):
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(C32, d, t0)
+    np.multiply(C35, d, t0)
     np.divide(t0, A, t0)
     np.sqrt(t0, t0)
     np.sqrt(t0, t0)
@@ -532,17 +580,176 @@ def prepare_force_from_depth_all():
 
 
 def block_force_from_depth_all(out, d, A, E_star, t0):
-    np.multiply(C33, E_star, out)
+    np.multiply(C36, E_star, out)
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
     np.divide(out, C6, out)
     np.multiply(out, d, out)
-    np.multiply(C32, d, t0)
+    np.multiply(C35, d, t0)
     np.divide(t0, A, t0)
     np.sqrt(t0, t0)
     np.sqrt(t0, t0)
     np.multiply(out, t0, out)
+
+
+def load_within(r, a, A, E_star):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v10 = 64.0 * E_star * A
+            if r < a:
+                if r > 0.0:
+                    v7 = sqrt((a - r) * (a + r))
+                    v14 = r * r
+                    v17 = a * a
+                    return v10 / 45.0 * v14 * (3.0 * (v17 * v17) / (v7 + a) + v17 * v7 + 2.0 * v14 * v7)
+                return 0.0
+            return v10 / 15.0 * pow(a, 5.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(a, A, E_star):
+    v9 = (64.0) * E_star
+    v10 = v9 * A
+    v12 = v10 / (45.0)
+    v16 = np.square(a)
+    v17 = np.square(v16)
+    v19 = (3.0) * v17
+    v33 = v10 / (15.0)
+    v35 = np.power(a, (5.0))
+    v36 = v33 * v35
+    return (a, v12, v16, v19, v36)
+
+
+def block_load_within_r(out, r, a, v12, v16, v19, v36, t0, t1, t2, t3, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some37 = np.count_nonzero(m0)
+    if some37:
+        np.greater(r, C3, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, out)
+            np.multiply(v12, out, t1)
+            np.add(t0, a, t2)
+            np.divide(v19, t2, t2)
+            np.multiply(v16, t0, t3)
+            np.add(t2, t3, t3)
+            np.multiply(C0, out, out)
+            np.multiply(out, t0, t0)
+            np.add(t3, t0, t0)
+            np.multiply(t1, t0, out)
+        if some31 != size:
+            np.copyto(out, C3, where=~m1)
+    if some37 != size:
+        np.copyto(out, v36, where=~m0)
+
+
+def prepare_load_within_r_a(A, E_star):
+    v9 = (64.0) * E_star
+    v10 = v9 * A
+    v12 = v10 / (45.0)
+    v33 = v10 / (15.0)
+    return (v12, v33)
+
+
+def block_load_within_r_a(out, r, a, v12, v33, t0, t1, t2, t3, t4, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some37 = np.count_nonzero(m0)
+    if some37:
+        np.greater(r, C3, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.square(r, out)
+            np.multiply(v12, out, t1)
+            np.square(a, t2)
+            np.square(t2, t3)
+            np.multiply(C2, t3, t3)
+            np.add(t0, a, t4)
+            np.divide(t3, t4, t4)
+            np.multiply(t2, t0, t2)
+            np.add(t4, t2, t2)
+            np.multiply(C0, out, out)
+            np.multiply(out, t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(t1, t0, out)
+        if some31 != size:
+            np.copyto(out, C3, where=~m1)
+    if some37 != size:
+        other37 = t0 if some37 else out
+        np.power(a, C6, other37)
+        np.multiply(v33, other37, other37)
+        if some37:
+            np.copyto(out, other37, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, a, A, E_star, t0, t1, t2, t3, t4, t5, m0, m1):
+    size = out.size
+    np.multiply(C33, E_star, t0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(t0, A, t0)
+    np.less(r, a, m0)
+    some37 = np.count_nonzero(m0)
+    if some37:
+        np.greater(r, C3, m1)
+        some31 = np.count_nonzero(m1)
+        if some31:
+            np.subtract(a, r, out)
+            np.add(a, r, t1)
+            np.multiply(out, t1, t1)
+            np.sqrt(t1, t1)
+            np.divide(t0, C37, out)
+            np.square(r, t2)
+            np.multiply(out, t2, out)
+            np.square(a, t3)
+            np.square(t3, t4)
+            np.multiply(C2, t4, t4)
+            np.add(t1, a, t5)
+            np.divide(t4, t5, t5)
+            np.multiply(t3, t1, t3)
+            np.add(t5, t3, t3)
+            np.multiply(C0, t2, t2)
+            np.multiply(t2, t1, t1)
+            np.add(t3, t1, t1)
+            np.multiply(out, t1, out)
+        if some31 != size:
+            np.copyto(out, C3, where=~m1)
+    if some37 != size:
+        other37 = t1 if some37 else out
+        np.divide(t0, C34, other37)
+        np.power(a, C6, t3)
+        np.multiply(other37, t3, other37)
+        if some37:
+            np.copyto(out, other37, where=~m0)
 
 
 def mean_pressure(a, A, E_star):
@@ -575,12 +782,12 @@ def prepare_mean_pressure_all():
 
 
 def block_mean_pressure_all(out, a, A, E_star, t0):
-    np.multiply(C30, E_star, out)
+    np.multiply(C33, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C34, out)
+    np.divide(out, C38, out)
     np.square(a, t0)
     np.multiply(a, t0, t0)
     np.multiply(out, t0, out)
@@ -609,7 +816,7 @@ def block_peak_pressure_a(out, a, v7):
         raise FloatingPointError
     np.multiply(a, out, out)
     np.multiply(v7, out, out)
-    np.multiply(out, C35, out)
+    np.multiply(out, C39, out)
 
 
 def prepare_peak_pressure_all():
@@ -617,16 +824,16 @@ def prepare_peak_pressure_all():
 
 
 def block_peak_pressure_all(out, a, A, E_star, t0):
-    np.multiply(C36, E_star, out)
+    np.multiply(C40, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C37, out)
+    np.divide(out, C41, out)
     np.square(a, t0)
     np.multiply(a, t0, t0)
     np.multiply(out, t0, t0)
-    np.multiply(t0, C35, out)
+    np.multiply(t0, C39, out)
 
 
 def peak_radius(a, A=1.0, E_star=1.0):
@@ -643,7 +850,7 @@ def prepare_peak_radius_all():
 
 
 def block_peak_radius_all(out, a):
-    np.multiply(a, C38, out)
+    np.multiply(a, C42, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -736,9 +943,9 @@ def block_pressure_all(out, r, a, A, E_star, t0, t1, t2, m0):
         np.add(a, r, t0)
         np.multiply(out, t0, t0)
         np.sqrt(t0, t0)
-        np.multiply(C36, E_star, out)
+        np.multiply(C40, E_star, out)
         np.multiply(out, A, out)
-        np.divide(out, C37, out)
+        np.divide(out, C41, out)
         np.square(a, t1)
         np.square(r, t2)
         np.multiply(C0, t2, t2)
@@ -848,7 +1055,7 @@ def prepare_radius_from_force_F(A, E_star):
 
 def block_radius_from_force_F(out, F, v7, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, t0)
+    np.multiply(C34, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
@@ -877,11 +1084,11 @@ def prepare_radius_from_force_all():
 
 def block_radius_from_force_all(out, F, A, E_star, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, t0)
+    np.multiply(C34, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C30, E_star, t1)
+    np.multiply(C33, E_star, t1)
     np.multiply(t1, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C5, t0)
@@ -949,6 +1156,10 @@ BLOCKS = {
         ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 5, 1, (), False),
         ('r', 'a', 'A'): (('r', 'a', 'A'), prepare_displacement_all, block_displacement_all, 5, 1, (), False),
     },
+    ('_energy', 1, 'a', 'A', 'E_star'): {
+        ('a',): (('a',), prepare_energy_a, block_energy_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_energy_all, block_energy_all, 1, 0, (), False),
+    },
     ('_force', 1, 'a', 'A', 'E_star'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
         ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
@@ -956,6 +1167,11 @@ BLOCKS = {
     ('_force_from_depth', 1, 'd', 'A', 'E_star'): {
         ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 1, 0, (), False),
         ('d', 'A', 'E_star'): (('d', 'A', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 1, 0, (), False),
+    },
+    ('_load_within', 2, 'r', 'a', 'A', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 4, 2, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_load_within_r_a, block_load_within_r_a, 5, 2, (), False),
+        ('r', 'a', 'A', 'E_star'): (('r', 'a', 'A', 'E_star'), prepare_load_within_all, block_load_within_all, 6, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'A', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),

@@ -164,6 +164,65 @@ def displacement(r, a, theta, b):
     return None
 
 
+def energy(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v4 = tan(theta)
+            v5 = v4 / b
+            v9 = a - b
+            v10 = a + b
+            if a < b:
+                v21 = v5 * (a * a)
+            else:
+                v12 = sqrt(v9 * v10)
+                v21 = v4 * a * (atan(v12 / b) + b / (v12 + a))
+            v22 = a if a < b or a != a else b
+            v24 = asinh(v22 / v22)
+            v30 = 0.0 - expm1(-2.0 * v24)
+            v33 = v30 if v30 > 0.0 else inf
+            v61 = v22 * v22
+            v66 = []
+            for node, weight in RULE_0(v24 / 1.0):
+                v34 = node * v24
+                v43 = v22 * (exp(-v34) * (0.0 - expm1(-2.0 * (v24 - v34))) / v33)
+                if v43 < b:
+                    v58 = v5 * (v43 * v43)
+                else:
+                    v49 = sqrt((v43 - b) * (v43 + b))
+                    v58 = v4 * v43 * (atan(v49 / b) + b / (v49 + v43))
+                v59 = v21 - v58
+                v65 = v59 * v59 * sqrt(v61 + v43 * v43)
+                v66.append(weight * v65)
+            v66 = fsum(v66) * v24
+            if a > b:
+                v70 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * v10)
+                v72 = asinh(v70 / b)
+                v75 = 0.0 - expm1(-2.0 * v72)
+                v77 = v75 if v75 > 0.0 else inf
+                v89 = b * b
+                v103 = []
+                for node, weight in RULE_0(v72 / 1.0):
+                    v79 = node * v72
+                    v88 = v70 * (exp(-v79) * (0.0 - expm1(-2.0 * (v72 - v79))) / v77)
+                    v92 = sqrt(v89 + v88 * v88)
+                    v100 = v21 - v4 * v92 * (atan(v88 / b) + b / (v88 + v92))
+                    v102 = v100 * v100 * v88
+                    v103.append(weight * v102)
+                v103 = fsum(v103) * v72
+                v104 = v103
+            else:
+                v104 = 0.0
+            value = E_star * (v66 + v104)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, theta, b, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, theta, b, E_star):
     if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -274,6 +333,83 @@ def force_from_depth(d, theta, b, E_star):
                 return value
             if value != value and ordinary(d, theta, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, theta, b, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = a if a < b or a != a else b
+            v6 = r if r < v5 or r != r else v5
+            v38 = tan(theta)
+            if v6 > 0.0:
+                v7 = v5 - v6
+                v12 = sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * (v5 + v6))
+                v14 = asinh(v12 / v6)
+                v19 = 0.0 - expm1(-2.0 * v14)
+                v22 = v19 if v19 > 0.0 else inf
+                v23 = v6 * v6
+                v41 = 2.0 * v38 / b
+                v46 = []
+                for node, weight in RULE_0(v14 / 1.0):
+                    v25 = node * v14
+                    v34 = v12 * (exp(-v25) * (0.0 - expm1(-2.0 * (v14 - v25))) / v22)
+                    v37 = sqrt(v23 + v34 * v34)
+                    v45 = v41 * v37 * (v34 / (v37 + v34))
+                    v46.append(weight * v45)
+                v46 = fsum(v46) * v14
+                v48 = v23 * v46
+            else:
+                v48 = 0.0
+            v51 = nextafter(b, inf) if r == b else r
+            if a > (v51 if v51 > b or v51 != v51 else b):
+                v52 = v51 < b
+                v53 = 0.0 if v52 else 1.0
+                v54 = a - b
+                v58 = sqrt((v54 if v54 > 0.0 or v54 != v54 else 0.0) * (a + b))
+                v59 = a - v51
+                v63 = sqrt((v59 if v59 > 0.0 or v59 != v59 else 0.0) * (a + v51))
+                v71 = asinh((v58 if v52 else v63) / sqrt(abs(v51 - b) * (v51 + b)))
+                v72 = 2.0 * v53
+                v73 = 1.0 - v72
+                v75 = expm1(-2.0 * v71)
+                v77 = v72 - v73 * v75
+                v79 = v77 if v77 > 0.0 else inf
+                v81 = 2.0 * (1.0 - v53)
+                v82 = 1.0 - v81
+                v84 = v81 - v82 * v75
+                v86 = v84 if v84 > 0.0 else inf
+                v106 = b * b
+                v112 = 2.0 * b
+                v122 = []
+                for node, weight in RULE_0(v71 / 1.0):
+                    v90 = node * v71
+                    v92 = exp(-v90)
+                    v95 = expm1(-2.0 * (v71 - v90))
+                    v100 = v58 * (v92 * (v72 - v73 * v95) / v79)
+                    v105 = v63 * (v92 * (v81 - v82 * v95) / v86)
+                    v109 = sqrt(v106 + v100 * v100)
+                    v121 = v38 * (atan(v100 / b) + v112 / (v100 + v109)) * (v100 / v109) * (v105 / (v109 + v105))
+                    v122.append(weight * v121)
+                v122 = fsum(v122) * v71
+                v124 = v51 * v51 * v122
+            else:
+                v124 = 0.0
+            v125 = r if r < a or r != r else a
+            v132 = v125 * v125
+            if v125 < b:
+                v154 = 4.0 * E_star * v38 / (3.0 * b) * (v125 * v132)
+            else:
+                v138 = sqrt((v125 - b) * (v125 + b))
+                v154 = E_star * v38 * (v132 * atan(v138 / b) + 4.0 * b * v132 / (3.0 * (v138 + v125)) + b / 3.0 * v138)
+            value = v154 + 2.0 * E_star * (v48 + v124)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star):
+                return value
+            return None
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -258,6 +258,81 @@ def displacement(r, a, R1, R2, b):
     return None
 
 
+def energy(a, R1, R2, b, E_star):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v9 = b / R2
+            v10 = a - b
+            v14 = a + b
+            if a < b:
+                v62 = a * a / R1
+            else:
+                v11 = v10 / b
+                if v11 < 0.42:
+                    v57 = v11 * sqrt(v11) * ((((((0.0005288491342179178 * v11 + 0.038096760299703034) * v11 + 0.4065213849117787) * v11 + 1.438682033198726) * v11 + 1.9979042349620892) * v11 + 0.9428090415820634) / (((((0.006421883194715949 * v11 + 0.15001504718401248) * v11 + 0.9450913324352289) * v11 + 2.37401087025821) * v11 + 2.569097449054519) * v11 + 1.0))
+                else:
+                    v17 = sqrt(v10 * v14) / b
+                    v57 = v17 - atan(v17)
+                v62 = a * (a / R1 + v9 * v57)
+            v63 = a if a < b or a != a else b
+            v65 = asinh(v63 / v63)
+            v70 = 0.0 - expm1(-2.0 * v65)
+            v73 = v70 if v70 > 0.0 else inf
+            v129 = v63 * v63
+            v134 = []
+            for node, weight in RULE_0(v65 / 1.0):
+                v74 = node * v65
+                v83 = v63 * (exp(-v74) * (0.0 - expm1(-2.0 * (v65 - v74))) / v73)
+                if v83 < b:
+                    v126 = v83 * v83 / R1
+                else:
+                    v87 = v83 - b
+                    v88 = v87 / b
+                    if v88 < 0.42:
+                        v121 = v88 * sqrt(v88) * ((((((0.0005288491342179178 * v88 + 0.038096760299703034) * v88 + 0.4065213849117787) * v88 + 1.438682033198726) * v88 + 1.9979042349620892) * v88 + 0.9428090415820634) / (((((0.006421883194715949 * v88 + 0.15001504718401248) * v88 + 0.9450913324352289) * v88 + 2.37401087025821) * v88 + 2.569097449054519) * v88 + 1.0))
+                    else:
+                        v93 = sqrt(v87 * (v83 + b)) / b
+                        v121 = v93 - atan(v93)
+                    v126 = v83 * (v83 / R1 + v9 * v121)
+                v127 = v62 - v126
+                v133 = v127 * v127 * sqrt(v129 + v83 * v83)
+                v134.append(weight * v133)
+            v134 = fsum(v134) * v65
+            if a > b:
+                v138 = sqrt((v10 if v10 > 0.0 or v10 != v10 else 0.0) * v14)
+                v140 = asinh(v138 / b)
+                v143 = 0.0 - expm1(-2.0 * v140)
+                v145 = v143 if v143 > 0.0 else inf
+                v157 = b * b
+                v215 = []
+                for node, weight in RULE_0(v140 / 1.0):
+                    v147 = node * v140
+                    v156 = v138 * (exp(-v147) * (0.0 - expm1(-2.0 * (v140 - v147))) / v145)
+                    v160 = sqrt(v157 + v156 * v156)
+                    v162 = v156 / b
+                    if v162 < 1.0:
+                        v165 = v162 * v162
+                        v208 = v162 * v165 * (((((((2.229767813968649e-06 * v165 + 0.0021043873129700233) * v165 + 0.04325113828415611) * v165 + 0.2725778671008127) * v165 + 0.7123414383945195) * v165 + 0.8116412201960678) * v165 + 0.3333333333333333) / ((((((0.002445452808893491 * v165 + 0.06453295925870227) * v165 + 0.5368820963772863) * v165 + 1.9680296155712274) * v165 + 3.5294070829658954) * v165 + 3.034923660588189) * v165 + 1.0))
+                    else:
+                        v208 = v162 - atan(v162)
+                    v212 = v62 - v160 * (v160 / R1 + v9 * v208)
+                    v214 = v212 * v212 * v156
+                    v215.append(weight * v214)
+                v215 = fsum(v215) * v140
+                v216 = v215
+            else:
+                v216 = 0.0
+            value = E_star * (v134 + v216)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R1, R2, b, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R1, R2, b, E_star):
     if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -442,6 +517,91 @@ def force_from_depth(d, R1, R2, b, E_star):
                 return value
             if value != value and ordinary(d, R1, R2, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R1, R2, b, E_star):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = a if a < b or a != a else b
+            v7 = r if r < v6 or r != r else v6
+            if v7 > 0.0:
+                v8 = v6 - v7
+                v13 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (v6 + v7))
+                v15 = asinh(v13 / v7)
+                v20 = 0.0 - expm1(-2.0 * v15)
+                v23 = v20 if v20 > 0.0 else inf
+                v24 = v7 * v7
+                v45 = []
+                for node, weight in RULE_0(v15 / 1.0):
+                    v26 = node * v15
+                    v35 = v13 * (exp(-v26) * (0.0 - expm1(-2.0 * (v15 - v26))) / v23)
+                    v38 = sqrt(v24 + v35 * v35)
+                    v44 = 2.0 * v38 / R1 * (v35 / (v38 + v35))
+                    v45.append(weight * v44)
+                v45 = fsum(v45) * v15
+                v47 = v24 * v45
+            else:
+                v47 = 0.0
+            v50 = nextafter(b, inf) if r == b else r
+            v115 = b / R2
+            if a > (v50 if v50 > b or v50 != v50 else b):
+                v51 = v50 < b
+                v52 = 0.0 if v51 else 1.0
+                v53 = a - b
+                v57 = sqrt((v53 if v53 > 0.0 or v53 != v53 else 0.0) * (a + b))
+                v58 = a - v50
+                v62 = sqrt((v58 if v58 > 0.0 or v58 != v58 else 0.0) * (a + v50))
+                v70 = asinh((v57 if v51 else v62) / sqrt(abs(v50 - b) * (v50 + b)))
+                v71 = 2.0 * v52
+                v72 = 1.0 - v71
+                v74 = expm1(-2.0 * v70)
+                v76 = v71 - v72 * v74
+                v78 = v76 if v76 > 0.0 else inf
+                v80 = 2.0 * (1.0 - v52)
+                v81 = 1.0 - v80
+                v83 = v80 - v81 * v74
+                v85 = v83 if v83 > 0.0 else inf
+                v105 = b * b
+                v123 = []
+                for node, weight in RULE_0(v70 / 1.0):
+                    v89 = node * v70
+                    v91 = exp(-v89)
+                    v94 = expm1(-2.0 * (v70 - v89))
+                    v99 = v57 * (v91 * (v71 - v72 * v94) / v78)
+                    v104 = v62 * (v91 * (v80 - v81 * v94) / v85)
+                    v108 = sqrt(v105 + v99 * v99)
+                    v122 = (2.0 * v108 / R1 + 2.0 * v99 / R2 - v115 * atan2(v99, b)) * (v99 / v108) * (v104 / (v108 + v104))
+                    v123.append(weight * v122)
+                v123 = fsum(v123) * v70
+                v125 = v50 * v50 * v123
+            else:
+                v125 = 0.0
+            v126 = r if r < a or r != r else a
+            v130 = 3.0 * R1
+            v132 = v126 * v126
+            v133 = v126 * v132
+            if v126 < b:
+                v193 = 4.0 * E_star / v130 * v133
+            else:
+                v135 = v126 - b
+                v137 = v135 * (v126 + b)
+                v138 = sqrt(v137)
+                v142 = v135 / b
+                if v142 < 0.42:
+                    v184 = v142 * sqrt(v142) * ((((((0.0005288491342179178 * v142 + 0.038096760299703034) * v142 + 0.4065213849117787) * v142 + 1.438682033198726) * v142 + 1.9979042349620892) * v142 + 0.9428090415820634) / (((((0.006421883194715949 * v142 + 0.15001504718401248) * v142 + 0.9450913324352289) * v142 + 2.37401087025821) * v142 + 2.569097449054519) * v142 + 1.0))
+                else:
+                    v145 = v138 / b
+                    v184 = v145 - atan(v145)
+                v193 = E_star * (4.0 * v133 / v130 + v115 * v132 * v184 + v137 * v138 / (3.0 * R2))
+            value = v193 + 2.0 * E_star * (v47 + v125)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star):
+                return value
+            return None
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -266,6 +266,55 @@ def displacement(r, a, R, b):
     return None
 
 
+def energy(a, R, b, E_star):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v4 = b / R
+                v6 = a - b
+                v7 = v6 / b
+                v10 = a + b
+                if v7 < 0.42:
+                    v53 = v7 * sqrt(v7) * ((((((0.0005288491342179178 * v7 + 0.038096760299703034) * v7 + 0.4065213849117787) * v7 + 1.438682033198726) * v7 + 1.9979042349620892) * v7 + 0.9428090415820634) / (((((0.006421883194715949 * v7 + 0.15001504718401248) * v7 + 0.9450913324352289) * v7 + 2.37401087025821) * v7 + 2.569097449054519) * v7 + 1.0))
+                else:
+                    v13 = sqrt(v6 * v10) / b
+                    v53 = v13 - atan(v13)
+                v54 = v4 * a * v53
+                if a > b:
+                    v58 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * v10)
+                    v60 = asinh(v58 / b)
+                    v64 = 0.0 - expm1(-2.0 * v60)
+                    v67 = v64 if v64 > 0.0 else inf
+                    v79 = b * b
+                    v135 = []
+                    for node, weight in RULE_0(v60 / 1.0):
+                        v69 = node * v60
+                        v78 = v58 * (exp(-v69) * (0.0 - expm1(-2.0 * (v60 - v69))) / v67)
+                        v84 = v78 / b
+                        if v84 < 1.0:
+                            v87 = v84 * v84
+                            v130 = v84 * v87 * (((((((2.229767813968649e-06 * v87 + 0.0021043873129700233) * v87 + 0.04325113828415611) * v87 + 0.2725778671008127) * v87 + 0.7123414383945195) * v87 + 0.8116412201960678) * v87 + 0.3333333333333333) / ((((((0.002445452808893491 * v87 + 0.06453295925870227) * v87 + 0.5368820963772863) * v87 + 1.9680296155712274) * v87 + 3.5294070829658954) * v87 + 3.034923660588189) * v87 + 1.0))
+                        else:
+                            v130 = v84 - atan(v84)
+                        v132 = v54 - v4 * sqrt(v79 + v78 * v78) * v130
+                        v134 = v132 * v132 * v78
+                        v135.append(weight * v134)
+                    v135 = fsum(v135) * v60
+                    v136 = v135
+                else:
+                    v136 = 0.0
+                value = E_star * (b * v54 * v54 + v136)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, R, b, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R, b, E_star):
     if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
         try:
@@ -413,6 +462,71 @@ def force_from_depth(d, R, b, E_star):
                 return value
             if value != value and ordinary(d, R, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R, b, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v8 = nextafter(b, inf) if r == b else r
+                if a > (v8 if v8 > b or v8 != v8 else b):
+                    v9 = v8 < b
+                    v12 = 0.0 if v9 else 1.0
+                    v13 = a - b
+                    v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + b))
+                    v18 = a - v8
+                    v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (a + v8))
+                    v30 = asinh((v17 if v9 else v22) / sqrt(abs(v8 - b) * (v8 + b)))
+                    v32 = 2.0 * v12
+                    v33 = 1.0 - v32
+                    v36 = expm1(-2.0 * v30)
+                    v38 = v32 - v33 * v36
+                    v40 = v38 if v38 > 0.0 else inf
+                    v42 = 2.0 * (1.0 - v12)
+                    v43 = 1.0 - v42
+                    v45 = v42 - v43 * v36
+                    v47 = v45 if v45 > 0.0 else inf
+                    v67 = b * b
+                    v74 = b / R
+                    v82 = []
+                    for node, weight in RULE_0(v30 / 1.0):
+                        v51 = node * v30
+                        v53 = exp(-v51)
+                        v56 = expm1(-2.0 * (v30 - v51))
+                        v61 = v17 * (v53 * (v32 - v33 * v56) / v40)
+                        v66 = v22 * (v53 * (v42 - v43 * v56) / v47)
+                        v70 = sqrt(v67 + v61 * v61)
+                        v81 = (2.0 * v61 / R - v74 * atan2(v61, b)) * (v61 / v70) * (v66 / (v70 + v66))
+                        v82.append(weight * v81)
+                    v82 = fsum(v82) * v30
+                    v84 = v8 * v8 * v82
+                else:
+                    v84 = 0.0
+                if r > b:
+                    v86 = r if r < a or r != r else a
+                    v87 = v86 if v86 > b or v86 != v86 else b
+                    v88 = v87 - b
+                    v90 = v88 * (v87 + b)
+                    v91 = sqrt(v90)
+                    v95 = v88 / b
+                    if v95 < 0.42:
+                        v137 = v95 * sqrt(v95) * ((((((0.0005288491342179178 * v95 + 0.038096760299703034) * v95 + 0.4065213849117787) * v95 + 1.438682033198726) * v95 + 1.9979042349620892) * v95 + 0.9428090415820634) / (((((0.006421883194715949 * v95 + 0.15001504718401248) * v95 + 0.9450913324352289) * v95 + 2.37401087025821) * v95 + 2.569097449054519) * v95 + 1.0))
+                    else:
+                        v98 = v91 / b
+                        v137 = v98 - atan(v98)
+                    v144 = E_star / R * (b * (v87 * v87) * v137 + v90 * v91 / 3.0)
+                else:
+                    v144 = 0.0
+                value = v144 + 2.0 * E_star * v84
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -38,19 +38,25 @@ C26 = np.array(4528.267624848188)
 C27 = np.array(0.8571428571428571)
 C28 = np.array(32.0)
 C29 = np.array(15.707963267948966)
-C30 = np.array(192.0)
-C31 = np.array(35.0)
-C32 = np.array(20.0)
-C33 = np.array(0.16666666666666666)
-C34 = np.array(109.95574287564276)
-C35 = np.array(1.1260325006104943)
-C36 = np.array(151.42562584220406)
-C37 = np.array(78.53981633974483)
-C38 = np.array(0.8264458251405348)
-C39 = np.array(2.0)
-C40 = np.array(8.0)
-C41 = np.array(3.0)
-C42 = np.array(4.0)
+C30 = np.array(13.0)
+C31 = np.array(18432.0)
+C32 = np.array(2.0)
+C33 = np.array(2275.0)
+C34 = np.array(192.0)
+C35 = np.array(35.0)
+C36 = np.array(20.0)
+C37 = np.array(0.16666666666666666)
+C38 = np.array(8.0)
+C39 = np.array(15.0)
+C40 = np.array(3.0)
+C41 = np.array(4.0)
+C42 = np.array(64.0)
+C43 = np.array(175.0)
+C44 = np.array(109.95574287564276)
+C45 = np.array(1.1260325006104943)
+C46 = np.array(151.42562584220406)
+C47 = np.array(78.53981633974483)
+C48 = np.array(0.8264458251405348)
 
 
 def depth(a, A):
@@ -454,6 +460,50 @@ def block_displacement_all(out, r, a, A, t0, t1, t2, t3, t4, m0):
             np.copyto(out, other83, where=~m0)
 
 
+def energy(a, A, E_star):
+    if a.__class__ is A.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            value = 18432.0 * E_star * (A * A) / 2275.0 * pow(a, 13.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_energy_a(A, E_star):
+    v4 = (18432.0) * E_star
+    v6 = np.square(A)
+    v7 = v4 * v6
+    v9 = v7 / (2275.0)
+    return (v9,)
+
+
+def block_energy_a(out, a, v9):
+    np.power(a, C30, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+
+
+def prepare_energy_all():
+    return ()
+
+
+def block_energy_all(out, a, A, E_star, t0):
+    np.multiply(C31, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.square(A, t0)
+    np.multiply(out, t0, t0)
+    np.divide(t0, C33, t0)
+    np.power(a, C30, out)
+    np.multiply(t0, out, out)
+
+
 def force(a, A, E_star):
     if a.__class__ is A.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -483,12 +533,12 @@ def prepare_force_all():
 
 
 def block_force_all(out, a, A, E_star, t0):
-    np.multiply(C30, E_star, out)
+    np.multiply(C34, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C31, out)
+    np.divide(out, C35, out)
     np.power(a, C6, t0)
     np.multiply(out, t0, out)
 
@@ -519,9 +569,9 @@ def block_force_from_depth_d(out, d, A, v6, t0, t1, t2, t3, m0, m1):
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    np.multiply(C32, d, t0)
+    np.multiply(C36, d, t0)
     np.divide(t0, A, t0)
-    np.power(t0, C33, t1)
+    np.power(t0, C37, t1)
     np.greater(t0, C3, m0)
     np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
@@ -552,9 +602,9 @@ def block_force_from_depth_all(out, d, A, E_star, t0, t1, t2, t3, m0, m1):
         raise FloatingPointError
     np.divide(out, C6, out)
     np.multiply(out, d, out)
-    np.multiply(C32, d, t0)
+    np.multiply(C36, d, t0)
     np.divide(t0, A, t0)
-    np.power(t0, C33, t1)
+    np.power(t0, C37, t1)
     np.greater(t0, C3, m0)
     np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
@@ -571,6 +621,194 @@ def block_force_from_depth_all(out, d, A, E_star, t0, t1, t2, t3, m0, m1):
     if some27 != size:
         np.copyto(t2, t1, where=~m1)
     np.multiply(out, t2, out)
+
+
+def load_within(r, a, A, E_star):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if r < a:
+                if r > 0.0:
+                    v7 = sqrt((a - r) * (a + r))
+                    v16 = a * a
+                    v23 = r * r
+                    value = 64.0 * E_star * A / 175.0 * v23 * (15.0 * pow(a, 6.0) / (v7 + a) + 3.0 * (v16 * v16) * v7 + 4.0 * v16 * v23 * v7 + 8.0 * (v23 * v23) * v7)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            return 192.0 * E_star * A / 35.0 * pow(a, 7.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_load_within_r(a, A, E_star):
+    v9 = np.power(a, (6.0))
+    v11 = (15.0) * v9
+    v16 = np.square(a)
+    v17 = np.square(v16)
+    v19 = (3.0) * v17
+    v22 = (4.0) * v16
+    v36 = (64.0) * E_star
+    v37 = v36 * A
+    v39 = v37 / (175.0)
+    v44 = (192.0) * E_star
+    v45 = v44 * A
+    v47 = v45 / (35.0)
+    v49 = np.power(a, (7.0))
+    v50 = v47 * v49
+    return (a, v11, v19, v22, v39, v50)
+
+
+def block_load_within_r(out, r, a, v11, v19, v22, v39, v50, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    some51 = np.count_nonzero(m0)
+    if some51:
+        np.greater(r, C3, m1)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.add(t0, a, out)
+            np.divide(v11, out, out)
+            np.multiply(v19, t0, t1)
+            np.add(out, t1, t1)
+            np.square(r, out)
+            np.multiply(v22, out, t2)
+            np.multiply(t2, t0, t2)
+            np.add(t1, t2, t2)
+            np.square(out, t1)
+            np.multiply(C38, t1, t1)
+            np.multiply(t1, t0, t0)
+            np.add(t2, t0, t0)
+            np.multiply(v39, out, out)
+            np.multiply(out, t0, out)
+        if some42 != size:
+            np.copyto(out, C3, where=~m1)
+    if some51 != size:
+        np.copyto(out, v50, where=~m0)
+
+
+def prepare_load_within_r_a(A, E_star):
+    v36 = (64.0) * E_star
+    v37 = v36 * A
+    v39 = v37 / (175.0)
+    v44 = (192.0) * E_star
+    v45 = v44 * A
+    v47 = v45 / (35.0)
+    return (v39, v47)
+
+
+def block_load_within_r_a(out, r, a, v39, v47, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some51 = np.count_nonzero(m0)
+    if some51:
+        np.greater(r, C3, m1)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.power(a, C0, out)
+            np.multiply(C39, out, out)
+            np.add(t0, a, t1)
+            np.divide(out, t1, t1)
+            np.square(a, out)
+            np.square(out, t2)
+            np.multiply(C40, t2, t2)
+            np.multiply(t2, t0, t2)
+            np.add(t1, t2, t2)
+            np.multiply(C41, out, out)
+            np.square(r, t1)
+            np.multiply(out, t1, out)
+            np.multiply(out, t0, out)
+            np.add(t2, out, out)
+            np.square(t1, t2)
+            np.multiply(C38, t2, t2)
+            np.multiply(t2, t0, t0)
+            np.add(out, t0, t0)
+            np.multiply(v39, t1, t1)
+            np.multiply(t1, t0, out)
+        if some42 != size:
+            np.copyto(out, C3, where=~m1)
+    if some51 != size:
+        other51 = t0 if some51 else out
+        np.power(a, C6, other51)
+        np.multiply(v47, other51, other51)
+        if some51:
+            np.copyto(out, other51, where=~m0)
+
+
+def prepare_load_within_all():
+    return ()
+
+
+def block_load_within_all(out, r, a, A, E_star, t0, t1, t2, m0, m1):
+    size = out.size
+    np.less(r, a, m0)
+    largest_r = largest(r)
+    if largest_r == np.inf:
+        raise FloatingPointError
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some51 = np.count_nonzero(m0)
+    if some51:
+        np.greater(r, C3, m1)
+        some42 = np.count_nonzero(m1)
+        if some42:
+            np.subtract(a, r, out)
+            np.add(a, r, t0)
+            np.multiply(out, t0, t0)
+            np.sqrt(t0, t0)
+            np.power(a, C0, out)
+            np.multiply(C39, out, out)
+            np.add(t0, a, t1)
+            np.divide(out, t1, t1)
+            np.square(a, out)
+            np.square(out, t2)
+            np.multiply(C40, t2, t2)
+            np.multiply(t2, t0, t2)
+            np.add(t1, t2, t2)
+            np.multiply(C41, out, out)
+            np.square(r, t1)
+            np.multiply(out, t1, out)
+            np.multiply(out, t0, out)
+            np.add(t2, out, out)
+            np.square(t1, t2)
+            np.multiply(C38, t2, t2)
+            np.multiply(t2, t0, t0)
+            np.add(out, t0, t0)
+            np.multiply(C42, E_star, out)
+            np.multiply(out, A, out)
+            np.divide(out, C43, out)
+            np.multiply(out, t1, t1)
+            np.multiply(t1, t0, out)
+        if some42 != size:
+            np.copyto(out, C3, where=~m1)
+    if some51 != size:
+        other51 = t0 if some51 else out
+        np.multiply(C34, E_star, other51)
+        np.multiply(other51, A, other51)
+        np.divide(other51, C35, other51)
+        np.power(a, C6, t1)
+        np.multiply(other51, t1, other51)
+        if some51:
+            np.copyto(out, other51, where=~m0)
 
 
 def mean_pressure(a, A, E_star):
@@ -602,12 +840,12 @@ def prepare_mean_pressure_all():
 
 
 def block_mean_pressure_all(out, a, A, E_star, t0):
-    np.multiply(C30, E_star, out)
+    np.multiply(C34, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C34, out)
+    np.divide(out, C44, out)
     np.power(a, C2, t0)
     np.multiply(out, t0, out)
 
@@ -634,7 +872,7 @@ def block_peak_pressure_a(out, a, v7):
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(v7, out, out)
-    np.multiply(out, C35, out)
+    np.multiply(out, C45, out)
 
 
 def prepare_peak_pressure_all():
@@ -642,15 +880,15 @@ def prepare_peak_pressure_all():
 
 
 def block_peak_pressure_all(out, a, A, E_star, t0):
-    np.multiply(C36, E_star, out)
+    np.multiply(C46, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
     np.multiply(out, A, out)
-    np.divide(out, C37, out)
+    np.divide(out, C47, out)
     np.power(a, C2, t0)
     np.multiply(out, t0, t0)
-    np.multiply(t0, C35, out)
+    np.multiply(t0, C45, out)
 
 
 def peak_radius(a, A=1.0, E_star=1.0):
@@ -667,7 +905,7 @@ def prepare_peak_radius_all():
 
 
 def block_peak_radius_all(out, a):
-    np.multiply(a, C38, out)
+    np.multiply(a, C48, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -711,7 +949,7 @@ def block_pressure_r(out, r, a, v14, v20, v21, t0, t1, f0):
     np.multiply(v21, out, t1)
     np.add(v20, t1, t1)
     np.square(out, out)
-    np.multiply(C40, out, out)
+    np.multiply(C38, out, out)
     np.add(t1, out, out)
     np.multiply(v14, out, out)
     np.multiply(out, t0, out)
@@ -741,13 +979,13 @@ def block_pressure_r_a(out, r, a, v13, t0, t1, t2, m0):
         np.sqrt(t0, t0)
         np.square(a, out)
         np.square(out, t1)
-        np.multiply(C41, t1, t1)
-        np.multiply(C42, out, out)
+        np.multiply(C40, t1, t1)
+        np.multiply(C41, out, out)
         np.square(r, t2)
         np.multiply(out, t2, out)
         np.add(t1, out, out)
         np.square(t2, t2)
-        np.multiply(C40, t2, t2)
+        np.multiply(C38, t2, t2)
         np.add(out, t2, t2)
         np.multiply(v13, t2, t2)
         np.multiply(t2, t0, out)
@@ -776,16 +1014,16 @@ def block_pressure_all(out, r, a, A, E_star, t0, t1, t2, t3, m0):
         np.sqrt(t0, t0)
         np.multiply(C28, E_star, out)
         np.multiply(out, A, out)
-        np.divide(out, C37, out)
+        np.divide(out, C47, out)
         np.square(a, t1)
         np.square(t1, t2)
-        np.multiply(C41, t2, t2)
-        np.multiply(C42, t1, t1)
+        np.multiply(C40, t2, t2)
+        np.multiply(C41, t1, t1)
         np.square(r, t3)
         np.multiply(t1, t3, t1)
         np.add(t2, t1, t1)
         np.square(t3, t3)
-        np.multiply(C40, t3, t3)
+        np.multiply(C38, t3, t3)
         np.add(t1, t3, t3)
         np.multiply(out, t3, t3)
         np.multiply(t3, t0, out)
@@ -854,7 +1092,7 @@ def block_radius_from_depth_d(out, d, v5, t0, t1, t2, m0, m1):
     if largest_d == np.inf:
         raise FloatingPointError
     np.divide(t0, v5, t0)
-    np.power(t0, C33, t1)
+    np.power(t0, C37, t1)
     np.greater(t0, C3, m0)
     np.less(t0, C4, m1)
     np.bitwise_and(m0, m1, m1)
@@ -884,7 +1122,7 @@ def block_radius_from_depth_all(out, d, A, t0, t1, t2, m0, m1):
         raise FloatingPointError
     np.multiply(C1, A, t1)
     np.divide(t0, t1, t1)
-    np.power(t1, C33, t0)
+    np.power(t1, C37, t0)
     np.greater(t1, C3, m0)
     np.less(t1, C4, m1)
     np.bitwise_and(m0, m1, m1)
@@ -926,7 +1164,7 @@ def prepare_radius_from_force_F(A, E_star):
 
 def block_radius_from_force_F(out, F, v7, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, t0)
+    np.multiply(C35, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
@@ -955,11 +1193,11 @@ def prepare_radius_from_force_all():
 
 def block_radius_from_force_all(out, F, A, E_star, t0, t1, t2, m0, m1):
     size = out.size
-    np.multiply(C31, F, t0)
+    np.multiply(C35, F, t0)
     largest_F = largest(F)
     if largest_F == np.inf:
         raise FloatingPointError
-    np.multiply(C30, E_star, t1)
+    np.multiply(C34, E_star, t1)
     np.multiply(t1, A, t1)
     np.divide(t0, t1, t1)
     np.power(t1, C5, t0)
@@ -1006,7 +1244,7 @@ def prepare_stiffness_all():
 
 
 def block_stiffness_all(out, a, E_star):
-    np.multiply(C39, E_star, out)
+    np.multiply(C32, E_star, out)
     largest_a = largest(a)
     if largest_a == np.inf:
         raise FloatingPointError
@@ -1027,6 +1265,10 @@ BLOCKS = {
         ('r', 'a'): (('r', 'a'), prepare_displacement_r_a, block_displacement_r_a, 5, 1, (), False),
         ('r', 'a', 'A'): (('r', 'a', 'A'), prepare_displacement_all, block_displacement_all, 5, 1, (), False),
     },
+    ('_energy', 1, 'a', 'A', 'E_star'): {
+        ('a',): (('a',), prepare_energy_a, block_energy_a, 0, 0, (), False),
+        ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_energy_all, block_energy_all, 1, 0, (), False),
+    },
     ('_force', 1, 'a', 'A', 'E_star'): {
         ('a',): (('a',), prepare_force_a, block_force_a, 0, 0, (), False),
         ('a', 'A', 'E_star'): (('a', 'A', 'E_star'), prepare_force_all, block_force_all, 1, 0, (), False),
@@ -1034,6 +1276,11 @@ BLOCKS = {
     ('_force_from_depth', 1, 'd', 'A', 'E_star'): {
         ('d',): (('d',), prepare_force_from_depth_d, block_force_from_depth_d, 4, 2, (), False),
         ('d', 'A', 'E_star'): (('d', 'A', 'E_star'), prepare_force_from_depth_all, block_force_from_depth_all, 4, 2, (), False),
+    },
+    ('_load_within', 2, 'r', 'a', 'A', 'E_star'): {
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 3, 2, (), False),
+        ('r', 'a'): (('r', 'a'), prepare_load_within_r_a, block_load_within_r_a, 3, 2, (), False),
+        ('r', 'a', 'A', 'E_star'): (('r', 'a', 'A', 'E_star'), prepare_load_within_all, block_load_within_all, 3, 2, (), False),
     },
     ('_mean_pressure', 1, 'a', 'A', 'E_star'): {
         ('a',): (('a',), prepare_mean_pressure_a, block_mean_pressure_a, 0, 0, (), False),

@@ -150,6 +150,42 @@ def displacement(r, a, R):
     return None
 
 
+def energy(a, R, E_star):
+    if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= R:
+                if a < R:
+                    v5 = R - a
+                    v9 = a * (log1p(2.0 * a / v5) / 2.0)
+                    v15 = a / sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (R + a))
+                    v16 = asinh(v15)
+                    v21 = 0.0 - expm1(-2.0 * v16)
+                    v24 = v21 if v21 > 0.0 else inf
+                    v49 = []
+                    for node, weight in RULE_0(v16 / 1.0):
+                        v26 = node * v16
+                        v35 = v15 * (exp(-v26) * (0.0 - expm1(-2.0 * (v16 - v26))) / v24)
+                        v38 = sqrt(1.0 + v35 * v35)
+                        v40 = R * (v35 / v38)
+                        v45 = v9 - v40 * asinh(v40 / (R / v38))
+                        v48 = v45 * v45 / (v38 * v38)
+                        v49.append(weight * v48)
+                    v49 = fsum(v49) * v16
+                    v51 = R * v49
+                else:
+                    v51 = inf
+                value = E_star * v51
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, R, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R, E_star):
     if a.__class__ is R.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -291,6 +327,57 @@ def force_from_depth(d, R, E_star):
                 return value
             if value != value and ordinary(d, R, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            if a <= R:
+                v4 = r if r < a or r != r else a
+                v5 = R - v4
+                v11 = v4 / R
+                v34 = v4 > 0.0
+                v71 = v11 * v11
+                if v34 and a < R:
+                    v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (R + v4))
+                    v12 = a - v4
+                    v17 = R - a
+                    v22 = sqrt((v12 if v12 > 0.0 or v12 != v12 else 0.0) * (a + v4)) / sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (R + a))
+                    v24 = asinh(v22 / v11)
+                    v29 = 0.0 - expm1(-2.0 * v24)
+                    v32 = v29 if v29 > 0.0 else inf
+                    v33 = v4 * v4
+                    v75 = []
+                    for node, weight in RULE_0(v24 / 1.0):
+                        v38 = node * v24
+                        v47 = v22 * (exp(-v38) * (0.0 - expm1(-2.0 * (v24 - v38))) / v32)
+                        v48 = v47 * v47
+                        v50 = sqrt(1.0 + v48)
+                        v52 = v10 * (v47 / v50)
+                        v53 = v10 / v50
+                        v56 = sqrt(v33 + v52 * v52)
+                        v74 = (asinh(v56 / v53) + R * v56 / (v53 * v53)) * (v52 / (v56 + v52)) * (v53 / (v50 * v50 * v56)) * sqrt(v71 + v48)
+                        v75.append(weight * v74)
+                    v75 = fsum(v75) * v24
+                    v77 = v33 * v75
+                else:
+                    v77 = inf if v34 else 0.0
+                v82 = log1p(2.0 * v4 / v5) / 2.0
+                if v82 < 1.0:
+                    v89 = v82 * v82
+                    v124 = v11 * v71 * ((((((1.0716932453474512e-06 * v89 + 0.00019982814521087247) * v89 + 0.007076196047699156) * v89 + 0.08608622548411103) * v89 + 0.3073858328214721) * v89 + 0.3333333333333333) / (((((2.565078604208634e-08 * v89 + 2.0203143566039827e-05) * v89 + 0.001617010334189783) * v89 + 0.03639274880225476) * v89 + 0.32215749846441627) * v89 + 1.0))
+                else:
+                    v124 = v82 - v11
+                value = E_star * (v4 * v4 * v82 + R * R * v124) + 2.0 * E_star * v77
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

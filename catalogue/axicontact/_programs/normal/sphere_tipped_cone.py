@@ -253,6 +253,74 @@ def displacement(r, a, R, theta):
     return None
 
 
+def energy(a, R, theta, E_star):
+    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v5 = R * sin(theta)
+            v7 = R * cos(theta)
+            v8 = v7 < v5
+            v9 = v7 * v7
+            v10 = R - a
+            v14 = a - v5
+            v15 = a + v5
+            v23 = v5 * v5
+            v27 = v23 / (v7 + R)
+            if a < v5:
+                v42 = a * (log1p(2.0 * a / v10) / 2.0)
+            else:
+                v17 = v9 - v10 * (R + a) if v8 else v14 * v15
+                v20 = sqrt(v17 if v17 > 0.0 or v17 != v17 else 0.0)
+                v42 = a * (log1p((v23 / (v20 + a) + v27) / (v20 + v7)) + v5 * atan2(v20, v5) / v7)
+            v43 = a if a < v5 or a != a else v5
+            v48 = 1.0 - 2.0 * theta / 3.141592653589793
+            v50 = asinh(v43 / R)
+            v54 = 0.0 - expm1(-2.0 * v50)
+            v57 = v54 if v54 > 0.0 else inf
+            v98 = R * R
+            v103 = []
+            for node, weight in RULE_0(v50 / v48):
+                v58 = node * v50
+                v67 = v43 * (exp(-v58) * (0.0 - expm1(-2.0 * (v50 - v58))) / v57)
+                v68 = R - v67
+                if v67 < v5:
+                    v95 = v67 * (log1p(2.0 * v67 / v68) / 2.0)
+                else:
+                    v75 = v9 - v68 * (R + v67) if v8 else (v67 - v5) * (v67 + v5)
+                    v77 = sqrt(v75 if v75 > 0.0 or v75 != v75 else 0.0)
+                    v95 = v67 * (log1p((v23 / (v77 + v67) + v27) / (v77 + v7)) + v5 * atan2(v77, v5) / v7)
+                v96 = v42 - v95
+                v102 = v96 * v96 * sqrt(v98 + v67 * v67)
+                v103.append(weight * v102)
+            v103 = fsum(v103) * v50
+            if a > v5:
+                v107 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * v15)
+                v109 = asinh(v107 / v5)
+                v112 = 0.0 - expm1(-2.0 * v109)
+                v114 = v112 if v112 > 0.0 else inf
+                v126 = v5 * v5
+                v152 = []
+                for node, weight in RULE_0(v109 / v48):
+                    v116 = node * v109
+                    v125 = v107 * (exp(-v116) * (0.0 - expm1(-2.0 * (v109 - v116))) / v114)
+                    v129 = sqrt(v126 + v125 * v125)
+                    v149 = v42 - (v129 * (log1p(2.0 * v129 / (R - v129)) / 2.0) if v129 < v5 else v129 * (log1p((v23 / (v125 + v129) + v27) / (v125 + v7)) + v5 * atan2(v125, v5) / v7))
+                    v151 = v149 * v149 * v125
+                    v152.append(weight * v151)
+                v152 = fsum(v152) * v109
+                v153 = v152
+            else:
+                v153 = 0.0
+            value = E_star * (v103 + v153)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, theta, E_star):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R, theta, E_star):
     if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
@@ -304,6 +372,113 @@ def force_from_depth(d, R, theta, E_star):
                 return value
             if value != value and ordinary(d, R, theta, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R, theta, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30):
+        try:
+            v6 = R * sin(theta)
+            v7 = a if a < v6 or a != a else v6
+            v8 = r if r < v7 or r != r else v7
+            v38 = v8 > 0.0
+            if v38 and v7 < R:
+                v9 = R - v8
+                v14 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (R + v8))
+                v15 = v8 / R
+                v16 = v7 - v8
+                v21 = R - v7
+                v26 = sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (v7 + v8)) / sqrt((v21 if v21 > 0.0 or v21 != v21 else 0.0) * (R + v7))
+                v28 = asinh(v26 / v15)
+                v33 = 0.0 - expm1(-2.0 * v28)
+                v36 = v33 if v33 > 0.0 else inf
+                v37 = v8 * v8
+                v75 = v15 * v15
+                v79 = []
+                for node, weight in RULE_0(v28 / 1.0):
+                    v42 = node * v28
+                    v51 = v26 * (exp(-v42) * (0.0 - expm1(-2.0 * (v28 - v42))) / v36)
+                    v52 = v51 * v51
+                    v54 = sqrt(1.0 + v52)
+                    v56 = v14 * (v51 / v54)
+                    v57 = v14 / v54
+                    v60 = sqrt(v37 + v56 * v56)
+                    v78 = (asinh(v60 / v57) + R * v60 / (v57 * v57)) * (v56 / (v60 + v56)) * (v57 / (v54 * v54 * v60)) * sqrt(v75 + v52)
+                    v79.append(weight * v78)
+                v79 = fsum(v79) * v28
+                v81 = v37 * v79
+            else:
+                v81 = inf if v38 else 0.0
+            v85 = 1.0 - 2.0 * theta / 3.141592653589793
+            v88 = nextafter(v6, inf) if r == v6 else r
+            v143 = v6 * v6
+            v148 = R * cos(theta)
+            v150 = v6 * v6
+            v154 = v150 / (v148 + R)
+            v162 = v150 * R
+            v163 = v148 * v148
+            if a > (v88 if v88 > v6 or v88 != v88 else v6):
+                v89 = v88 < v6
+                v90 = 0.0 if v89 else 1.0
+                v91 = a - v6
+                v95 = sqrt((v91 if v91 > 0.0 or v91 != v91 else 0.0) * (a + v6))
+                v96 = a - v88
+                v100 = sqrt((v96 if v96 > 0.0 or v96 != v96 else 0.0) * (a + v88))
+                v108 = asinh((v95 if v89 else v100) / sqrt(abs(v88 - v6) * (v88 + v6)))
+                v109 = 2.0 * v90
+                v110 = 1.0 - v109
+                v112 = expm1(-2.0 * v108)
+                v114 = v109 - v110 * v112
+                v116 = v114 if v114 > 0.0 else inf
+                v118 = 2.0 * (1.0 - v90)
+                v119 = 1.0 - v118
+                v121 = v118 - v119 * v112
+                v123 = v121 if v121 > 0.0 else inf
+                v175 = []
+                for node, weight in RULE_0(v108 / v85):
+                    v127 = node * v108
+                    v129 = exp(-v127)
+                    v132 = expm1(-2.0 * (v108 - v127))
+                    v137 = v95 * (v129 * (v109 - v110 * v132) / v116)
+                    v142 = v100 * (v129 * (v118 - v119 * v132) / v123)
+                    v146 = sqrt(v143 + v137 * v137)
+                    v174 = (log1p((v150 / (v137 + v146) + v154) / (v137 + v148)) + v6 * atan2(v137, v6) / v148 + v162 / (v146 * v163 + R * v137 * v148)) * (v137 / v146) * (v142 / (v146 + v142))
+                    v175.append(weight * v174)
+                v175 = fsum(v175) * v108
+                v177 = v88 * v88 * v175
+            else:
+                v177 = 0.0
+            v178 = r if r < a or r != r else a
+            v188 = v148 * v148 - (R - v178) * (R + v178) if v148 < v6 else (v178 - v6) * (v178 + v6)
+            v190 = sqrt(v188 if v188 > 0.0 or v188 != v188 else 0.0)
+            v191 = v178 if v178 < v6 or v178 != v178 else v6
+            v199 = asinh(v191 / (sqrt((R - v191) * (v191 + R)) if v178 < v6 else v148))
+            v203 = tanh(v199)
+            if v199 < 1.0:
+                v208 = v199 * v199
+                v243 = v203 * (v203 * v203) * ((((((1.0716932453474512e-06 * v208 + 0.00019982814521087247) * v208 + 0.007076196047699156) * v208 + 0.08608622548411103) * v208 + 0.3073858328214721) * v208 + 0.3333333333333333) / (((((2.565078604208634e-08 * v208 + 2.0203143566039827e-05) * v208 + 0.001617010334189783) * v208 + 0.03639274880225476) * v208 + 0.32215749846441627) * v208 + 1.0))
+            else:
+                v243 = v199 - v203
+            v247 = 2.0 * E_star
+            v249 = asinh(v190 / v6)
+            v252 = 0.0 - expm1(-2.0 * v249)
+            v254 = v252 if v252 > 0.0 else inf
+            v286 = []
+            for node, weight in RULE_0(v249 / v85):
+                v255 = node * v249
+                v264 = v190 * (exp(-v255) * (0.0 - expm1(-2.0 * (v249 - v255))) / v254)
+                v267 = sqrt(v143 + v264 * v264)
+                v285 = (log1p((v150 / (v264 + v267) + v154) / (v264 + v148)) + v6 * atan2(v264, v6) / v148 + v162 / (v267 * v163 + R * v264 * v148)) * v264 * v267
+                v286.append(weight * v285)
+            v286 = fsum(v286) * v249
+            value = E_star * (v191 * v191 * v199 + R * R * v243) + v247 * v286 + v247 * (v81 + v177)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta, E_star):
+                return value
+            return None
         except (ArithmeticError, ValueError):
             pass
     return None

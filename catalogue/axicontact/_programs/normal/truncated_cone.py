@@ -123,6 +123,43 @@ def displacement(r, a, theta, b):
     return None
 
 
+def energy(a, theta, b, E_star):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v4 = a - b
+                v5 = a + b
+                v10 = tan(theta)
+                v12 = v10 * a * atan(sqrt(v4 * v5) / b)
+                if a > b:
+                    v16 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * v5)
+                    v18 = asinh(v16 / b)
+                    v23 = 0.0 - expm1(-2.0 * v18)
+                    v26 = v23 if v23 > 0.0 else inf
+                    v38 = b * b
+                    v49 = []
+                    for node, weight in RULE_0(v18 / 1.0):
+                        v28 = node * v18
+                        v37 = v16 * (exp(-v28) * (0.0 - expm1(-2.0 * (v18 - v28))) / v26)
+                        v46 = v12 - v10 * sqrt(v38 + v37 * v37) * atan(v37 / b)
+                        v48 = v46 * v46 * v37
+                        v49.append(weight * v48)
+                    v49 = fsum(v49) * v18
+                    v50 = v49
+                else:
+                    v50 = 0.0
+                value = E_star * (b * v12 * v12 + v50)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, theta, b, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, theta, b, E_star):
     if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
         try:
@@ -187,6 +224,64 @@ def force_from_depth(d, theta, b, E_star):
                 return value
             if value != value and ordinary(d, theta, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, theta, b, E_star):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v8 = nextafter(b, inf) if r == b else r
+                v73 = tan(theta)
+                if a > (v8 if v8 > b or v8 != v8 else b):
+                    v9 = v8 < b
+                    v12 = 0.0 if v9 else 1.0
+                    v13 = a - b
+                    v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + b))
+                    v18 = a - v8
+                    v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (a + v8))
+                    v30 = asinh((v17 if v9 else v22) / sqrt(abs(v8 - b) * (v8 + b)))
+                    v32 = 2.0 * v12
+                    v33 = 1.0 - v32
+                    v36 = expm1(-2.0 * v30)
+                    v38 = v32 - v33 * v36
+                    v40 = v38 if v38 > 0.0 else inf
+                    v42 = 2.0 * (1.0 - v12)
+                    v43 = 1.0 - v42
+                    v45 = v42 - v43 * v36
+                    v47 = v45 if v45 > 0.0 else inf
+                    v67 = b * b
+                    v75 = b * v73
+                    v83 = []
+                    for node, weight in RULE_0(v30 / 1.0):
+                        v51 = node * v30
+                        v53 = exp(-v51)
+                        v56 = expm1(-2.0 * (v30 - v51))
+                        v61 = v17 * (v53 * (v32 - v33 * v56) / v40)
+                        v66 = v22 * (v53 * (v42 - v43 * v56) / v47)
+                        v70 = sqrt(v67 + v61 * v61)
+                        v82 = (v73 * atan(v61 / b) + v75 / v61) * (v61 / v70) * (v66 / (v70 + v66))
+                        v83.append(weight * v82)
+                    v83 = fsum(v83) * v30
+                    v85 = v8 * v8 * v83
+                else:
+                    v85 = 0.0
+                if r > b:
+                    v87 = r if r < a or r != r else a
+                    v88 = v87 if v87 > b or v87 != v87 else b
+                    v92 = sqrt((v88 - b) * (v88 + b))
+                    v101 = E_star * v73 * (v88 * v88 * atan(v92 / b) + b * v92)
+                else:
+                    v101 = 0.0
+                value = v101 + 2.0 * E_star * v85
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -120,6 +120,42 @@ def displacement(r, a, R, b):
     return None
 
 
+def energy(a, R, b, E_star):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v4 = a - b
+                v5 = a + b
+                v9 = a * sqrt(v4 * v5) / R
+                if a > b:
+                    v13 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * v5)
+                    v15 = asinh(v13 / b)
+                    v20 = 0.0 - expm1(-2.0 * v15)
+                    v23 = v20 if v20 > 0.0 else inf
+                    v35 = b * b
+                    v44 = []
+                    for node, weight in RULE_0(v15 / 1.0):
+                        v25 = node * v15
+                        v34 = v13 * (exp(-v25) * (0.0 - expm1(-2.0 * (v15 - v25))) / v23)
+                        v41 = v9 - sqrt(v35 + v34 * v34) * v34 / R
+                        v43 = v41 * v41 * v34
+                        v44.append(weight * v43)
+                    v44 = fsum(v44) * v15
+                    v45 = v44
+                else:
+                    v45 = 0.0
+                value = E_star * (b * v9 * v9 + v45)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(a, R, b, E_star):
+                    return value
+                return None
+            return nan
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def force(a, R, b, E_star):
     if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
         try:
@@ -183,6 +219,63 @@ def force_from_depth(d, R, b, E_star):
                 return value
             if value != value and ordinary(d, R, b, E_star):
                 return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def load_within(r, a, R, b, E_star):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (b <= a):
+        try:
+            if a >= b:
+                v8 = nextafter(b, inf) if r == b else r
+                v73 = b * b
+                if a > (v8 if v8 > b or v8 != v8 else b):
+                    v9 = v8 < b
+                    v12 = 0.0 if v9 else 1.0
+                    v13 = a - b
+                    v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (a + b))
+                    v18 = a - v8
+                    v22 = sqrt((v18 if v18 > 0.0 or v18 != v18 else 0.0) * (a + v8))
+                    v30 = asinh((v17 if v9 else v22) / sqrt(abs(v8 - b) * (v8 + b)))
+                    v32 = 2.0 * v12
+                    v33 = 1.0 - v32
+                    v36 = expm1(-2.0 * v30)
+                    v38 = v32 - v33 * v36
+                    v40 = v38 if v38 > 0.0 else inf
+                    v42 = 2.0 * (1.0 - v12)
+                    v43 = 1.0 - v42
+                    v45 = v42 - v43 * v36
+                    v47 = v45 if v45 > 0.0 else inf
+                    v67 = b * b
+                    v82 = []
+                    for node, weight in RULE_0(v30 / 1.0):
+                        v51 = node * v30
+                        v53 = exp(-v51)
+                        v56 = expm1(-2.0 * (v30 - v51))
+                        v61 = v17 * (v53 * (v32 - v33 * v56) / v40)
+                        v66 = v22 * (v53 * (v42 - v43 * v56) / v47)
+                        v70 = sqrt(v67 + v61 * v61)
+                        v81 = (2.0 * v61 / R + v73 / (R * v61)) * (v61 / v70) * (v66 / (v70 + v66))
+                        v82.append(weight * v81)
+                    v82 = fsum(v82) * v30
+                    v84 = v8 * v8 * v82
+                else:
+                    v84 = 0.0
+                v92 = 2.0 * E_star
+                if r > b:
+                    v86 = r if r < a or r != r else a
+                    v87 = v86 if v86 > b or v86 != v86 else b
+                    v101 = v92 / (3.0 * R) * (2.0 * (v87 * v87) + v73) * sqrt((v87 - b) * (v87 + b))
+                else:
+                    v101 = 0.0
+                value = v101 + v92 * v84
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star):
+                    return value
+                return None
+            return nan
         except (ArithmeticError, ValueError):
             pass
     return None

@@ -133,6 +133,48 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
+const energy = (d, a, R, E_star) => {
+  let v10, v23, v31, v4, v5;
+  v4 = (R * d);
+  v5 = Math.sqrt(v4);
+  v10 = (R * R);
+  if ((v5 > a)) {
+    v23 = (a * a);
+    v31 = (((((-E_star) / (3.0 * v10)) * a) * (v23 - v4)) * (v23 + ((3.0 * R) * d)));
+  } else {
+    v31 = 0.0;
+  }
+  return ((((8.0 * E_star) / (15.0 * v10)) * Math.pow((((v5 < a) || (v5 !== v5)) ? v5 : a), 5.0)) + v31);
+};
+
+const load_within = (r, d, a, R, E_star) => {
+  let v15, v17, v22, v33, v43, v46, v48, v49, v5, v50, v52, v53, v6, v62, v64, v65, v7, v76, v79, value;
+  v5 = (R * d);
+  v6 = Math.sqrt(v5);
+  v7 = (((v6 < a) || (v6 !== v6)) ? v6 : a);
+  v17 = (4.0 * E_star);
+  v33 = (a * a);
+  if ((r < v7)) {
+    v15 = Math.sqrt(((v7 - r) * (v7 + r)));
+    v22 = (r * r);
+    return ((((v17 / (3.0 * R)) * v22) * (v15 + ((v7 * v7) / (v7 + v15)))) + ((v6 > a) ? (((((-2.0) * E_star) * v22) * (v33 - v5)) / (R * (Math.sqrt(((a - r) * (a + r))) + a))) : 0.0));
+  }
+  v43 = (a * a);
+  v46 = (134217729.0 * R);
+  v48 = (v46 - (v46 - R));
+  v49 = (R - v48);
+  v50 = (134217729.0 * d);
+  v52 = (v50 - (v50 - d));
+  v53 = (d - v52);
+  v62 = (134217729.0 * a);
+  v64 = (v62 - (v62 - a));
+  v65 = (a - v64);
+  v76 = (((v5 - v43) + ((((((v48 * v52) - v5) + (v48 * v53)) + (v49 * v52)) + (v49 * v53)) - (((((v64 * v64) - v43) + (v64 * v65)) + (v65 * v64)) + (v65 * v65)))) / R);
+  v79 = (v33 / R);
+  value = ((((v17 / 3.0) * v7) * (((d < v79) || (d !== d)) ? d : v79)) + (((2.0 * E_star) * a) * (((v76 > 0.0) || (v76 !== v76)) ? v76 : 0.0)));
+  return value;
+};
+
 const force = (d, a, R, E_star) => {
   let v10, v11, v12, v14, v15, v24, v26, v27, v38, v39, v4, v48, v5, v8, value;
   v4 = (R * d);
@@ -230,6 +272,8 @@ const depth_from_force = (F, a, R, E_star) => {
 };
 
 const formulas = {
+  "U": (v) => energy(v.d, v.a, v.R, v.E_star),
+  "Fr": (v) => load_within(v.r, v.d, v.a, v.R, v.E_star),
   "F": (v) => force(v.d, v.a, v.R, v.E_star),
   "p": (v) => pressure(v.r, v.d, v.a, v.R, v.E_star),
   "w": (v) => displacement(v.r, v.d, v.a, v.R),
@@ -330,6 +374,31 @@ window.calculator = { ...{
   }
  ],
  "formulas": {
+  "U": {
+   "gives": "U",
+   "needs": [
+    "d",
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
+  },
   "F": {
    "gives": "F",
    "needs": [

@@ -266,6 +266,123 @@ const mean_pressure = (a, R1, R2, b, E_star) => {
   return value;
 };
 
+const energy = (a, R1, R2, b, E_star) => {
+  let node, v13, v19, v20, v22, v28, v31, v32, v41, v54, v56, v60, v61, v65, v67, v70, v72, v74, v8, v83, v84, v87, v9, v92, v94, v95, v96, value, weight;
+  v8 = (a - b);
+  v9 = (a + b);
+  v13 = ((R1 - R2) / R2);
+  v19 = ((a < b) ? ((a * a) / R1) : ((a * (a + (v13 * Math.sqrt((v8 * v9))))) / R1));
+  v20 = (((a < b) || (a !== a)) ? a : b);
+  v22 = Math.asinh((v20 / v20));
+  v28 = (0.0 - Math.expm1(((-2.0) * v22)));
+  v31 = ((v28 > 0.0) ? v28 : Infinity);
+  v56 = (v20 * v20);
+  v61 = [];
+  for ([node, weight] of RULE_0((v22 / 1.0))) {
+    v32 = (node * v22);
+    v41 = (v20 * ((Math.exp((-v32)) * (0.0 - Math.expm1(((-2.0) * (v22 - v32))))) / v31));
+    v54 = (v19 - ((v41 < b) ? ((v41 * v41) / R1) : ((v41 * (v41 + (v13 * Math.sqrt(((v41 - b) * (v41 + b)))))) / R1)));
+    v60 = ((v54 * v54) * Math.sqrt((v56 + (v41 * v41))));
+    v61.push((weight * v60));
+  }
+  v61 = (math.fsum(v61) * v22);
+  if ((a > b)) {
+    v65 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * v9));
+    v67 = Math.asinh((v65 / b));
+    v70 = (0.0 - Math.expm1(((-2.0) * v67)));
+    v72 = ((v70 > 0.0) ? v70 : Infinity);
+    v84 = (b * b);
+    v95 = [];
+    for ([node, weight] of RULE_0((v67 / 1.0))) {
+      v74 = (node * v67);
+      v83 = (v65 * ((Math.exp((-v74)) * (0.0 - Math.expm1(((-2.0) * (v67 - v74))))) / v72));
+      v87 = Math.sqrt((v84 + (v83 * v83)));
+      v92 = (v19 - ((v87 * (v87 + (v13 * v83))) / R1));
+      v94 = ((v92 * v92) * v83);
+      v95.push((weight * v94));
+    }
+    v95 = (math.fsum(v95) * v67);
+    v96 = v95;
+  } else {
+    v96 = 0.0;
+  }
+  value = (E_star * (v61 + v96));
+  return value;
+};
+
+const load_within = (r, a, R1, R2, b, E_star) => {
+  let node, v104, v105, v108, v111, v113, v114, v117, v118, v126, v127, v129, v13, v130, v134, v136, v137, v143, v15, v20, v23, v24, v26, v35, v38, v44, v45, v47, v50, v51, v52, v53, v57, v58, v6, v62, v7, v70, v71, v72, v74, v76, v78, v8, v80, v81, v83, v85, v89, v91, v94, v99, value, weight;
+  v6 = (((a < b) || (a !== a)) ? a : b);
+  v7 = (((r < v6) || (r !== r)) ? r : v6);
+  if ((v7 > 0.0)) {
+    v8 = (v6 - v7);
+    v13 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (v6 + v7)));
+    v15 = Math.asinh((v13 / v7));
+    v20 = (0.0 - Math.expm1(((-2.0) * v15)));
+    v23 = ((v20 > 0.0) ? v20 : Infinity);
+    v24 = (v7 * v7);
+    v45 = [];
+    for ([node, weight] of RULE_0((v15 / 1.0))) {
+      v26 = (node * v15);
+      v35 = (v13 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v15 - v26))))) / v23));
+      v38 = Math.sqrt((v24 + (v35 * v35)));
+      v44 = (((2.0 * v38) / R1) * (v35 / (v38 + v35)));
+      v45.push((weight * v44));
+    }
+    v45 = (math.fsum(v45) * v15);
+    v47 = (v24 * v45);
+  } else {
+    v47 = 0.0;
+  }
+  v50 = ((r === b) ? math.nextafter(b, Infinity) : r);
+  v111 = (R1 - R2);
+  v117 = (b * b);
+  if ((a > (((v50 > b) || (v50 !== v50)) ? v50 : b))) {
+    v51 = (v50 < b);
+    v52 = (v51 ? 0.0 : 1.0);
+    v53 = (a - b);
+    v57 = Math.sqrt(((((v53 > 0.0) || (v53 !== v53)) ? v53 : 0.0) * (a + b)));
+    v58 = (a - v50);
+    v62 = Math.sqrt(((((v58 > 0.0) || (v58 !== v58)) ? v58 : 0.0) * (a + v50)));
+    v70 = Math.asinh(((v51 ? v57 : v62) / Math.sqrt((Math.abs((v50 - b)) * (v50 + b)))));
+    v71 = (2.0 * v52);
+    v72 = (1.0 - v71);
+    v74 = Math.expm1(((-2.0) * v70));
+    v76 = (v71 - (v72 * v74));
+    v78 = ((v76 > 0.0) ? v76 : Infinity);
+    v80 = (2.0 * (1.0 - v52));
+    v81 = (1.0 - v80);
+    v83 = (v80 - (v81 * v74));
+    v85 = ((v83 > 0.0) ? v83 : Infinity);
+    v105 = (b * b);
+    v113 = (R1 * R2);
+    v114 = ((2.0 * v111) / v113);
+    v118 = (v117 * v111);
+    v127 = [];
+    for ([node, weight] of RULE_0((v70 / 1.0))) {
+      v89 = (node * v70);
+      v91 = Math.exp((-v89));
+      v94 = Math.expm1(((-2.0) * (v70 - v89)));
+      v99 = (v57 * ((v91 * (v71 - (v72 * v94))) / v78));
+      v104 = (v62 * ((v91 * (v80 - (v81 * v94))) / v85));
+      v108 = Math.sqrt((v105 + (v99 * v99)));
+      v126 = ((((((2.0 * v108) / R1) + (v114 * v99)) + (v118 / (v113 * v99))) * (v99 / v108)) * (v104 / (v108 + v104)));
+      v127.push((weight * v126));
+    }
+    v127 = (math.fsum(v127) * v70);
+    v129 = ((v50 * v50) * v127);
+  } else {
+    v129 = 0.0;
+  }
+  v130 = (((r < a) || (r !== r)) ? r : a);
+  v134 = (3.0 * R1);
+  v136 = (v130 * v130);
+  v137 = (v130 * v136);
+  v143 = (2.0 * E_star);
+  value = (((v130 < b) ? (((4.0 * E_star) / v134) * v137) : ((v143 / v134) * ((2.0 * v137) + (((v111 / R2) * ((2.0 * v136) + v117)) * Math.sqrt(((v130 - b) * (v130 + b))))))) + (v143 * (v47 + v129)));
+  return value;
+};
+
 const _slope_beyond = (t, root, R1, R2, b) => {
   let v10, v8;
   v8 = (R1 - R2);
@@ -1064,6 +1181,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.R1, v.R2, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.R1, v.R2, v.b),
   "pm": (v) => mean_pressure(v.a, v.R1, v.R2, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.R1, v.R2, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.R1, v.R2, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R1, v.R2, v.b),
   "aF": (v) => radius_from_force(v.F, v.R1, v.R2, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R1, v.R2, v.b, v.E_star),
@@ -1326,6 +1445,33 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "R1",
+    "R2",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "R1",
+    "R2",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -170,6 +170,26 @@ const mean_pressure = (a, theta, E_star) => {
   return ((E_star * Math.tan(theta)) / 2.0);
 };
 
+const energy = (a, theta, E_star) => {
+  let v5;
+  v5 = Math.tan(theta);
+  return ((((9.869604401089358 * E_star) * (v5 * v5)) / 12.0) * (a * (a * a)));
+};
+
+const load_within = (r, a, theta, E_star) => {
+  let v11, v4, v7;
+  v11 = ((3.141592653589793 * E_star) * Math.tan(theta));
+  if ((r < a)) {
+    if ((r > 0.0)) {
+      v4 = (a - r);
+      v7 = Math.sqrt((v4 * (a + r)));
+      return (((v11 * (r * r)) * ((a / (v7 + a)) + Math.log1p(((v4 + v7) / r)))) / 2.0);
+    }
+    return 0.0;
+  }
+  return ((v11 * (a * a)) / 2.0);
+};
+
 const radius_from_depth = (d, theta) => {
   return ((2.0 * d) / (3.141592653589793 * Math.tan(theta)));
 };
@@ -478,6 +498,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.theta),
   "k": (v) => stiffness(v.a, v.E_star, v.theta),
   "pm": (v) => mean_pressure(v.a, v.theta, v.E_star),
+  "U": (v) => energy(v.a, v.theta, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.theta, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.theta),
   "aF": (v) => radius_from_force(v.F, v.theta, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.E_star),
@@ -708,6 +730,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "theta",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -335,6 +335,86 @@ const mean_pressure = (a, h, b, E_star) => {
   return 0.0;
 };
 
+const energy = (a, h, b, E_star) => {
+  let node, v10, v12, v18, v19, v24, v27, v29, v38, v41, v43, v49, v52, v53, v55, v6, value, weight;
+  if ((a <= b)) {
+    if ((a < b)) {
+      v6 = (b - a);
+      v10 = (h / b);
+      v12 = ((v10 * a) * (Math.log1p(((2.0 * a) / v6)) / 2.0));
+      v18 = (a / Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (b + a))));
+      v19 = Math.asinh(v18);
+      v24 = (0.0 - Math.expm1(((-2.0) * v19)));
+      v27 = ((v24 > 0.0) ? v24 : Infinity);
+      v53 = [];
+      for ([node, weight] of RULE_0((v19 / 1.0))) {
+        v29 = (node * v19);
+        v38 = (v18 * ((Math.exp((-v29)) * (0.0 - Math.expm1(((-2.0) * (v19 - v29))))) / v27));
+        v41 = Math.sqrt((1.0 + (v38 * v38)));
+        v43 = (b * (v38 / v41));
+        v49 = (v12 - ((v10 * v43) * Math.asinh((v43 / (b / v41)))));
+        v52 = ((v49 * v49) / (v41 * v41));
+        v53.push((weight * v52));
+      }
+      v53 = (math.fsum(v53) * v19);
+      v55 = (b * v53);
+    } else {
+      v55 = Infinity;
+    }
+    value = (E_star * v55);
+    return value;
+  }
+  return NaN;
+};
+
+const load_within = (r, a, h, b, E_star) => {
+  let node, v11, v12, v128, v13, v18, v23, v25, v30, v33, v34, v35, v39, v48, v49, v5, v51, v53, v54, v57, v6, v60, v74, v77, v78, v80, v85, v93, value, weight;
+  if ((a <= b)) {
+    v5 = (((r < a) || (r !== r)) ? r : a);
+    v6 = (b - v5);
+    v12 = (v5 / b);
+    v35 = (v5 > 0.0);
+    v74 = (v12 * v12);
+    if ((v35 && (a < b))) {
+      v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (b + v5)));
+      v13 = (a - v5);
+      v18 = (b - a);
+      v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + v5))) / Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (b + a))));
+      v25 = Math.asinh((v23 / v12));
+      v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+      v33 = ((v30 > 0.0) ? v30 : Infinity);
+      v34 = (v5 * v5);
+      v60 = (h / b);
+      v78 = [];
+      for ([node, weight] of RULE_0((v25 / 1.0))) {
+        v39 = (node * v25);
+        v48 = (v23 * ((Math.exp((-v39)) * (0.0 - Math.expm1(((-2.0) * (v25 - v39))))) / v33));
+        v49 = (v48 * v48);
+        v51 = Math.sqrt((1.0 + v49));
+        v53 = (v11 * (v48 / v51));
+        v54 = (v11 / v51);
+        v57 = Math.sqrt((v34 + (v53 * v53)));
+        v77 = (((((v60 * Math.asinh((v57 / v54))) + ((h * v57) / (v54 * v54))) * (v53 / (v57 + v53))) * (v54 / ((v51 * v51) * v57))) * Math.sqrt((v74 + v49)));
+        v78.push((weight * v77));
+      }
+      v78 = (math.fsum(v78) * v25);
+      v80 = (v34 * v78);
+    } else {
+      v80 = (v35 ? Infinity : 0.0);
+    }
+    v85 = (Math.log1p(((2.0 * v5) / v6)) / 2.0);
+    if ((v85 < 1.0)) {
+      v93 = (v85 * v85);
+      v128 = ((v12 * v74) * (((((((((((1.0716932453474512e-06 * v93) + 0.00019982814521087247) * v93) + 0.007076196047699156) * v93) + 0.08608622548411103) * v93) + 0.3073858328214721) * v93) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v93) + 2.0203143566039827e-05) * v93) + 0.001617010334189783) * v93) + 0.03639274880225476) * v93) + 0.32215749846441627) * v93) + 1.0)));
+    } else {
+      v128 = (v85 - v12);
+    }
+    value = (((E_star * h) * ((((v5 * v5) * v85) / b) + (b * v128))) + ((2.0 * E_star) * v80));
+    return value;
+  }
+  return NaN;
+};
+
 const _depth_at = (a, root, h, b) => {
   return (((h / b) * a) * Math.asinh((a / root)));
 };
@@ -913,6 +993,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.h, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.h, v.b),
   "pm": (v) => mean_pressure(v.a, v.h, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.h, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.h, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.h, v.b),
   "aF": (v) => radius_from_force(v.F, v.h, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.h, v.b, v.E_star),
@@ -1158,6 +1240,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "h",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "h",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

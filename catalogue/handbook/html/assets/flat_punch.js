@@ -133,6 +133,19 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
+const energy = (d, a, E_star) => {
+  return ((E_star * (d * d)) * a);
+};
+
+const load_within = (r, d, a, E_star) => {
+  let v10;
+  v10 = ((2.0 * E_star) * d);
+  if ((r < a)) {
+    return ((v10 * (r * r)) / (Math.sqrt(((a - r) * (a + r))) + a));
+  }
+  return (v10 * a);
+};
+
 const force = (d, a, E_star) => {
   return (((2.0 * E_star) * d) * a);
 };
@@ -197,6 +210,8 @@ const displacement_of_flat_punch = (r, z, a, beta) => {
 };
 
 const formulas = {
+  "U": (v) => energy(v.d, v.a, v.E_star),
+  "Fr": (v) => load_within(v.r, v.d, v.a, v.E_star),
   "F": (v) => force(v.d, v.a, v.E_star),
   "p": (v) => pressure(v.r, v.d, v.a, v.E_star),
   "w": (v) => displacement(v.r, v.d, v.a),
@@ -321,6 +336,29 @@ window.calculator = { ...{
   }
  ],
  "formulas": {
+  "U": {
+   "gives": "U",
+   "needs": [
+    "d",
+    "a",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "d",
+    "a",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
+  },
   "F": {
    "gives": "F",
    "needs": [

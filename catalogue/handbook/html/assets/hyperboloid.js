@@ -236,6 +236,65 @@ const mean_pressure = (a, theta, b, E_star) => {
   return 0.0;
 };
 
+const energy = (a, theta, b, E_star) => {
+  let node, v15, v18, v19, v28, v33, v35, v39, v4, v40, v6, v8, v9, value, weight;
+  v4 = (a / b);
+  v6 = Math.tan(theta);
+  v8 = ((v6 * a) * Math.atan(v4));
+  v9 = Math.asinh(v4);
+  v15 = (0.0 - Math.expm1(((-2.0) * v9)));
+  v18 = ((v15 > 0.0) ? v15 : Infinity);
+  v35 = (b * b);
+  v40 = [];
+  for ([node, weight] of RULE_0((v9 / 1.0))) {
+    v19 = (node * v9);
+    v28 = (a * ((Math.exp((-v19)) * (0.0 - Math.expm1(((-2.0) * (v9 - v19))))) / v18));
+    v33 = (v8 - ((v6 * v28) * Math.atan((v28 / b))));
+    v39 = ((v33 * v33) * Math.sqrt((v35 + (v28 * v28))));
+    v40.push((weight * v39));
+  }
+  v40 = (math.fsum(v40) * v9);
+  value = (E_star * v40);
+  return value;
+};
+
+const load_within = (r, a, theta, b, E_star) => {
+  let node, v105, v11, v13, v18, v21, v22, v24, v33, v36, v39, v41, v45, v5, v51, v52, v54, v59, v6, v62, value, weight;
+  v5 = (((r < a) || (r !== r)) ? r : a);
+  v39 = Math.tan(theta);
+  v45 = (b * b);
+  if ((v5 > 0.0)) {
+    v6 = (a - v5);
+    v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (a + v5)));
+    v13 = Math.asinh((v11 / v5));
+    v18 = (0.0 - Math.expm1(((-2.0) * v13)));
+    v21 = ((v18 > 0.0) ? v18 : Infinity);
+    v22 = (v5 * v5);
+    v41 = (b * v39);
+    v52 = [];
+    for ([node, weight] of RULE_0((v13 / 1.0))) {
+      v24 = (node * v13);
+      v33 = (v11 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v13 - v24))))) / v21));
+      v36 = Math.sqrt((v22 + (v33 * v33)));
+      v51 = (((v39 * Math.atan((v36 / b))) + ((v41 * v36) / ((v36 * v36) + v45))) * (v33 / (v36 + v33)));
+      v52.push((weight * v51));
+    }
+    v52 = (math.fsum(v52) * v13);
+    v54 = (v22 * v52);
+  } else {
+    v54 = 0.0;
+  }
+  v59 = (v5 / b);
+  if ((v59 < 1.0)) {
+    v62 = (v59 * v59);
+    v105 = ((v59 * v62) * (((((((((((((2.229767813968649e-06 * v62) + 0.0021043873129700233) * v62) + 0.04325113828415611) * v62) + 0.2725778671008127) * v62) + 0.7123414383945195) * v62) + 0.8116412201960678) * v62) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v62) + 0.06453295925870227) * v62) + 0.5368820963772863) * v62) + 1.9680296155712274) * v62) + 3.5294070829658954) * v62) + 3.034923660588189) * v62) + 1.0)));
+  } else {
+    v105 = (v59 - Math.atan(v59));
+  }
+  value = (((E_star * v39) * (((v5 * v5) * Math.atan2(v5, b)) + (v45 * v105))) + ((2.0 * E_star) * v54));
+  return value;
+};
+
 const _depth = (a, theta, b) => {
   return ((Math.tan(theta) * a) * Math.atan((a / b)));
 };
@@ -738,6 +797,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.theta, v.b),
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
@@ -983,6 +1044,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -137,6 +137,13 @@ const effective_modulus = (E_1, nu_1, E_2, nu_2) => {
   return (1.0 / ((((1.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((1.0 - nu_2) * (1.0 + nu_2)) / E_2)));
 };
 
+const transversely_isotropic_modulus = (C_11, C_33, C_13, C_44) => {
+  let v6, v7;
+  v6 = (Math.sqrt(C_11) * Math.sqrt(C_33));
+  v7 = (v6 + C_13);
+  return ((2.0 * v7) * Math.sqrt(((C_44 / C_11) * ((v6 - C_13) / (v7 + (2.0 * C_44))))));
+};
+
 const effective_shear_modulus = (E_1, nu_1, E_2, nu_2) => {
   return (2.0 / ((((2.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((2.0 - nu_2) * (1.0 + nu_2)) / E_2)));
 };
@@ -170,11 +177,26 @@ const h_N = (k, nu) => {
   return value;
 };
 
+const tabor = (R, E_star, dgamma, z_0) => {
+  let v6;
+  v6 = ((dgamma / E_star) / z_0);
+  return Math.cbrt(((R / z_0) * (v6 * v6)));
+};
+
+const maugis_lambda = (R, E_star, dgamma, sigma_0) => {
+  let v4;
+  v4 = (sigma_0 / E_star);
+  return Math.cbrt(((1.432394487827058 * (v4 * v4)) * ((R * sigma_0) / dgamma)));
+};
+
 const formulas = {
   "E_star": (v) => effective_modulus(v.E_1, v.nu_1, v.E_2, v.nu_2),
+  "E_ti": (v) => transversely_isotropic_modulus(v.C_11, v.C_33, v.C_13, v.C_44),
   "G_star": (v) => effective_shear_modulus(v.E_1, v.nu_1, v.E_2, v.nu_2),
   "H": (v) => graded_modulus(v.E_0, v.c_0, v.k, v.nu),
   "h_N": (v) => h_N(v.k, v.nu),
+  "mu_T": (v) => tabor(v.R, v.E_star, v.dgamma, v.z_0),
+  "lambda_M": (v) => maugis_lambda(v.R, v.E_star, v.dgamma, v.sigma_0),
 };
 window.calculator = { ...{
  "fields": [
@@ -223,6 +245,50 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "C_11",
+   "tex": "C_{11}",
+   "meaning": "elastic constant",
+   "unit": "Pa",
+   "rule": "C_11 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "C_33",
+   "tex": "C_{33}",
+   "meaning": "elastic constant",
+   "unit": "Pa",
+   "rule": "C_33 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "C_13",
+   "tex": "C_{13}",
+   "meaning": "elastic constant",
+   "unit": "Pa",
+   "rule": "",
+   "low": null,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "C_44",
+   "tex": "C_{44}",
+   "meaning": "shear modulus in planes across the surface",
+   "unit": "Pa",
+   "rule": "C_44 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
    "name": "E_0",
    "tex": "E_0",
    "meaning": "Young's modulus at the depth of reference",
@@ -256,6 +322,61 @@ window.calculator = { ...{
    "value": ""
   },
   {
+   "name": "R",
+   "tex": "R",
+   "meaning": "radius of curvature",
+   "unit": "m",
+   "rule": "R > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "z_0",
+   "tex": "z_0",
+   "meaning": "distance of the surfaces at which they do not attract",
+   "unit": "m",
+   "rule": "z_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "sigma_0",
+   "tex": "\\sigma_0",
+   "meaning": "greatest stress of the attraction",
+   "unit": "Pa",
+   "rule": "sigma_0 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
+   "name": "E_star",
+   "tex": "E^{*}",
+   "meaning": "effective (plane-strain) modulus",
+   "unit": "Pa",
+   "rule": "E_star > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": 3300000.0
+  },
+  {
+   "name": "E",
+   "tex": "E",
+   "meaning": "Young's modulus of an elastic body under a rigid one, in place of E*",
+   "unit": "Pa",
+   "rule": "E_1 > 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "",
+   "value": ""
+  },
+  {
    "name": "nu",
    "tex": "\\nu",
    "meaning": "its Poisson ratio",
@@ -265,6 +386,17 @@ window.calculator = { ...{
    "high": 0.5,
    "closed": "high",
    "value": ""
+  },
+  {
+   "name": "dgamma",
+   "tex": "\\Delta\\gamma",
+   "meaning": "work of separation per unit area",
+   "unit": "N/m",
+   "rule": "dgamma >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 0.05
   }
  ],
  "state": [],
@@ -280,6 +412,18 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "E_star"
+  },
+  "E_ti": {
+   "gives": "E_star",
+   "needs": [
+    "C_11",
+    "C_33",
+    "C_13",
+    "C_44"
+   ],
+   "unit": "Pa",
+   "place": "",
+   "suffix": "E_ti"
   },
   "G_star": {
    "gives": "G_star",
@@ -314,6 +458,30 @@ window.calculator = { ...{
    "unit": "1",
    "place": "",
    "suffix": "h_N"
+  },
+  "mu_T": {
+   "gives": "mu_T",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma",
+    "z_0"
+   ],
+   "unit": "1",
+   "place": "",
+   "suffix": "mu_T"
+  },
+  "lambda_M": {
+   "gives": "lambda_M",
+   "needs": [
+    "R",
+    "E_star",
+    "dgamma",
+    "sigma_0"
+   ],
+   "unit": "1",
+   "place": "",
+   "suffix": "lambda_M"
   }
  },
  "place": "r"

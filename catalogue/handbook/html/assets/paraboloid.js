@@ -170,6 +170,24 @@ const mean_pressure = (a, R, E_star) => {
   return (((4.0 * E_star) / (9.42477796076938 * R)) * a);
 };
 
+const energy = (a, R, E_star) => {
+  return (((8.0 * E_star) / (15.0 * (R * R))) * Math.pow(a, 5.0));
+};
+
+const load_within = (r, a, R, E_star) => {
+  let v15, v19, v7;
+  v15 = ((4.0 * E_star) / (3.0 * R));
+  v19 = (a * a);
+  if ((r < a)) {
+    if ((r > 0.0)) {
+      v7 = Math.sqrt(((a - r) * (a + r)));
+      return ((v15 * (r * r)) * (v7 + (v19 / (v7 + a))));
+    }
+    return 0.0;
+  }
+  return (v15 * (a * v19));
+};
+
 const radius_from_depth = (d, R) => {
   return Math.sqrt((R * d));
 };
@@ -710,6 +728,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.R),
   "k": (v) => stiffness(v.a, v.E_star, v.R),
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
+  "U": (v) => energy(v.a, v.R, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.R, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R),
   "aF": (v) => radius_from_force(v.F, v.R, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.E_star),
@@ -955,6 +975,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -280,8 +280,77 @@ const mean_pressure = (a, E_star, A) => {
   return value;
 };
 
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral = math.in_groups((depth, a, d, length) => {
+  let fallen, integrand, stop;
+  stop = Math.asinh((a / length));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let short, t;
+    t = (a * fallen(v));
+    short = (d - depth(t));
+    return ((short * short) * Math.sqrt(((length * length) + (t * t))));
+  };
+  return [integrand, stop, 1.0, true, 0.0];
+});
+
+const _energy = (a, A, E_star) => {
+  let sunk, tip;
+  sunk = _depth(a, A);
+  tip = energy_integral(((t) => _depth(t, A)), [], a, sunk, a);
+  return (E_star * tip);
+};
+
+const energy = (a, E_star, A) => {
+  let value;
+  value = _energy(a, A, E_star);
+  return value;
+};
+
 const _slope = (a, A) => {
   return math.sum([...math.enumerate(A, 1)].map(([j, A_j]) => (((j * depth_over_height(j)) * Math.pow(a, (j - 1))) * A_j)));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const load_within_integral = math.in_groups((slope, r, a) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, r);
+  stop = Math.asinh((reach / r));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let t, u;
+    u = (reach * fallen(v));
+    t = Math.sqrt(((r * r) + (u * u)));
+    return (slope(t) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (r > 0.0), 0.0];
+});
+
+const _load_within = (r, a, A, E_star) => {
+  let tip;
+  tip = load_within_integral(((t) => _slope(t, A)), [], math.minimum(r, a), a);
+  return (_force(math.minimum(r, a), A, E_star) + ((2 * E_star) * tip));
+};
+
+const load_within = (r, a, E_star, A) => {
+  let value;
+  value = _load_within(r, a, A, E_star);
+  return value;
 };
 
 const _missed = (value, y) => {
@@ -659,6 +728,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.A),
   "k": (v) => stiffness(v.a, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.E_star, v.A),
+  "U": (v) => energy(v.a, v.E_star, v.A),
+  "Fr": (v) => load_within(v.r, v.a, v.E_star, v.A),
   "ad": (v) => radius_from_depth(v.d, v.A),
   "aF": (v) => radius_from_force(v.F, v.E_star, v.A),
   "Fd": (v) => force_from_depth(v.d, v.E_star, v.A),
@@ -886,6 +957,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "E_star",
+    "A"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "E_star",
+    "A"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

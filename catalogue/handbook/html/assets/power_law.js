@@ -155,7 +155,7 @@ const force = (a, A, n, E_star) => {
   return value;
 };
 
-const RULE_2 = math.rule([[16.0, 64], [Infinity, 128]]);
+const RULE_1 = math.rule([[16.0, 64], [Infinity, 128]]);
 
 const pressure = (r, a, A, n, E_star) => {
   let node, v10, v100, v105, v106, v107, v112, v114, v115, v120, v123, v125, v134, v135, v136, v138, v14, v28, v78, v8, v82, v83, v94, value, weight;
@@ -178,7 +178,7 @@ const pressure = (r, a, A, n, E_star) => {
         v115 = (2.0 * v107);
         v120 = (-v83);
         v135 = [];
-        for ([node, weight] of RULE_2((v112 / 1.0))) {
+        for ([node, weight] of RULE_1((v112 / 1.0))) {
           v114 = (node * v112);
           if (v82) {
             v123 = (v107 - v114);
@@ -254,6 +254,73 @@ const mean_pressure = (a, A, n, E_star) => {
   v13 = ((v7 + 0.5) * (v7 + 1.5));
   v27 = (1.0 / (v9 * v9));
   value = ((((((2.0 * E_star) * n) * A) / (1.7724538509055159 * (n + 1.0))) * ((a > 0.0) ? (Math.pow(a, n) / a) : Math.pow(a, (n - 1.0)))) * ((((v7 < 1.0) ? ((v7 * (v7 + 1.0)) / v13) : (1.0 - ((v7 + 0.75) / v13))) * Math.sqrt(v9)) * (1.0 + (v27 * (((((((((((((0.01524698625788054 * v27) + 0.5334320651111477) * v27) + 2.250488865813539) * v27) + 2.8612106440066865) * v27) + 1.3794681629043655) * v27) + 0.2596058532893223) * v27) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v27) + 49.328555418276075) * v27) + 167.28648538571198) * v27) + 195.37226190335065) * v27) + 90.69722535867314) * v27) + 16.763212110504565) * v27) + 1.0))))));
+  return value;
+};
+
+const energy = (a, A, n, E_star) => {
+  let v13, v27, v68, v7, v75, v9, value;
+  v7 = ((n / 2.0) + 0.5);
+  v9 = (v7 + 1.75);
+  v13 = ((v7 + 0.5) * (v7 + 1.5));
+  v27 = (1.0 / (v9 * v9));
+  v68 = ((((v7 < 1.0) ? ((v7 * (v7 + 1.0)) / v13) : (1.0 - ((v7 + 0.75) / v13))) * Math.sqrt(v9)) * (1.0 + (v27 * (((((((((((((0.01524698625788054 * v27) + 0.5334320651111477) * v27) + 2.250488865813539) * v27) + 2.8612106440066865) * v27) + 1.3794681629043655) * v27) + 0.2596058532893223) * v27) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v27) + 49.328555418276075) * v27) + 167.28648538571198) * v27) + 195.37226190335065) * v27) + 90.69722535867314) * v27) + 16.763212110504565) * v27) + 1.0)))));
+  v75 = (2.0 * n);
+  value = (((((((6.283185307179586 * E_star) * (n * n)) * (A * A)) / ((v75 + 1.0) * (n + 1.0))) * a) * Math.pow(a, v75)) * (v68 * v68));
+  return value;
+};
+
+const load_within = (r, a, A, n, E_star) => {
+  let node, v10, v100, v105, v107, v108, v113, v116, v118, v127, v128, v129, v131, v137, v138, v14, v28, v69, v70, v74, v76, v8, v86, v87, v93, v98, v99, value, weight;
+  v8 = ((n / 2.0) + 0.5);
+  v10 = (v8 + 1.75);
+  v14 = ((v8 + 0.5) * (v8 + 1.5));
+  v28 = (1.0 / (v10 * v10));
+  v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
+  v137 = ((((3.5449077018110318 * E_star) * n) * A) / (n + 1.0));
+  v138 = Math.pow(a, n);
+  if ((r < a)) {
+    v86 = (r > 0.0);
+    if (v86) {
+      v70 = (a - r);
+      v74 = (n > 1.0);
+      v76 = Math.abs((n - 1.0));
+      if (v86) {
+        v87 = (v70 / r);
+        v93 = (Number.isFinite(v87) ? Math.log1p(v87) : (Math.log(a) - Math.log(r)));
+        if ((v93 > 0.0)) {
+          v98 = (v93 - (42.0 / (((v76 > 0.001) || (v76 !== v76)) ? v76 : 0.001)));
+          v99 = (((v98 > 0.0) || (v98 !== v98)) ? v98 : 0.0);
+          v100 = Math.sqrt(v93);
+          v105 = (v74 ? (v100 - Math.sqrt(v99)) : Math.sqrt((v93 - v99)));
+          v108 = (2.0 * v100);
+          v113 = (-v76);
+          v128 = [];
+          for ([node, weight] of RULE_1((v105 / 1.0))) {
+            v107 = (node * v105);
+            if (v74) {
+              v116 = (v100 - v107);
+              v118 = (((v116 > 0.0) || (v116 !== v116)) ? v116 : 0.0);
+            } else {
+              v118 = v107;
+            }
+            v127 = (Math.exp((v113 * (v74 ? (v107 * (v108 - v107)) : (v107 * v107)))) * ((2.0 * v118) / Math.sqrt((-Math.expm1((((-2.0) * v118) * v118))))));
+            v128.push((weight * v127));
+          }
+          v128 = (math.fsum(v128) * v105);
+          v129 = v128;
+        } else {
+          v129 = 0.0;
+        }
+        v131 = ((v74 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v129);
+      } else {
+        v131 = (v74 ? (1.0 / v76) : Infinity);
+      }
+      value = ((((v137 * v138) * (r * r)) * ((1.0 / (Math.sqrt((v70 * (a + r))) + a)) + (v131 / a))) * v69);
+      return value;
+    }
+    return 0.0;
+  }
+  value = (((v137 * a) * v138) * v69);
   return value;
 };
 
@@ -345,7 +412,7 @@ const force_of_power_law = (a, A, n, E_star, dgamma) => {
   return value;
 };
 
-const RULE_1 = math.rule([[16.0, 64], [Infinity, 128]]);
+const RULE_1_of_power_law = math.rule([[16.0, 64], [Infinity, 128]]);
 
 const pressure_of_power_law = (r, a, A, n, E_star, dgamma) => {
   let node, v101, v106, v107, v108, v11, v113, v115, v116, v121, v124, v126, v135, v136, v137, v139, v143, v149, v15, v161, v29, v79, v83, v84, v9, v94, v95, value, weight;
@@ -369,7 +436,7 @@ const pressure_of_power_law = (r, a, A, n, E_star, dgamma) => {
         v116 = (2.0 * v108);
         v121 = (-v84);
         v136 = [];
-        for ([node, weight] of RULE_1((v113 / 1.0))) {
+        for ([node, weight] of RULE_1_of_power_law((v113 / 1.0))) {
           v115 = (node * v113);
           if (v83) {
             v124 = (v108 - v115);
@@ -885,6 +952,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.A, v.n),
   "k": (v) => stiffness(v.a, v.E_star, v.A, v.n),
   "pm": (v) => mean_pressure(v.a, v.A, v.n, v.E_star),
+  "U": (v) => energy(v.a, v.A, v.n, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.A, v.n, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.A, v.n),
   "aF": (v) => radius_from_force(v.F, v.A, v.n, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.A, v.n, v.E_star),
@@ -1132,6 +1201,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "A",
+    "n",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "A",
+    "n",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -174,6 +174,27 @@ const mean_pressure = (a, A, E_star) => {
   return ((((64.0 * E_star) * A) / 47.12388980384689) * (a * (a * a)));
 };
 
+const energy = (a, A, E_star) => {
+  let value;
+  value = ((((2048.0 * E_star) * (A * A)) / 405.0) * Math.pow(a, 9.0));
+  return value;
+};
+
+const load_within = (r, a, A, E_star) => {
+  let v10, v14, v17, v7;
+  v10 = ((64.0 * E_star) * A);
+  if ((r < a)) {
+    if ((r > 0.0)) {
+      v7 = Math.sqrt(((a - r) * (a + r)));
+      v14 = (r * r);
+      v17 = (a * a);
+      return (((v10 / 45.0) * v14) * ((((3.0 * (v17 * v17)) / (v7 + a)) + (v17 * v7)) + ((2.0 * v14) * v7)));
+    }
+    return 0.0;
+  }
+  return ((v10 / 15.0) * Math.pow(a, 5.0));
+};
+
 const radius_from_depth = (d, A) => {
   return Math.sqrt(Math.sqrt(((3.0 * d) / (8.0 * A))));
 };
@@ -531,6 +552,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.A),
   "k": (v) => stiffness(v.a, v.E_star, v.A),
   "pm": (v) => mean_pressure(v.a, v.A, v.E_star),
+  "U": (v) => energy(v.a, v.A, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.A, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.A),
   "aF": (v) => radius_from_force(v.F, v.A, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.A, v.E_star),
@@ -761,6 +784,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "A",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "A",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -263,6 +263,136 @@ const mean_pressure = (a, theta, b, E_star) => {
   return (((E_star * v6) / 3.141592653589793) * ((Math.atan((v15 / b)) + ((4.0 * b) / (3.0 * (v15 + a)))) + ((b * v15) / (3.0 * (a * a)))));
 };
 
+const energy = (a, theta, b, E_star) => {
+  let node, v10, v100, v102, v103, v104, v12, v21, v22, v24, v30, v33, v34, v4, v43, v49, v5, v58, v59, v61, v65, v66, v70, v72, v75, v77, v79, v88, v89, v9, v92, value, weight;
+  v4 = Math.tan(theta);
+  v5 = (v4 / b);
+  v9 = (a - b);
+  v10 = (a + b);
+  if ((a < b)) {
+    v21 = (v5 * (a * a));
+  } else {
+    v12 = Math.sqrt((v9 * v10));
+    v21 = ((v4 * a) * (Math.atan((v12 / b)) + (b / (v12 + a))));
+  }
+  v22 = (((a < b) || (a !== a)) ? a : b);
+  v24 = Math.asinh((v22 / v22));
+  v30 = (0.0 - Math.expm1(((-2.0) * v24)));
+  v33 = ((v30 > 0.0) ? v30 : Infinity);
+  v61 = (v22 * v22);
+  v66 = [];
+  for ([node, weight] of RULE_0((v24 / 1.0))) {
+    v34 = (node * v24);
+    v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v33));
+    if ((v43 < b)) {
+      v58 = (v5 * (v43 * v43));
+    } else {
+      v49 = Math.sqrt(((v43 - b) * (v43 + b)));
+      v58 = ((v4 * v43) * (Math.atan((v49 / b)) + (b / (v49 + v43))));
+    }
+    v59 = (v21 - v58);
+    v65 = ((v59 * v59) * Math.sqrt((v61 + (v43 * v43))));
+    v66.push((weight * v65));
+  }
+  v66 = (math.fsum(v66) * v24);
+  if ((a > b)) {
+    v70 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v10));
+    v72 = Math.asinh((v70 / b));
+    v75 = (0.0 - Math.expm1(((-2.0) * v72)));
+    v77 = ((v75 > 0.0) ? v75 : Infinity);
+    v89 = (b * b);
+    v103 = [];
+    for ([node, weight] of RULE_0((v72 / 1.0))) {
+      v79 = (node * v72);
+      v88 = (v70 * ((Math.exp((-v79)) * (0.0 - Math.expm1(((-2.0) * (v72 - v79))))) / v77));
+      v92 = Math.sqrt((v89 + (v88 * v88)));
+      v100 = (v21 - ((v4 * v92) * (Math.atan((v88 / b)) + (b / (v88 + v92)))));
+      v102 = ((v100 * v100) * v88);
+      v103.push((weight * v102));
+    }
+    v103 = (math.fsum(v103) * v72);
+    v104 = v103;
+  } else {
+    v104 = 0.0;
+  }
+  value = (E_star * (v66 + v104));
+  return value;
+};
+
+const load_within = (r, a, theta, b, E_star) => {
+  let node, v100, v105, v106, v109, v112, v12, v121, v122, v124, v125, v132, v138, v14, v154, v19, v22, v23, v25, v34, v37, v38, v41, v45, v46, v48, v5, v51, v52, v53, v54, v58, v59, v6, v63, v7, v71, v72, v73, v75, v77, v79, v81, v82, v84, v86, v90, v92, v95, value, weight;
+  v5 = (((a < b) || (a !== a)) ? a : b);
+  v6 = (((r < v5) || (r !== r)) ? r : v5);
+  v38 = Math.tan(theta);
+  if ((v6 > 0.0)) {
+    v7 = (v5 - v6);
+    v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (v5 + v6)));
+    v14 = Math.asinh((v12 / v6));
+    v19 = (0.0 - Math.expm1(((-2.0) * v14)));
+    v22 = ((v19 > 0.0) ? v19 : Infinity);
+    v23 = (v6 * v6);
+    v41 = ((2.0 * v38) / b);
+    v46 = [];
+    for ([node, weight] of RULE_0((v14 / 1.0))) {
+      v25 = (node * v14);
+      v34 = (v12 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v14 - v25))))) / v22));
+      v37 = Math.sqrt((v23 + (v34 * v34)));
+      v45 = ((v41 * v37) * (v34 / (v37 + v34)));
+      v46.push((weight * v45));
+    }
+    v46 = (math.fsum(v46) * v14);
+    v48 = (v23 * v46);
+  } else {
+    v48 = 0.0;
+  }
+  v51 = ((r === b) ? math.nextafter(b, Infinity) : r);
+  if ((a > (((v51 > b) || (v51 !== v51)) ? v51 : b))) {
+    v52 = (v51 < b);
+    v53 = (v52 ? 0.0 : 1.0);
+    v54 = (a - b);
+    v58 = Math.sqrt(((((v54 > 0.0) || (v54 !== v54)) ? v54 : 0.0) * (a + b)));
+    v59 = (a - v51);
+    v63 = Math.sqrt(((((v59 > 0.0) || (v59 !== v59)) ? v59 : 0.0) * (a + v51)));
+    v71 = Math.asinh(((v52 ? v58 : v63) / Math.sqrt((Math.abs((v51 - b)) * (v51 + b)))));
+    v72 = (2.0 * v53);
+    v73 = (1.0 - v72);
+    v75 = Math.expm1(((-2.0) * v71));
+    v77 = (v72 - (v73 * v75));
+    v79 = ((v77 > 0.0) ? v77 : Infinity);
+    v81 = (2.0 * (1.0 - v53));
+    v82 = (1.0 - v81);
+    v84 = (v81 - (v82 * v75));
+    v86 = ((v84 > 0.0) ? v84 : Infinity);
+    v106 = (b * b);
+    v112 = (2.0 * b);
+    v122 = [];
+    for ([node, weight] of RULE_0((v71 / 1.0))) {
+      v90 = (node * v71);
+      v92 = Math.exp((-v90));
+      v95 = Math.expm1(((-2.0) * (v71 - v90)));
+      v100 = (v58 * ((v92 * (v72 - (v73 * v95))) / v79));
+      v105 = (v63 * ((v92 * (v81 - (v82 * v95))) / v86));
+      v109 = Math.sqrt((v106 + (v100 * v100)));
+      v121 = (((v38 * (Math.atan((v100 / b)) + (v112 / (v100 + v109)))) * (v100 / v109)) * (v105 / (v109 + v105)));
+      v122.push((weight * v121));
+    }
+    v122 = (math.fsum(v122) * v71);
+    v124 = ((v51 * v51) * v122);
+  } else {
+    v124 = 0.0;
+  }
+  v125 = (((r < a) || (r !== r)) ? r : a);
+  v132 = (v125 * v125);
+  if ((v125 < b)) {
+    v154 = ((((4.0 * E_star) * v38) / (3.0 * b)) * (v125 * v132));
+  } else {
+    v138 = Math.sqrt(((v125 - b) * (v125 + b)));
+    v154 = ((E_star * v38) * (((v132 * Math.atan((v138 / b))) + (((4.0 * b) * v132) / (3.0 * (v138 + v125)))) + ((b / 3.0) * v138)));
+  }
+  value = (v154 + ((2.0 * E_star) * (v48 + v124)));
+  return value;
+};
+
 const _slope_beyond = (t, root, theta, b) => {
   return (Math.tan(theta) * (Math.atan((root / b)) + ((2.0 * b) / (root + t))));
 };
@@ -1075,6 +1205,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.theta, v.b),
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
@@ -1320,6 +1452,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -173,6 +173,27 @@ const mean_pressure = (a, A, E_star) => {
   return ((((192.0 * E_star) * A) / 109.95574287564276) * Math.pow(a, 5.0));
 };
 
+const energy = (a, A, E_star) => {
+  let value;
+  value = ((((18432.0 * E_star) * (A * A)) / 2275.0) * Math.pow(a, 13.0));
+  return value;
+};
+
+const load_within = (r, a, A, E_star) => {
+  let v16, v23, v7, value;
+  if ((r < a)) {
+    if ((r > 0.0)) {
+      v7 = Math.sqrt(((a - r) * (a + r)));
+      v16 = (a * a);
+      v23 = (r * r);
+      value = (((((64.0 * E_star) * A) / 175.0) * v23) * (((((15.0 * Math.pow(a, 6.0)) / (v7 + a)) + ((3.0 * (v16 * v16)) * v7)) + (((4.0 * v16) * v23) * v7)) + ((8.0 * (v23 * v23)) * v7)));
+      return value;
+    }
+    return 0.0;
+  }
+  return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
+};
+
 const radius_from_depth = (d, A) => {
   let v6, v8, value;
   v6 = ((5.0 * d) / (16.0 * A));
@@ -557,6 +578,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.A),
   "k": (v) => stiffness(v.a, v.E_star, v.A),
   "pm": (v) => mean_pressure(v.a, v.A, v.E_star),
+  "U": (v) => energy(v.a, v.A, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.A, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.A),
   "aF": (v) => radius_from_force(v.F, v.A, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.A, v.E_star),
@@ -787,6 +810,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "A",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "A",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -334,6 +334,84 @@ const mean_pressure = (a, R, E_star) => {
   return 0.0;
 };
 
+const energy = (a, R, E_star) => {
+  let node, v15, v16, v21, v24, v26, v35, v38, v40, v45, v48, v49, v5, v51, v9, value, weight;
+  if ((a <= R)) {
+    if ((a < R)) {
+      v5 = (R - a);
+      v9 = (a * (Math.log1p(((2.0 * a) / v5)) / 2.0));
+      v15 = (a / Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + a))));
+      v16 = Math.asinh(v15);
+      v21 = (0.0 - Math.expm1(((-2.0) * v16)));
+      v24 = ((v21 > 0.0) ? v21 : Infinity);
+      v49 = [];
+      for ([node, weight] of RULE_0((v16 / 1.0))) {
+        v26 = (node * v16);
+        v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v16 - v26))))) / v24));
+        v38 = Math.sqrt((1.0 + (v35 * v35)));
+        v40 = (R * (v35 / v38));
+        v45 = (v9 - (v40 * Math.asinh((v40 / (R / v38)))));
+        v48 = ((v45 * v45) / (v38 * v38));
+        v49.push((weight * v48));
+      }
+      v49 = (math.fsum(v49) * v16);
+      v51 = (R * v49);
+    } else {
+      v51 = Infinity;
+    }
+    value = (E_star * v51);
+    return value;
+  }
+  return NaN;
+};
+
+const load_within = (r, a, R, E_star) => {
+  let node, v10, v11, v12, v124, v17, v22, v24, v29, v32, v33, v34, v38, v4, v47, v48, v5, v50, v52, v53, v56, v71, v74, v75, v77, v82, v89, value, weight;
+  if ((a <= R)) {
+    v4 = (((r < a) || (r !== r)) ? r : a);
+    v5 = (R - v4);
+    v11 = (v4 / R);
+    v34 = (v4 > 0.0);
+    v71 = (v11 * v11);
+    if ((v34 && (a < R))) {
+      v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + v4)));
+      v12 = (a - v4);
+      v17 = (R - a);
+      v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * (a + v4))) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (R + a))));
+      v24 = Math.asinh((v22 / v11));
+      v29 = (0.0 - Math.expm1(((-2.0) * v24)));
+      v32 = ((v29 > 0.0) ? v29 : Infinity);
+      v33 = (v4 * v4);
+      v75 = [];
+      for ([node, weight] of RULE_0((v24 / 1.0))) {
+        v38 = (node * v24);
+        v47 = (v22 * ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v24 - v38))))) / v32));
+        v48 = (v47 * v47);
+        v50 = Math.sqrt((1.0 + v48));
+        v52 = (v10 * (v47 / v50));
+        v53 = (v10 / v50);
+        v56 = Math.sqrt((v33 + (v52 * v52)));
+        v74 = ((((Math.asinh((v56 / v53)) + ((R * v56) / (v53 * v53))) * (v52 / (v56 + v52))) * (v53 / ((v50 * v50) * v56))) * Math.sqrt((v71 + v48)));
+        v75.push((weight * v74));
+      }
+      v75 = (math.fsum(v75) * v24);
+      v77 = (v33 * v75);
+    } else {
+      v77 = (v34 ? Infinity : 0.0);
+    }
+    v82 = (Math.log1p(((2.0 * v4) / v5)) / 2.0);
+    if ((v82 < 1.0)) {
+      v89 = (v82 * v82);
+      v124 = ((v11 * v71) * (((((((((((1.0716932453474512e-06 * v89) + 0.00019982814521087247) * v89) + 0.007076196047699156) * v89) + 0.08608622548411103) * v89) + 0.3073858328214721) * v89) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v89) + 2.0203143566039827e-05) * v89) + 0.001617010334189783) * v89) + 0.03639274880225476) * v89) + 0.32215749846441627) * v89) + 1.0)));
+    } else {
+      v124 = (v82 - v11);
+    }
+    value = ((E_star * (((v4 * v4) * v82) + ((R * R) * v124))) + ((2.0 * E_star) * v77));
+    return value;
+  }
+  return NaN;
+};
+
 const _depth_at = (a, root) => {
   return (a * Math.asinh((a / root)));
 };
@@ -909,6 +987,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.R),
   "k": (v) => stiffness(v.a, v.E_star, v.R),
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
+  "U": (v) => energy(v.a, v.R, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.R, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R),
   "aF": (v) => radius_from_force(v.F, v.R, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.E_star),
@@ -1137,6 +1217,29 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

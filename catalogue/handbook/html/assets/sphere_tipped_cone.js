@@ -320,6 +320,176 @@ const mean_pressure = (a, R, theta, E_star) => {
   return 0.0;
 };
 
+const energy = (a, R, theta, E_star) => {
+  let node, v10, v102, v103, v107, v109, v112, v114, v116, v125, v126, v129, v14, v149, v15, v151, v152, v153, v17, v20, v23, v27, v42, v43, v48, v5, v50, v54, v57, v58, v67, v68, v7, v75, v77, v8, v9, v95, v96, v98, value, weight;
+  v5 = (R * Math.sin(theta));
+  v7 = (R * Math.cos(theta));
+  v8 = (v7 < v5);
+  v9 = (v7 * v7);
+  v10 = (R - a);
+  v14 = (a - v5);
+  v15 = (a + v5);
+  v23 = (v5 * v5);
+  v27 = (v23 / (v7 + R));
+  if ((a < v5)) {
+    v42 = (a * (Math.log1p(((2.0 * a) / v10)) / 2.0));
+  } else {
+    v17 = (v8 ? (v9 - (v10 * (R + a))) : (v14 * v15));
+    v20 = Math.sqrt((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0));
+    v42 = (a * (Math.log1p((((v23 / (v20 + a)) + v27) / (v20 + v7))) + ((v5 * Math.atan2(v20, v5)) / v7)));
+  }
+  v43 = (((a < v5) || (a !== a)) ? a : v5);
+  v48 = (1.0 - ((2.0 * theta) / 3.141592653589793));
+  v50 = Math.asinh((v43 / R));
+  v54 = (0.0 - Math.expm1(((-2.0) * v50)));
+  v57 = ((v54 > 0.0) ? v54 : Infinity);
+  v98 = (R * R);
+  v103 = [];
+  for ([node, weight] of RULE_0((v50 / v48))) {
+    v58 = (node * v50);
+    v67 = (v43 * ((Math.exp((-v58)) * (0.0 - Math.expm1(((-2.0) * (v50 - v58))))) / v57));
+    v68 = (R - v67);
+    if ((v67 < v5)) {
+      v95 = (v67 * (Math.log1p(((2.0 * v67) / v68)) / 2.0));
+    } else {
+      v75 = (v8 ? (v9 - (v68 * (R + v67))) : ((v67 - v5) * (v67 + v5)));
+      v77 = Math.sqrt((((v75 > 0.0) || (v75 !== v75)) ? v75 : 0.0));
+      v95 = (v67 * (Math.log1p((((v23 / (v77 + v67)) + v27) / (v77 + v7))) + ((v5 * Math.atan2(v77, v5)) / v7)));
+    }
+    v96 = (v42 - v95);
+    v102 = ((v96 * v96) * Math.sqrt((v98 + (v67 * v67))));
+    v103.push((weight * v102));
+  }
+  v103 = (math.fsum(v103) * v50);
+  if ((a > v5)) {
+    v107 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v15));
+    v109 = Math.asinh((v107 / v5));
+    v112 = (0.0 - Math.expm1(((-2.0) * v109)));
+    v114 = ((v112 > 0.0) ? v112 : Infinity);
+    v126 = (v5 * v5);
+    v152 = [];
+    for ([node, weight] of RULE_0((v109 / v48))) {
+      v116 = (node * v109);
+      v125 = (v107 * ((Math.exp((-v116)) * (0.0 - Math.expm1(((-2.0) * (v109 - v116))))) / v114));
+      v129 = Math.sqrt((v126 + (v125 * v125)));
+      v149 = (v42 - ((v129 < v5) ? (v129 * (Math.log1p(((2.0 * v129) / (R - v129))) / 2.0)) : (v129 * (Math.log1p((((v23 / (v125 + v129)) + v27) / (v125 + v7))) + ((v5 * Math.atan2(v125, v5)) / v7)))));
+      v151 = ((v149 * v149) * v125);
+      v152.push((weight * v151));
+    }
+    v152 = (math.fsum(v152) * v109);
+    v153 = v152;
+  } else {
+    v153 = 0.0;
+  }
+  value = (E_star * (v103 + v153));
+  return value;
+};
+
+const load_within = (r, a, R, theta, E_star) => {
+  let node, v100, v108, v109, v110, v112, v114, v116, v118, v119, v121, v123, v127, v129, v132, v137, v14, v142, v143, v146, v148, v15, v150, v154, v16, v162, v163, v174, v175, v177, v178, v188, v190, v191, v199, v203, v208, v21, v243, v247, v249, v252, v254, v255, v26, v264, v267, v28, v285, v286, v33, v36, v37, v38, v42, v51, v52, v54, v56, v57, v6, v60, v7, v75, v78, v79, v8, v81, v85, v88, v89, v9, v90, v91, v95, v96, value, weight;
+  v6 = (R * Math.sin(theta));
+  v7 = (((a < v6) || (a !== a)) ? a : v6);
+  v8 = (((r < v7) || (r !== r)) ? r : v7);
+  v38 = (v8 > 0.0);
+  if ((v38 && (v7 < R))) {
+    v9 = (R - v8);
+    v14 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (R + v8)));
+    v15 = (v8 / R);
+    v16 = (v7 - v8);
+    v21 = (R - v7);
+    v26 = (Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (v7 + v8))) / Math.sqrt(((((v21 > 0.0) || (v21 !== v21)) ? v21 : 0.0) * (R + v7))));
+    v28 = Math.asinh((v26 / v15));
+    v33 = (0.0 - Math.expm1(((-2.0) * v28)));
+    v36 = ((v33 > 0.0) ? v33 : Infinity);
+    v37 = (v8 * v8);
+    v75 = (v15 * v15);
+    v79 = [];
+    for ([node, weight] of RULE_0((v28 / 1.0))) {
+      v42 = (node * v28);
+      v51 = (v26 * ((Math.exp((-v42)) * (0.0 - Math.expm1(((-2.0) * (v28 - v42))))) / v36));
+      v52 = (v51 * v51);
+      v54 = Math.sqrt((1.0 + v52));
+      v56 = (v14 * (v51 / v54));
+      v57 = (v14 / v54);
+      v60 = Math.sqrt((v37 + (v56 * v56)));
+      v78 = ((((Math.asinh((v60 / v57)) + ((R * v60) / (v57 * v57))) * (v56 / (v60 + v56))) * (v57 / ((v54 * v54) * v60))) * Math.sqrt((v75 + v52)));
+      v79.push((weight * v78));
+    }
+    v79 = (math.fsum(v79) * v28);
+    v81 = (v37 * v79);
+  } else {
+    v81 = (v38 ? Infinity : 0.0);
+  }
+  v85 = (1.0 - ((2.0 * theta) / 3.141592653589793));
+  v88 = ((r === v6) ? math.nextafter(v6, Infinity) : r);
+  v143 = (v6 * v6);
+  v148 = (R * Math.cos(theta));
+  v150 = (v6 * v6);
+  v154 = (v150 / (v148 + R));
+  v162 = (v150 * R);
+  v163 = (v148 * v148);
+  if ((a > (((v88 > v6) || (v88 !== v88)) ? v88 : v6))) {
+    v89 = (v88 < v6);
+    v90 = (v89 ? 0.0 : 1.0);
+    v91 = (a - v6);
+    v95 = Math.sqrt(((((v91 > 0.0) || (v91 !== v91)) ? v91 : 0.0) * (a + v6)));
+    v96 = (a - v88);
+    v100 = Math.sqrt(((((v96 > 0.0) || (v96 !== v96)) ? v96 : 0.0) * (a + v88)));
+    v108 = Math.asinh(((v89 ? v95 : v100) / Math.sqrt((Math.abs((v88 - v6)) * (v88 + v6)))));
+    v109 = (2.0 * v90);
+    v110 = (1.0 - v109);
+    v112 = Math.expm1(((-2.0) * v108));
+    v114 = (v109 - (v110 * v112));
+    v116 = ((v114 > 0.0) ? v114 : Infinity);
+    v118 = (2.0 * (1.0 - v90));
+    v119 = (1.0 - v118);
+    v121 = (v118 - (v119 * v112));
+    v123 = ((v121 > 0.0) ? v121 : Infinity);
+    v175 = [];
+    for ([node, weight] of RULE_0((v108 / v85))) {
+      v127 = (node * v108);
+      v129 = Math.exp((-v127));
+      v132 = Math.expm1(((-2.0) * (v108 - v127)));
+      v137 = (v95 * ((v129 * (v109 - (v110 * v132))) / v116));
+      v142 = (v100 * ((v129 * (v118 - (v119 * v132))) / v123));
+      v146 = Math.sqrt((v143 + (v137 * v137)));
+      v174 = ((((Math.log1p((((v150 / (v137 + v146)) + v154) / (v137 + v148))) + ((v6 * Math.atan2(v137, v6)) / v148)) + (v162 / ((v146 * v163) + ((R * v137) * v148)))) * (v137 / v146)) * (v142 / (v146 + v142)));
+      v175.push((weight * v174));
+    }
+    v175 = (math.fsum(v175) * v108);
+    v177 = ((v88 * v88) * v175);
+  } else {
+    v177 = 0.0;
+  }
+  v178 = (((r < a) || (r !== r)) ? r : a);
+  v188 = ((v148 < v6) ? ((v148 * v148) - ((R - v178) * (R + v178))) : ((v178 - v6) * (v178 + v6)));
+  v190 = Math.sqrt((((v188 > 0.0) || (v188 !== v188)) ? v188 : 0.0));
+  v191 = (((v178 < v6) || (v178 !== v178)) ? v178 : v6);
+  v199 = Math.asinh((v191 / ((v178 < v6) ? Math.sqrt(((R - v191) * (v191 + R))) : v148)));
+  v203 = Math.tanh(v199);
+  if ((v199 < 1.0)) {
+    v208 = (v199 * v199);
+    v243 = ((v203 * (v203 * v203)) * (((((((((((1.0716932453474512e-06 * v208) + 0.00019982814521087247) * v208) + 0.007076196047699156) * v208) + 0.08608622548411103) * v208) + 0.3073858328214721) * v208) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v208) + 2.0203143566039827e-05) * v208) + 0.001617010334189783) * v208) + 0.03639274880225476) * v208) + 0.32215749846441627) * v208) + 1.0)));
+  } else {
+    v243 = (v199 - v203);
+  }
+  v247 = (2.0 * E_star);
+  v249 = Math.asinh((v190 / v6));
+  v252 = (0.0 - Math.expm1(((-2.0) * v249)));
+  v254 = ((v252 > 0.0) ? v252 : Infinity);
+  v286 = [];
+  for ([node, weight] of RULE_0((v249 / v85))) {
+    v255 = (node * v249);
+    v264 = (v190 * ((Math.exp((-v255)) * (0.0 - Math.expm1(((-2.0) * (v249 - v255))))) / v254));
+    v267 = Math.sqrt((v143 + (v264 * v264)));
+    v285 = ((((Math.log1p((((v150 / (v264 + v267)) + v154) / (v264 + v148))) + ((v6 * Math.atan2(v264, v6)) / v148)) + (v162 / ((v267 * v163) + ((R * v264) * v148)))) * v264) * v267);
+    v286.push((weight * v285));
+  }
+  v286 = (math.fsum(v286) * v249);
+  value = (((E_star * (((v191 * v191) * v199) + ((R * R) * v243))) + (v247 * v286)) + (v247 * (v81 + v177)));
+  return value;
+};
+
 const _slope_at = (a, root, R, theta) => {
   let v19, v21, v5, v9;
   v5 = (R * Math.sin(theta));
@@ -1156,6 +1326,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.R, v.theta),
   "k": (v) => stiffness(v.a, v.E_star, v.R, v.theta),
   "pm": (v) => mean_pressure(v.a, v.R, v.theta, v.E_star),
+  "U": (v) => energy(v.a, v.R, v.theta, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.R, v.theta, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R, v.theta),
   "aF": (v) => radius_from_force(v.F, v.R, v.theta, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.theta, v.E_star),
@@ -1386,6 +1558,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "R",
+    "theta",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "theta",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -247,6 +247,92 @@ const mean_pressure = (a, theta, b, E_star) => {
   return (((E_star * Math.tan(theta)) / 3.141592653589793) * (Math.atan((v7 / b)) + ((b * v7) / (a * a))));
 };
 
+const energy = (a, theta, b, E_star) => {
+  let node, v10, v12, v16, v18, v23, v26, v28, v37, v38, v4, v46, v48, v49, v5, v50, value, weight;
+  if ((a >= b)) {
+    v4 = (a - b);
+    v5 = (a + b);
+    v10 = Math.tan(theta);
+    v12 = ((v10 * a) * Math.atan((Math.sqrt((v4 * v5)) / b)));
+    if ((a > b)) {
+      v16 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
+      v18 = Math.asinh((v16 / b));
+      v23 = (0.0 - Math.expm1(((-2.0) * v18)));
+      v26 = ((v23 > 0.0) ? v23 : Infinity);
+      v38 = (b * b);
+      v49 = [];
+      for ([node, weight] of RULE_0((v18 / 1.0))) {
+        v28 = (node * v18);
+        v37 = (v16 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v18 - v28))))) / v26));
+        v46 = (v12 - ((v10 * Math.sqrt((v38 + (v37 * v37)))) * Math.atan((v37 / b))));
+        v48 = ((v46 * v46) * v37);
+        v49.push((weight * v48));
+      }
+      v49 = (math.fsum(v49) * v18);
+      v50 = v49;
+    } else {
+      v50 = 0.0;
+    }
+    value = (E_star * (((b * v12) * v12) + v50));
+    return value;
+  }
+  return NaN;
+};
+
+const load_within = (r, a, theta, b, E_star) => {
+  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v75, v8, v82, v83, v85, v87, v88, v9, v92, value, weight;
+  if ((a >= b)) {
+    v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+    v73 = Math.tan(theta);
+    if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+      v9 = (v8 < b);
+      v12 = (v9 ? 0.0 : 1.0);
+      v13 = (a - b);
+      v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+      v18 = (a - v8);
+      v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+      v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+      v32 = (2.0 * v12);
+      v33 = (1.0 - v32);
+      v36 = Math.expm1(((-2.0) * v30));
+      v38 = (v32 - (v33 * v36));
+      v40 = ((v38 > 0.0) ? v38 : Infinity);
+      v42 = (2.0 * (1.0 - v12));
+      v43 = (1.0 - v42);
+      v45 = (v42 - (v43 * v36));
+      v47 = ((v45 > 0.0) ? v45 : Infinity);
+      v67 = (b * b);
+      v75 = (b * v73);
+      v83 = [];
+      for ([node, weight] of RULE_0((v30 / 1.0))) {
+        v51 = (node * v30);
+        v53 = Math.exp((-v51));
+        v56 = Math.expm1(((-2.0) * (v30 - v51)));
+        v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
+        v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
+        v70 = Math.sqrt((v67 + (v61 * v61)));
+        v82 = ((((v73 * Math.atan((v61 / b))) + (v75 / v61)) * (v61 / v70)) * (v66 / (v70 + v66)));
+        v83.push((weight * v82));
+      }
+      v83 = (math.fsum(v83) * v30);
+      v85 = ((v8 * v8) * v83);
+    } else {
+      v85 = 0.0;
+    }
+    if ((r > b)) {
+      v87 = (((r < a) || (r !== r)) ? r : a);
+      v88 = (((v87 > b) || (v87 !== v87)) ? v87 : b);
+      v92 = Math.sqrt(((v88 - b) * (v88 + b)));
+      v101 = ((E_star * v73) * (((v88 * v88) * Math.atan((v92 / b))) + (b * v92)));
+    } else {
+      v101 = 0.0;
+    }
+    value = (v101 + ((2.0 * E_star) * v85));
+    return value;
+  }
+  return NaN;
+};
+
 const _depth_at = (a, root, theta, b) => {
   return ((Math.tan(theta) * a) * Math.atan((root / b)));
 };
@@ -866,6 +952,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.theta, v.b),
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
@@ -1111,6 +1199,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "theta",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

@@ -244,6 +244,90 @@ const mean_pressure = (a, R, b, E_star) => {
   return ((((4.0 * E_star) / (9.42477796076938 * R)) * v7) + ((((2.0 * E_star) * (b * b)) * v7) / ((9.42477796076938 * (a * a)) * R)));
 };
 
+const energy = (a, R, b, E_star) => {
+  let node, v13, v15, v20, v23, v25, v34, v35, v4, v41, v43, v44, v45, v5, v9, value, weight;
+  if ((a >= b)) {
+    v4 = (a - b);
+    v5 = (a + b);
+    v9 = ((a * Math.sqrt((v4 * v5))) / R);
+    if ((a > b)) {
+      v13 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
+      v15 = Math.asinh((v13 / b));
+      v20 = (0.0 - Math.expm1(((-2.0) * v15)));
+      v23 = ((v20 > 0.0) ? v20 : Infinity);
+      v35 = (b * b);
+      v44 = [];
+      for ([node, weight] of RULE_0((v15 / 1.0))) {
+        v25 = (node * v15);
+        v34 = (v13 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v15 - v25))))) / v23));
+        v41 = (v9 - ((Math.sqrt((v35 + (v34 * v34))) * v34) / R));
+        v43 = ((v41 * v41) * v34);
+        v44.push((weight * v43));
+      }
+      v44 = (math.fsum(v44) * v15);
+      v45 = v44;
+    } else {
+      v45 = 0.0;
+    }
+    value = (E_star * (((b * v9) * v9) + v45));
+    return value;
+  }
+  return NaN;
+};
+
+const load_within = (r, a, R, b, E_star) => {
+  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v8, v81, v82, v84, v86, v87, v9, v92, value, weight;
+  if ((a >= b)) {
+    v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+    v73 = (b * b);
+    if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+      v9 = (v8 < b);
+      v12 = (v9 ? 0.0 : 1.0);
+      v13 = (a - b);
+      v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+      v18 = (a - v8);
+      v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+      v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+      v32 = (2.0 * v12);
+      v33 = (1.0 - v32);
+      v36 = Math.expm1(((-2.0) * v30));
+      v38 = (v32 - (v33 * v36));
+      v40 = ((v38 > 0.0) ? v38 : Infinity);
+      v42 = (2.0 * (1.0 - v12));
+      v43 = (1.0 - v42);
+      v45 = (v42 - (v43 * v36));
+      v47 = ((v45 > 0.0) ? v45 : Infinity);
+      v67 = (b * b);
+      v82 = [];
+      for ([node, weight] of RULE_0((v30 / 1.0))) {
+        v51 = (node * v30);
+        v53 = Math.exp((-v51));
+        v56 = Math.expm1(((-2.0) * (v30 - v51)));
+        v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
+        v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
+        v70 = Math.sqrt((v67 + (v61 * v61)));
+        v81 = (((((2.0 * v61) / R) + (v73 / (R * v61))) * (v61 / v70)) * (v66 / (v70 + v66)));
+        v82.push((weight * v81));
+      }
+      v82 = (math.fsum(v82) * v30);
+      v84 = ((v8 * v8) * v82);
+    } else {
+      v84 = 0.0;
+    }
+    v92 = (2.0 * E_star);
+    if ((r > b)) {
+      v86 = (((r < a) || (r !== r)) ? r : a);
+      v87 = (((v86 > b) || (v86 !== v86)) ? v86 : b);
+      v101 = (((v92 / (3.0 * R)) * ((2.0 * (v87 * v87)) + v73)) * Math.sqrt(((v87 - b) * (v87 + b))));
+    } else {
+      v101 = 0.0;
+    }
+    value = (v101 + (v92 * v84));
+    return value;
+  }
+  return NaN;
+};
+
 const radius_from_depth = (d, R, b) => {
   let v5;
   v5 = (b * b);
@@ -850,6 +934,8 @@ const formulas = {
   "w": (v) => displacement(v.r, v.a, v.R, v.b),
   "k": (v) => stiffness(v.a, v.E_star, v.R, v.b),
   "pm": (v) => mean_pressure(v.a, v.R, v.b, v.E_star),
+  "U": (v) => energy(v.a, v.R, v.b, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.R, v.b, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.R, v.b),
   "aF": (v) => radius_from_force(v.F, v.R, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.b, v.E_star),
@@ -1095,6 +1181,31 @@ window.calculator = { ...{
    "unit": "Pa",
    "place": "",
    "suffix": "pm"
+  },
+  "U": {
+   "gives": "U",
+   "needs": [
+    "a",
+    "R",
+    "b",
+    "E_star"
+   ],
+   "unit": "J",
+   "place": "",
+   "suffix": "U"
+  },
+  "Fr": {
+   "gives": "F_r",
+   "needs": [
+    "r",
+    "a",
+    "R",
+    "b",
+    "E_star"
+   ],
+   "unit": "N",
+   "place": "inside",
+   "suffix": "Fr"
   },
   "ad": {
    "gives": "a",

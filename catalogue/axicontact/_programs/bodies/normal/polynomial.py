@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from ...._programs.bodies._runtime.functions import depth_over_height
 from ...._programs.bodies._runtime.inverse import inverse
+from ...._programs.bodies._runtime.shapes.energy import energy_integral
+from ...._programs.bodies._runtime.shapes.load_within import load_within_integral
 from ...._programs.bodies._runtime.shapes.powers import power_displacement, power_pressure
 from ....normal.polynomial import reduce
 from ...._runtime.plain import MATH as np
@@ -43,6 +45,17 @@ def _displacement(r, a, A):
 def _mean_pressure(a, A, E_star):
     terms = (j * depth_over_height(j) / (j + 1) * a ** (j - 1) * A_j for j, A_j in enumerate(A, 1))
     return 2 * E_star / np.pi * sum(terms)
+
+
+def _energy(a, A, E_star):
+    sunk = _depth(a, A)
+    tip = energy_integral(lambda t: _depth(t, A), (), a, sunk, a)
+    return E_star * tip
+
+
+def _load_within(r, a, A, E_star):
+    tip = load_within_integral(lambda t: _slope(t, A), (), np.minimum(r, a), a)
+    return _force(np.minimum(r, a), A, E_star) + 2 * E_star * tip
 
 
 def _radius_from_depth(d, A):

@@ -63,3 +63,32 @@ def depth_from_force(xp, F, a, R, E_star):
     v16 = xp.where(v7, 0.5 * F, v6)
     v15 = xp.cbrt(9.0 * F ** 2.0 / (16.0 * E_star ** 2.0 * R))
     return xp.where(v7, v15, F / (2.0 * E_star * a) + v4 / v2)
+
+
+def energy(xp, d, a, R, E_star):
+    v2 = R ** 2.0
+    v5 = R * d
+    v6 = xp.sqrt(v5)
+    v10 = v6 > a
+    v11 = xp.where(v10, v6, 2.0 * a)
+    v16 = a ** 2.0
+    v23 = xp.where(v10, 0.5 * a, v6)
+    v24 = xp.where(v10, -E_star / (3.0 * v2) * a * (v16 - v5) * (v16 + 3.0 * R * d), 0.0)
+    return 8.0 * E_star / (15.0 * v2) * xp.minimum(v6, a) ** 5.0 + v24
+
+
+def load_within(xp, r, d, a, R, E_star):
+    v1 = R * d
+    v2 = xp.sqrt(v1)
+    v3 = xp.minimum(v2, a)
+    v4 = r < v3
+    v5 = xp.where(v4, r, 0.5 * v3)
+    v9 = v5 ** 2.0
+    v14 = xp.sqrt((v3 - v5) * (v3 + v5))
+    v20 = v2 > a
+    v21 = xp.where(v20, v2, 2.0 * a)
+    v34 = xp.where(v20, 0.5 * a, v2)
+    v33 = -2.0 * E_star * v9 * (a ** 2.0 - v1) / (R * (xp.sqrt((a - v5) * (a + v5)) + a))
+    v19 = 4.0 * E_star / (3.0 * R) * v9 * (v14 + v3 ** 2.0 / (v3 + v14))
+    v37 = xp.where(v4, 2.0 * v3, r)
+    return xp.where(v4, v19 + xp.where(v20, v33, 0.0), force(xp, d, a, R, E_star))

@@ -64,3 +64,28 @@ def zero_radius(xp):
 
 def minimum_depth(xp, h):
     return 2.0 * h
+
+
+def energy(xp, d, a, h, E_star):
+    v2 = 2.0 * h * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v18 = xp.where(v3, 2.0 * d, v2)
+    v17 = E_star * (d ** 2.0 * a + 4.0 * h / 3.0 * d * a + 4.0 * h ** 2.0 / 5.0 * a)
+    return xp.where(v3, v17, xp.nan)
+
+
+def load_within(xp, r, d, a, h, E_star):
+    v1 = 2.0 * h
+    v2 = v1 * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v5 = r < a
+    v6 = xp.where(v5, r, 0.5 * a)
+    v12 = xp.sqrt((a - v6) * (a + v6))
+    v14 = v6 ** 2.0 / (a + v12)
+    v25 = d - v1 + 4.0 * h * v14 * (v12 + 2.0 * a) / (3.0 * a ** 2.0)
+    v27 = xp.where(v5, 2.0 * a, r)
+    v30 = xp.where(v3, 2.0 * d, v2)
+    v31 = xp.where(v3, xp.where(v5, 2.0 * E_star * v14 * v25, force(xp, d, a, h, E_star)), xp.nan)
+    return v31

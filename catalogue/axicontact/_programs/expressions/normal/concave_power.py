@@ -74,3 +74,31 @@ def depth_from_force(xp, F, a, h, n, E_star):
 
 def zero_radius(xp, a, n):
     return a * ring_of_zero_pressure(xp, n, 0.0)
+
+
+def energy(xp, d, a, h, n, E_star):
+    v2 = minimum_depth(xp, h, n) * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v13 = gamma_ratio(xp, n / 2.0 + 0.5)
+    v22 = 3.141592653589793 * h ** 2.0 / (2.0 * n + 1.0) * v13 ** 2.0
+    v25 = xp.where(v3, 2.0 * d, v2)
+    v24 = E_star * a * (d ** 2.0 + 3.5449077018110318 * h / (n + 1.0) * d * v13 + v22)
+    return xp.where(v3, v24, xp.nan)
+
+
+def load_within(xp, r, d, a, h, n, E_star):
+    v2 = minimum_depth(xp, h, n) * 0.999999999999999
+    v3 = v2 <= d
+    v4 = xp.where(v3, v2, 0.5 * d)
+    v5 = r < a
+    v6 = xp.where(v5, r, 0.5 * a)
+    v11 = v6 ** 2.0
+    v17 = xp.sqrt((a - v6) * (a + v6)) + a
+    v26 = gamma_ratio(xp, n / 2.0 + 0.5)
+    v35 = 1.7724538509055159 * n * h * power_pressure(xp, v6, a, n) * v11 * v26 / a
+    v36 = 1.7724538509055159 * h * v11 * v26 / v17 - v35
+    v39 = xp.where(v5, 2.0 * a, r)
+    v38 = 2.0 * E_star / (n + 1.0) * (n * d * v11 / v17 + d * v11 / v17 + v36)
+    v42 = xp.where(v3, 2.0 * d, v2)
+    return xp.where(v3, xp.where(v5, v38, force(xp, d, a, h, n, E_star)), xp.nan)

@@ -66,3 +66,32 @@ def zero_radius(xp, a):
 
 def minimum_depth(xp, h):
     return 4.0 * h / 3.0
+
+
+def energy(xp, d, a, h, E_star):
+    v3 = 4.0 * h / 3.0 * 0.999999999999999
+    v4 = v3 <= d
+    v5 = xp.where(v4, v3, 0.5 * d)
+    v17 = d ** 2.0 * a + 16.0 * h / 15.0 * d * a + 64.0 * h ** 2.0 / 81.0 * a
+    v19 = xp.where(v4, 2.0 * d, v3)
+    return xp.where(v4, E_star * v17, xp.nan)
+
+
+def load_within(xp, r, d, a, h, E_star):
+    v1 = 4.0 * h
+    v2 = v1 / 3.0
+    v3 = v2 * 0.999999999999999
+    v4 = v3 <= d
+    v5 = xp.where(v4, v3, 0.5 * d)
+    v6 = r < a
+    v7 = xp.where(v6, r, 0.5 * a)
+    v13 = xp.sqrt((a - v7) * (a + v7))
+    v18 = v13 ** 2.0
+    v21 = a ** 2.0
+    v22 = v21 ** 2.0
+    v31 = 16.0 * v18 ** 2.0 + 21.0 * v22 + 16.0 * (v13 * v18) * a - 24.0 * v18 * v21
+    v39 = d - v2 + v1 * (v31 - 24.0 * v13 * (a * v21)) / (45.0 * v22)
+    v41 = xp.where(v6, 2.0 * a, r)
+    v44 = xp.where(v4, 2.0 * d, v3)
+    v43 = xp.where(v6, 2.0 * E_star * (v7 ** 2.0 / (a + v13)) * v39, force(xp, d, a, h, E_star))
+    return xp.where(v4, v43, xp.nan)

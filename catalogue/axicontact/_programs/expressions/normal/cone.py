@@ -52,3 +52,20 @@ def force_from_depth(xp, d, theta, E_star):
 
 def depth_from_force(xp, F, theta, E_star):
     return xp.sqrt(3.141592653589793 * xp.tan(theta) / (2.0 * E_star) * F)
+
+
+def energy(xp, a, theta, E_star):
+    return 9.869604401089358 * E_star * xp.tan(theta) ** 2.0 / 12.0 * (a * a ** 2.0)
+
+
+def load_within(xp, r, a, theta, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v10 = a - v4
+    v13 = xp.sqrt(v10 * (a + v4))
+    v9 = 3.141592653589793 * E_star * xp.tan(theta) * v4 ** 2.0
+    v23 = xp.where(v1, 2.0 * a, r)
+    v22 = xp.where(v3, v9 * (a / (v13 + a) + xp.log1p((v10 + v13) / v4)) / 2.0, 0.0)
+    return xp.where(v1, v22, force(xp, a, theta, E_star))

@@ -34,3 +34,15 @@ def stiffness(xp, a, E_star):
 
 def depth_from_force(xp, F, a, E_star):
     return F / (2.0 * E_star * a)
+
+
+def energy(xp, d, a, E_star):
+    return E_star * d ** 2.0 * a
+
+
+def load_within(xp, r, d, a, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v13 = xp.where(v1, 2.0 * a, r)
+    v12 = 2.0 * E_star * d * v2 ** 2.0 / (xp.sqrt((a - v2) * (a + v2)) + a)
+    return xp.where(v1, v12, 2.0 * E_star * d * a)

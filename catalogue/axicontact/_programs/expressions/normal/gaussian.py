@@ -155,3 +155,43 @@ def depth_from_force(xp, F, h, s, E_star):
     v1 = radius_from_force(xp, F, h, s, E_star)
     v10 = (F - force(xp, v1, h, s, E_star)) / (2.0 * E_star * v1)
     return depth(xp, v1, h, s) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)
+
+
+def energy(xp, a, h, s, E_star):
+    v6, v7 = nodes_along(xp, 1, a, h, s, E_star)
+    v1 = 1.5019752682686114 * s
+    v2 = a <= v1
+    v3 = xp.where(v2, a, 0.5 * v1)
+    v5 = xp.arcsinh(v3 / v3)
+    v8 = v6 * v5
+    v19 = 0.0 - xp.expm1(-2.0 * v5)
+    v20 = v19 > 0.0
+    v16 = xp.exp(-v8) * (0.0 - xp.expm1(-2.0 * (v5 - v8)))
+    v24 = v3 * (v16 / xp.where(v20, xp.where(v20, v19, 1.0), xp.inf))
+    v26 = depth(xp, v3, h, s) - depth(xp, v24, h, s)
+    v35 = xp.where(v2, 2.0 * v1, a)
+    v34 = E_star * (v5 * xp.sum(v7 * (v26 * v26 * xp.sqrt(v3 * v3 + v24 * v24)), axis=0))
+    return xp.where(v2, v34, xp.nan)
+
+
+def load_within(xp, r, a, h, s, E_star):
+    v13, v14 = nodes_along(xp, 1, r, a, h, s, E_star)
+    v1 = 1.5019752682686114 * s
+    v2 = a <= v1
+    v3 = xp.where(v2, a, 0.5 * v1)
+    v4 = xp.minimum(r, v3)
+    v7 = v4 > 0.0
+    v8 = xp.where(v7, v4, 1.0)
+    v9 = v8 * v8
+    v10 = difference_root(xp, v3, v8)
+    v12 = xp.arcsinh(v10 / v8)
+    v15 = v13 * v12
+    v25 = 0.0 - xp.expm1(-2.0 * v12)
+    v26 = v25 > 0.0
+    v22 = xp.exp(-v15) * (0.0 - xp.expm1(-2.0 * (v12 - v15)))
+    v30 = v10 * (v22 / xp.where(v26, xp.where(v26, v25, 1.0), xp.inf))
+    v33 = xp.sqrt(v9 + v30 * v30)
+    v39 = v9 * (v12 * xp.sum(v14 * (slope(xp, v33, h, s) * (v30 / (v33 + v30))), axis=0))
+    v43 = xp.where(v2, 2.0 * v1, a)
+    v44 = xp.where(v2, force(xp, v4, h, s, E_star) + 2.0 * E_star * xp.where(v7, v39, 0.0), xp.nan)
+    return v44

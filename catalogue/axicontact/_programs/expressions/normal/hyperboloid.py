@@ -101,3 +101,33 @@ def depth_from_force(xp, F, theta, b, E_star):
     v1 = radius_from_force(xp, F, theta, b, E_star)
     v10 = (F - force(xp, v1, theta, b, E_star)) / (2.0 * E_star * v1)
     return depth(xp, v1, theta, b) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)
+
+
+def energy(xp, a, theta, b, E_star):
+    v3, v4 = nodes_along(xp, 1, a, theta, b, E_star)
+    v2 = xp.arcsinh(a / b)
+    v5 = v3 * v2
+    v16 = 0.0 - xp.expm1(-2.0 * v2)
+    v17 = v16 > 0.0
+    v13 = xp.exp(-v5) * (0.0 - xp.expm1(-2.0 * (v2 - v5)))
+    v21 = a * (v13 / xp.where(v17, xp.where(v17, v16, 1.0), xp.inf))
+    v23 = depth(xp, a, theta, b) - depth(xp, v21, theta, b)
+    return E_star * (v2 * xp.sum(v4 * (v23 * v23 * xp.sqrt(b * b + v21 * v21)), axis=0))
+
+
+def load_within(xp, r, a, theta, b, E_star):
+    v10, v11 = nodes_along(xp, 1, r, a, theta, b, E_star)
+    v1 = xp.minimum(r, a)
+    v4 = v1 > 0.0
+    v5 = xp.where(v4, v1, 1.0)
+    v6 = v5 * v5
+    v7 = difference_root(xp, a, v5)
+    v9 = xp.arcsinh(v7 / v5)
+    v12 = v10 * v9
+    v22 = 0.0 - xp.expm1(-2.0 * v9)
+    v23 = v22 > 0.0
+    v19 = xp.exp(-v12) * (0.0 - xp.expm1(-2.0 * (v9 - v12)))
+    v27 = v7 * (v19 / xp.where(v23, xp.where(v23, v22, 1.0), xp.inf))
+    v30 = xp.sqrt(v6 + v27 * v27)
+    v36 = v6 * (v9 * xp.sum(v11 * (slope(xp, v30, theta, b) * (v27 / (v30 + v27))), axis=0))
+    return force(xp, v1, theta, b, E_star) + 2.0 * E_star * xp.where(v4, v36, 0.0)

@@ -60,3 +60,18 @@ def force_from_depth(xp, d, R, E_star):
 
 def depth_from_force(xp, F, R, E_star):
     return xp.cbrt(9.0 * F ** 2.0 / (16.0 * E_star ** 2.0 * R))
+
+
+def energy(xp, a, R, E_star):
+    return 8.0 * E_star / (15.0 * R ** 2.0) * a ** 5.0
+
+
+def load_within(xp, r, a, R, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v13 = xp.sqrt((a - v4) * (a + v4))
+    v18 = 4.0 * E_star / (3.0 * R) * v4 ** 2.0 * (v13 + a ** 2.0 / (v13 + a))
+    v20 = xp.where(v1, 2.0 * a, r)
+    return xp.where(v1, xp.where(v3, v18, 0.0), force(xp, a, R, E_star))

@@ -79,5 +79,23 @@ def depth_from_force(xp, F, A, n, E_star):
     return 1.7724538509055159 * A * v4 * xp.where(v15, v27, v12)
 
 
+def energy(xp, a, A, n, E_star):
+    v6 = 2.0 * n
+    v11 = 6.283185307179586 * E_star * n ** 2.0 * A ** 2.0 / ((v6 + 1.0) * (n + 1.0)) * a
+    return v11 * a ** v6 * gamma_ratio(xp, n / 2.0 + 0.5) ** 2.0
+
+
+def load_within(xp, r, a, A, n, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v22 = 1.0 / (xp.sqrt((a - v4) * (a + v4)) + a) + power_pressure(xp, v4, a, n) / a
+    v23 = 3.5449077018110318 * E_star * n * A / (n + 1.0) * a ** n * v4 ** 2.0 * v22
+    v29 = xp.where(v1, 2.0 * a, r)
+    v28 = xp.where(v3, v23 * gamma_ratio(xp, n / 2.0 + 0.5), 0.0)
+    return xp.where(v1, v28, force(xp, a, A, n, E_star))
+
+
 def slope(xp, t, A, n):
     return 1.7724538509055159 * n * A * gamma_ratio(xp, n / 2.0 + 0.5) * t ** n / t

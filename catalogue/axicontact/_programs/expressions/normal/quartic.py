@@ -73,5 +73,23 @@ def depth_from_force(xp, F, A, E_star):
     return xp.where(v4, v15, v1) * xp.where((v18 > 0.0) & (v18 < xp.inf), v30, v22)
 
 
+def energy(xp, a, A, E_star):
+    return 2048.0 * E_star * A ** 2.0 / 405.0 * a ** 9.0
+
+
+def load_within(xp, r, a, A, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v8 = v4 ** 2.0
+    v10 = a ** 2.0
+    v16 = xp.sqrt((a - v4) * (a + v4))
+    v23 = 3.0 * v10 ** 2.0 / (v16 + a) + v10 * v16 + 2.0 * v8 * v16
+    v26 = xp.where(v1, 2.0 * a, r)
+    v25 = xp.where(v3, 64.0 * E_star * A / 45.0 * v8 * v23, 0.0)
+    return xp.where(v1, v25, force(xp, a, A, E_star))
+
+
 def slope(xp, t, A):
     return 32.0 * A / 3.0 * (t * t ** 2.0)

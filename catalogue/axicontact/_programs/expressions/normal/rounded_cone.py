@@ -233,3 +233,80 @@ def depth_from_force(xp, F, theta, b, E_star):
     v1 = radius_from_force(xp, F, theta, b, E_star)
     v10 = (F - force(xp, v1, theta, b, E_star)) / (2.0 * E_star * v1)
     return depth(xp, v1, theta, b) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)
+
+
+def energy(xp, a, theta, b, E_star):
+    v4, v5 = nodes_along(xp, 1, a, theta, b, E_star)
+    v1 = xp.minimum(a, b)
+    v3 = xp.arcsinh(v1 / v1)
+    v6 = v4 * v3
+    v17 = 0.0 - xp.expm1(-2.0 * v3)
+    v18 = v17 > 0.0
+    v14 = xp.exp(-v6) * (0.0 - xp.expm1(-2.0 * (v3 - v6)))
+    v22 = v1 * (v14 / xp.where(v18, xp.where(v18, v17, 1.0), xp.inf))
+    v24 = depth(xp, a, theta, b) - depth(xp, v22, theta, b)
+    v32 = a > b
+    v33 = xp.where(v32, a, 2.0 * b)
+    v34 = difference_root(xp, v33, b)
+    v36 = xp.arcsinh(v34 / b)
+    v37 = v4 * v36
+    v49 = 0.0 - xp.expm1(-2.0 * v36)
+    v50 = v49 > 0.0
+    v46 = xp.exp(-v37) * (0.0 - xp.expm1(-2.0 * (v36 - v37)))
+    v54 = v34 * (v46 / xp.where(v50, xp.where(v50, v49, 1.0), xp.inf))
+    v59 = depth(xp, v33, theta, b) - depth_beyond(xp, xp.sqrt(b * b + v54 * v54), v54, theta, b)
+    v63 = xp.where(v32, 0.5 * b, a)
+    v31 = v3 * xp.sum(v5 * (v24 * v24 * xp.sqrt(v1 * v1 + v22 * v22)), axis=0)
+    return E_star * (v31 + xp.where(v32, v36 * xp.sum(v5 * (v59 * v59 * v54), axis=0), 0.0))
+
+
+def load_within(xp, r, a, theta, b, E_star):
+    v12, v13 = nodes_along(xp, 1, r, a, theta, b, E_star)
+    v4 = xp.minimum(a, b)
+    v5 = xp.minimum(r, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v8 = v7 * v7
+    v9 = difference_root(xp, v4, v7)
+    v11 = xp.arcsinh(v9 / v7)
+    v14 = v12 * v11
+    v24 = 0.0 - xp.expm1(-2.0 * v11)
+    v25 = v24 > 0.0
+    v21 = xp.exp(-v14) * (0.0 - xp.expm1(-2.0 * (v11 - v14)))
+    v29 = v9 * (v21 / xp.where(v25, xp.where(v25, v24, 1.0), xp.inf))
+    v32 = xp.sqrt(v8 + v29 * v29)
+    v38 = v8 * (v11 * xp.sum(v13 * (slope(xp, v32, theta, b) * (v29 / (v32 + v29))), axis=0))
+    v42 = xp.where(r == b, b * 1.0000000000000002, r)
+    v43 = xp.maximum(v42, b)
+    v44 = a > v43
+    v45 = xp.where(v44, a, 2.0 * v43)
+    v47 = v42 < b
+    v48 = xp.where(v47, v42, 0.5 * b)
+    v51 = difference_root(xp, v45, xp.where(v47, 2.0 * b, v42))
+    v52 = xp.where(v47, difference_root(xp, v45, b), v51)
+    v59 = xp.arcsinh(v52 / xp.sqrt(xp.absolute(v42 - b) * (v42 + b)))
+    v60 = v12 * v59
+    v64 = xp.exp(-v60)
+    v65 = xp.where(v47, v42, 0.5 * b)
+    v66 = xp.where(v47, 2.0 * b, v42)
+    v67 = xp.where(v47, 0.0, 1.0)
+    v68 = 2.0 * v67
+    v69 = 1.0 - v68
+    v72 = xp.expm1(-2.0 * (v59 - v60))
+    v77 = xp.expm1(-2.0 * v59)
+    v79 = v68 - v69 * v77
+    v80 = v79 > 0.0
+    v83 = v64 * (v68 - v69 * v72) / xp.where(v80, xp.where(v80, v79, 1.0), xp.inf)
+    v84 = difference_root(xp, v45, b) * v83
+    v87 = xp.sqrt(b * b + v84 * v84)
+    v93 = 2.0 * (1.0 - v67)
+    v94 = 1.0 - v93
+    v99 = v93 - v94 * v77
+    v100 = v99 > 0.0
+    v103 = v64 * (v93 - v94 * v72) / xp.where(v100, xp.where(v100, v99, 1.0), xp.inf)
+    v104 = difference_root(xp, v45, v42) * v103
+    v107 = slope_beyond(xp, v87, v84, theta, b) * (v84 / v87) * (v104 / (v87 + v104))
+    v110 = xp.where(v44, 0.5 * v43, a)
+    v111 = xp.where(v44, v42 * v42 * (v59 * xp.sum(v13 * v107, axis=0)), 0.0)
+    v113 = 2.0 * E_star * (xp.where(v6, v38, 0.0) + v111)
+    return force(xp, xp.minimum(r, a), theta, b, E_star) + v113

@@ -226,3 +226,80 @@ def depth_from_force(xp, F, R1, R2, b, E_star):
     v1 = radius_from_force(xp, F, R1, R2, b, E_star)
     v10 = (F - force(xp, v1, R1, R2, b, E_star)) / (2.0 * E_star * v1)
     return depth(xp, v1, R1, R2, b) + xp.where((v1 > 0.0) & (v1 < xp.inf), v10, 0.0)
+
+
+def energy(xp, a, R1, R2, b, E_star):
+    v4, v5 = nodes_along(xp, 1, a, R1, R2, b, E_star)
+    v1 = xp.minimum(a, b)
+    v3 = xp.arcsinh(v1 / v1)
+    v6 = v4 * v3
+    v17 = 0.0 - xp.expm1(-2.0 * v3)
+    v18 = v17 > 0.0
+    v14 = xp.exp(-v6) * (0.0 - xp.expm1(-2.0 * (v3 - v6)))
+    v22 = v1 * (v14 / xp.where(v18, xp.where(v18, v17, 1.0), xp.inf))
+    v24 = depth(xp, a, R1, R2, b) - depth(xp, v22, R1, R2, b)
+    v32 = a > b
+    v33 = xp.where(v32, a, 2.0 * b)
+    v34 = difference_root(xp, v33, b)
+    v36 = xp.arcsinh(v34 / b)
+    v37 = v4 * v36
+    v49 = 0.0 - xp.expm1(-2.0 * v36)
+    v50 = v49 > 0.0
+    v46 = xp.exp(-v37) * (0.0 - xp.expm1(-2.0 * (v36 - v37)))
+    v54 = v34 * (v46 / xp.where(v50, xp.where(v50, v49, 1.0), xp.inf))
+    v58 = depth_beyond(xp, xp.sqrt(b * b + v54 * v54), v54, R1, R2, b)
+    v59 = depth(xp, v33, R1, R2, b) - v58
+    v63 = xp.where(v32, 0.5 * b, a)
+    v31 = v3 * xp.sum(v5 * (v24 * v24 * xp.sqrt(v1 * v1 + v22 * v22)), axis=0)
+    return E_star * (v31 + xp.where(v32, v36 * xp.sum(v5 * (v59 * v59 * v54), axis=0), 0.0))
+
+
+def load_within(xp, r, a, R1, R2, b, E_star):
+    v12, v13 = nodes_along(xp, 1, r, a, R1, R2, b, E_star)
+    v4 = xp.minimum(a, b)
+    v5 = xp.minimum(r, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v8 = v7 * v7
+    v9 = difference_root(xp, v4, v7)
+    v11 = xp.arcsinh(v9 / v7)
+    v14 = v12 * v11
+    v24 = 0.0 - xp.expm1(-2.0 * v11)
+    v25 = v24 > 0.0
+    v21 = xp.exp(-v14) * (0.0 - xp.expm1(-2.0 * (v11 - v14)))
+    v29 = v9 * (v21 / xp.where(v25, xp.where(v25, v24, 1.0), xp.inf))
+    v32 = xp.sqrt(v8 + v29 * v29)
+    v43 = xp.where(r == b, b * 1.0000000000000002, r)
+    v44 = xp.maximum(v43, b)
+    v45 = a > v44
+    v46 = xp.where(v45, a, 2.0 * v44)
+    v48 = v43 < b
+    v49 = xp.where(v48, v43, 0.5 * b)
+    v52 = difference_root(xp, v46, xp.where(v48, 2.0 * b, v43))
+    v53 = xp.where(v48, difference_root(xp, v46, b), v52)
+    v60 = xp.arcsinh(v53 / xp.sqrt(xp.absolute(v43 - b) * (v43 + b)))
+    v61 = v12 * v60
+    v65 = xp.exp(-v61)
+    v66 = xp.where(v48, v43, 0.5 * b)
+    v67 = xp.where(v48, 2.0 * b, v43)
+    v68 = xp.where(v48, 0.0, 1.0)
+    v69 = 2.0 * v68
+    v70 = 1.0 - v69
+    v73 = xp.expm1(-2.0 * (v60 - v61))
+    v78 = xp.expm1(-2.0 * v60)
+    v80 = v69 - v70 * v78
+    v81 = v80 > 0.0
+    v84 = v65 * (v69 - v70 * v73) / xp.where(v81, xp.where(v81, v80, 1.0), xp.inf)
+    v85 = difference_root(xp, v46, b) * v84
+    v88 = xp.sqrt(b * b + v85 * v85)
+    v94 = 2.0 * (1.0 - v68)
+    v95 = 1.0 - v94
+    v100 = v94 - v95 * v78
+    v101 = v100 > 0.0
+    v104 = v65 * (v94 - v95 * v73) / xp.where(v101, xp.where(v101, v100, 1.0), xp.inf)
+    v105 = difference_root(xp, v46, v43) * v104
+    v108 = slope_beyond(xp, v88, v85, R1, R2, b) * (v85 / v88) * (v105 / (v88 + v105))
+    v111 = xp.where(v45, 0.5 * v44, a)
+    v40 = xp.where(v6, v8 * (v11 * xp.sum(v13 * (2.0 * v32 / R1 * (v29 / (v32 + v29))), axis=0)), 0.0)
+    v114 = 2.0 * E_star * (v40 + xp.where(v45, v43 * v43 * (v60 * xp.sum(v13 * v108, axis=0)), 0.0))
+    return force(xp, xp.minimum(r, a), R1, R2, b, E_star) + v114

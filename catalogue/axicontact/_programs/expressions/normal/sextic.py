@@ -81,5 +81,23 @@ def depth_from_force(xp, F, A, E_star):
     return xp.where(v4, v15, v1) * xp.where((v18 > 0.0) & (v18 < xp.inf), v30, v22)
 
 
+def energy(xp, a, A, E_star):
+    return 18432.0 * E_star * A ** 2.0 / 2275.0 * a ** 13.0
+
+
+def load_within(xp, r, a, A, E_star):
+    v1 = r < a
+    v2 = xp.where(v1, r, 0.5 * a)
+    v3 = v2 > 0.0
+    v4 = xp.where(v3, v2, 1.0)
+    v8 = v4 ** 2.0
+    v15 = xp.sqrt((a - v4) * (a + v4))
+    v18 = a ** 2.0
+    v26 = 15.0 * a ** 6.0 / (v15 + a) + 3.0 * v18 ** 2.0 * v15 + 4.0 * v18 * v8 * v15
+    v33 = xp.where(v1, 2.0 * a, r)
+    v32 = xp.where(v3, 64.0 * E_star * A / 175.0 * v8 * (v26 + 8.0 * v8 ** 2.0 * v15), 0.0)
+    return xp.where(v1, v32, force(xp, a, A, E_star))
+
+
 def slope(xp, t, A):
     return 96.0 * A / 5.0 * t ** 5.0

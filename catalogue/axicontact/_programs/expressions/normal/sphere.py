@@ -158,3 +158,54 @@ def depth_from_force(xp, F, R, E_star):
     v56 = R / xp.cosh(v52)
     v67 = (F - force_at(xp, v54, v56, R, E_star)) / (2.0 * E_star * v54)
     return v54 * xp.arcsinh(v54 / v56) + xp.where((v54 > 0.0) & (v54 < xp.inf), v67, 0.0)
+
+
+def energy(xp, a, R, E_star):
+    v8, v9 = nodes_along(xp, 1, a, R, E_star)
+    v1 = a <= R
+    v2 = xp.where(v1, a, 0.5 * R)
+    v3 = v2 < R
+    v4 = xp.where(v3, v2, 0.5 * R)
+    v6 = v4 / difference_root(xp, R, v4)
+    v7 = xp.arcsinh(v6)
+    v10 = v8 * v7
+    v21 = 0.0 - xp.expm1(-2.0 * v7)
+    v22 = v21 > 0.0
+    v18 = xp.exp(-v10) * (0.0 - xp.expm1(-2.0 * (v7 - v10)))
+    v26 = v6 * (v18 / xp.where(v22, xp.where(v22, v21, 1.0), xp.inf))
+    v29 = xp.sqrt(1.0 + v26 * v26)
+    v31 = R * (v26 / v29)
+    v36 = depth(xp, v4, R) - v31 * xp.arcsinh(v31 / (R / v29))
+    v42 = xp.where(v3, 2.0 * R, v2)
+    v45 = xp.where(v1, 2.0 * R, a)
+    v44 = E_star * xp.where(v3, R * (v7 * xp.sum(v9 * (v36 * v36 / (v29 * v29)), axis=0)), xp.inf)
+    return xp.where(v1, v44, xp.nan)
+
+
+def load_within(xp, r, a, R, E_star):
+    v16, v17 = nodes_along(xp, 1, r, a, R, E_star)
+    v1 = a <= R
+    v2 = xp.where(v1, a, 0.5 * R)
+    v3 = xp.minimum(r, v2)
+    v6 = v3 > 0.0
+    v9 = v3 * v3
+    v12 = difference_root(xp, v2, v3) / difference_root(xp, R, v2)
+    v13 = v3 / R
+    v15 = xp.arcsinh(v12 / v13)
+    v18 = v16 * v15
+    v19 = difference_root(xp, R, v3)
+    v29 = 0.0 - xp.expm1(-2.0 * v15)
+    v30 = v29 > 0.0
+    v26 = xp.exp(-v18) * (0.0 - xp.expm1(-2.0 * (v15 - v18)))
+    v34 = v12 * (v26 / xp.where(v30, xp.where(v30, v29, 1.0), xp.inf))
+    v35 = v34 * v34
+    v37 = xp.sqrt(1.0 + v35)
+    v39 = v19 * (v34 / v37)
+    v42 = xp.sqrt(v9 + v39 * v39)
+    v43 = v19 / v37
+    v51 = slope(xp, v42, v43, R) * (v39 / (v42 + v39)) * (v43 / (v37 * v37 * v42))
+    v58 = xp.where(v6, v3, 1.0)
+    v57 = v9 * (v15 * xp.sum(v17 * (v51 * xp.sqrt(v13 * v13 + v35)), axis=0))
+    v61 = 2.0 * E_star * xp.where(v6 & (v2 < R), v57, xp.where(v6, xp.inf, 0.0))
+    v63 = xp.where(v1, 2.0 * R, a)
+    return xp.where(v1, force(xp, v3, R, E_star) + v61, xp.nan)

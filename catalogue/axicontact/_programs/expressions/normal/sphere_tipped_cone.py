@@ -249,3 +249,92 @@ def depth_from_force(xp, F, R, theta, E_star):
     v2 = sine_root(xp, v1, R, theta)
     v11 = (F - force_at(xp, v1, v2, R, theta, E_star)) / (2.0 * E_star * v1)
     return depth_at(xp, v1, v2, R, theta) + xp.where((v1 > 0.0) & (v1 < xp.inf), v11, 0.0)
+
+
+def energy(xp, a, R, theta, E_star):
+    v6, v7 = nodes_along(xp, 1, a, R, theta, E_star)
+    v2 = R * xp.sin(theta)
+    v3 = xp.minimum(a, v2)
+    v5 = xp.arcsinh(v3 / R)
+    v8 = v6 * v5
+    v20 = 0.0 - xp.expm1(-2.0 * v5)
+    v21 = v20 > 0.0
+    v17 = xp.exp(-v8) * (0.0 - xp.expm1(-2.0 * (v5 - v8)))
+    v25 = v3 * (v17 / xp.where(v21, xp.where(v21, v20, 1.0), xp.inf))
+    v27 = depth_at(xp, v25, sine_root(xp, v25, R, theta), R, theta)
+    v28 = depth_at(xp, a, sine_root(xp, a, R, theta), R, theta) - v27
+    v36 = a > v2
+    v37 = xp.where(v36, a, 2.0 * v2)
+    v38 = difference_root(xp, v37, v2)
+    v40 = xp.arcsinh(v38 / v2)
+    v41 = v6 * v40
+    v54 = 0.0 - xp.expm1(-2.0 * v40)
+    v55 = v54 > 0.0
+    v51 = xp.exp(-v41) * (0.0 - xp.expm1(-2.0 * (v40 - v41)))
+    v59 = v38 * (v51 / xp.where(v55, xp.where(v55, v54, 1.0), xp.inf))
+    v63 = depth_at(xp, xp.sqrt(v2 * v2 + v59 * v59), v59, R, theta)
+    v64 = depth_at(xp, v37, sine_root(xp, v37, R, theta), R, theta) - v63
+    v68 = xp.where(v36, 0.5 * v2, a)
+    v35 = v5 * xp.sum(v7 * (v28 * v28 * xp.sqrt(R * R + v25 * v25)), axis=0)
+    return E_star * (v35 + xp.where(v36, v40 * xp.sum(v7 * (v64 * v64 * v59), axis=0), 0.0))
+
+
+def load_within(xp, r, a, R, theta, E_star):
+    v19, v20 = nodes_along(xp, 1, r, a, R, theta, E_star)
+    v1 = xp.minimum(r, a)
+    v6 = R * xp.sin(theta)
+    v7 = xp.minimum(a, v6)
+    v8 = xp.minimum(r, v7)
+    v9 = v8 > 0.0
+    v12 = v8 * v8
+    v15 = difference_root(xp, v7, v8) / difference_root(xp, R, v7)
+    v16 = v8 / R
+    v18 = xp.arcsinh(v15 / v16)
+    v21 = v19 * v18
+    v22 = difference_root(xp, R, v8)
+    v32 = 0.0 - xp.expm1(-2.0 * v18)
+    v33 = v32 > 0.0
+    v29 = xp.exp(-v21) * (0.0 - xp.expm1(-2.0 * (v18 - v21)))
+    v37 = v15 * (v29 / xp.where(v33, xp.where(v33, v32, 1.0), xp.inf))
+    v38 = v37 * v37
+    v40 = xp.sqrt(1.0 + v38)
+    v42 = v22 * (v37 / v40)
+    v45 = xp.sqrt(v12 + v42 * v42)
+    v46 = v22 / v40
+    v54 = slope(xp, v45, v46, R) * (v42 / (v45 + v42)) * (v46 / (v40 * v40 * v45))
+    v61 = xp.where(v9, v8, 1.0)
+    v60 = v12 * (v18 * xp.sum(v20 * (v54 * xp.sqrt(v16 * v16 + v38)), axis=0))
+    v66 = xp.where(r == v6, v6 * 1.0000000000000002, r)
+    v67 = xp.maximum(v66, v6)
+    v68 = a > v67
+    v69 = xp.where(v68, a, 2.0 * v67)
+    v71 = v66 < v6
+    v72 = xp.where(v71, v66, 0.5 * v6)
+    v75 = difference_root(xp, v69, xp.where(v71, 2.0 * v6, v66))
+    v76 = xp.where(v71, difference_root(xp, v69, v6), v75)
+    v83 = xp.arcsinh(v76 / xp.sqrt(xp.absolute(v66 - v6) * (v66 + v6)))
+    v84 = v19 * v83
+    v88 = xp.exp(-v84)
+    v89 = xp.where(v71, v66, 0.5 * v6)
+    v90 = xp.where(v71, 2.0 * v6, v66)
+    v91 = xp.where(v71, 0.0, 1.0)
+    v92 = 2.0 * v91
+    v93 = 1.0 - v92
+    v96 = xp.expm1(-2.0 * (v83 - v84))
+    v101 = xp.expm1(-2.0 * v83)
+    v103 = v92 - v93 * v101
+    v104 = v103 > 0.0
+    v107 = v88 * (v92 - v93 * v96) / xp.where(v104, xp.where(v104, v103, 1.0), xp.inf)
+    v108 = difference_root(xp, v69, v6) * v107
+    v111 = xp.sqrt(v6 * v6 + v108 * v108)
+    v117 = 2.0 * (1.0 - v91)
+    v118 = 1.0 - v117
+    v123 = v117 - v118 * v101
+    v124 = v123 > 0.0
+    v127 = v88 * (v117 - v118 * v96) / xp.where(v124, xp.where(v124, v123, 1.0), xp.inf)
+    v128 = difference_root(xp, v69, v66) * v127
+    v131 = slope_beyond(xp, v111, v108, R, theta) * (v108 / v111) * (v128 / (v111 + v128))
+    v134 = xp.where(v68, 0.5 * v67, a)
+    v135 = xp.where(v68, v66 * v66 * (v83 * xp.sum(v20 * v131, axis=0)), 0.0)
+    v137 = 2.0 * E_star * (xp.where(v9 & (v7 < R), v60, xp.where(v9, xp.inf, 0.0)) + v135)
+    return force_at(xp, v1, sine_root(xp, v1, R, theta), R, theta, E_star) + v137

@@ -182,3 +182,67 @@ def depth_from_force(xp, F, theta, b, E_star):
     v54 = b * v49
     v63 = (F - force_at(xp, v53, v54, theta, b, E_star)) / (2.0 * E_star * v53)
     return depth_at(xp, v53, v54, theta, b) + xp.where((v53 > 0.0) & (v53 < xp.inf), v63, 0.0)
+
+
+def energy(xp, a, theta, b, E_star):
+    v11, v12 = nodes_along(xp, 1, a, theta, b, E_star)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = depth(xp, v2, theta, b)
+    v6 = v2 > b
+    v7 = xp.where(v6, v2, 2.0 * b)
+    v8 = difference_root(xp, v7, b)
+    v10 = xp.arcsinh(v8 / b)
+    v13 = v11 * v10
+    v25 = 0.0 - xp.expm1(-2.0 * v10)
+    v26 = v25 > 0.0
+    v22 = xp.exp(-v13) * (0.0 - xp.expm1(-2.0 * (v10 - v13)))
+    v30 = v8 * (v22 / xp.where(v26, xp.where(v26, v25, 1.0), xp.inf))
+    v35 = depth(xp, v7, theta, b) - depth_at(xp, xp.sqrt(b * b + v30 * v30), v30, theta, b)
+    v39 = xp.where(v6, 0.5 * b, v2)
+    v43 = xp.where(v1, 0.5 * b, a)
+    v42 = E_star * (b * v3 * v3 + xp.where(v6, v10 * xp.sum(v12 * (v35 * v35 * v30), axis=0), 0.0))
+    return xp.where(v1, v42, xp.nan)
+
+
+def load_within(xp, r, a, theta, b, E_star):
+    v31, v32 = nodes_along(xp, 1, r, a, theta, b, E_star)
+    v1 = a >= b
+    v2 = xp.where(v1, a, 2.0 * b)
+    v3 = r > b
+    v8 = xp.where(v3, 0.5 * b, r)
+    v7 = force(xp, xp.maximum(xp.minimum(xp.where(v3, r, 2.0 * b), v2), b), theta, b, E_star)
+    v13 = xp.where(r == b, b * 1.0000000000000002, r)
+    v14 = xp.maximum(v13, b)
+    v15 = v2 > v14
+    v16 = xp.where(v15, v2, 2.0 * v14)
+    v18 = v13 < b
+    v19 = xp.where(v18, v13, 0.5 * b)
+    v22 = difference_root(xp, v16, xp.where(v18, 2.0 * b, v13))
+    v23 = xp.where(v18, difference_root(xp, v16, b), v22)
+    v30 = xp.arcsinh(v23 / xp.sqrt(xp.absolute(v13 - b) * (v13 + b)))
+    v33 = v31 * v30
+    v37 = xp.exp(-v33)
+    v38 = xp.where(v18, v13, 0.5 * b)
+    v39 = xp.where(v18, 2.0 * b, v13)
+    v40 = xp.where(v18, 0.0, 1.0)
+    v41 = 2.0 * v40
+    v42 = 1.0 - v41
+    v45 = xp.expm1(-2.0 * (v30 - v33))
+    v50 = xp.expm1(-2.0 * v30)
+    v52 = v41 - v42 * v50
+    v53 = v52 > 0.0
+    v56 = v37 * (v41 - v42 * v45) / xp.where(v53, xp.where(v53, v52, 1.0), xp.inf)
+    v57 = difference_root(xp, v16, b) * v56
+    v60 = xp.sqrt(b * b + v57 * v57)
+    v66 = 2.0 * (1.0 - v40)
+    v67 = 1.0 - v66
+    v72 = v66 - v67 * v50
+    v73 = v72 > 0.0
+    v76 = v37 * (v66 - v67 * v45) / xp.where(v73, xp.where(v73, v72, 1.0), xp.inf)
+    v77 = difference_root(xp, v16, v13) * v76
+    v80 = slope_beyond(xp, v60, v57, theta, b) * (v57 / v60) * (v77 / (v60 + v77))
+    v83 = xp.where(v15, 0.5 * v14, v2)
+    v85 = 2.0 * E_star * xp.where(v15, v13 * v13 * (v30 * xp.sum(v32 * v80, axis=0)), 0.0)
+    v87 = xp.where(v1, 0.5 * b, a)
+    return xp.where(v1, xp.where(v3, v7, 0.0) + v85, xp.nan)
