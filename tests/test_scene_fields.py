@@ -81,7 +81,7 @@ def test_a_place_that_is_not_the_greatest_is_not_emitted(monkeypatch):
         pytest.param("capped_cylinder", marks=pytest.mark.slow),
         pytest.param("truncated_cone", marks=pytest.mark.slow),
         pytest.param("power_law", marks=pytest.mark.slow),
-        pytest.param("q*r**2 + Max(0, r - b)*tan(theta)", marks=pytest.mark.slow),
+        pytest.param("r**2/(2*R) + q*r**4", marks=pytest.mark.slow),
     ],
 )
 def test_free_parameters_edges_breaks_and_powers(profile, tmp_path):
@@ -123,6 +123,9 @@ def test_what_is_wrong_is_said(source, message):
     assert message in problems(BALL + source)
 
 
-def test_a_shape_without_a_rate_is_refused():
-    found = problems('profile = "r**2/sqrt(r**2 + q**2)"\n[physics]\nsubsurface = true\n')
-    assert "no atom is known for it; the nearest is normal = true" in found
+def test_an_expression_whose_depth_has_no_rate_is_refused():
+    for expression, reason in (
+        ("r**2/sqrt(r**2 + q**2)", "no atom is known for it; the nearest is normal = true"),
+        ("q*r**2 + Max(0, r - b)*tan(theta)", "an expression without breaks"),
+    ):
+        assert reason in problems(f'profile = "{expression}"\n[physics]\nsubsurface = true\n')

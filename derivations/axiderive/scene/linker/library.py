@@ -365,7 +365,9 @@ def graded_refusal(profile: Profile) -> str:
 
 
 def fields_refusal(profile: Profile) -> str:
-    """Why no fields below a profile are emitted; empty if they are."""
+    """Why no fields below an expression are emitted; empty if they are."""
+    if profile.breaks:
+        return "fields below the surface are emitted for an expression without breaks, or a profile of the catalogue"
     try:
         parse(profile.pieces)
     except NotReducibleError as error:
