@@ -288,7 +288,8 @@ def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> st
     if regimes is not None and calls:
         form = regimes.slopes["tip"][1]
         (argument, *_) = {call.args[-1].subs(dict(form.steps)) for call in calls}
-        longest = python(sp.cancel(t / argument) * (6 if slope.has(masters.StruveH) else 1))
+        # radians of waves in a panel: six leave 880 units of the last place next to an edge, four 65
+        longest = python(sp.cancel(t / argument) * (4 if slope.has(masters.StruveH) else 1))
         return f"Piece(PLAIN, {start}, longest={longest})"
     return f"Piece(PLAIN, {start}{'' if slope.has(t) else ', sharp=True'})"
 
