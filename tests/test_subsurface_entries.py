@@ -187,17 +187,17 @@ def test_each_identity_notices_a_wrong_factor(identity: Any, suffixes: tuple[str
     """That of a factor of all numbers is noticed by the load and by the surface."""
     true = entries(PROFILE)
     own, last = placed(true)
-    assert identity(own, *last)[1] < 1e-15
+    assert identity(own, *last)[1] < 1e-13
     for suffix in suffixes:
         (case,) = true[suffix].cases
-        false = {**true, suffix: with_formula(true[suffix], 0, case.expr * (1 + sp.Rational(1, 10**11)))}
-        assert identity(placed(false)[0], *last)[1] > 1e-13, suffix
+        false = {**true, suffix: with_formula(true[suffix], 0, case.expr * (1 + sp.Rational(1, 10**10)))}
+        assert identity(placed(false)[0], *last)[1] > 1e-11, suffix
 
 
 def test_what_is_recorded_of_the_numbers() -> None:
     found = checks.check_profile(placed(entries(PROFILE))[0])
-    assert all(one.outcome == "passed" for one in found)
-    assert {one.compared for one in found if one.digits < 28} == {
+    assert all(one.outcome == "passed" and one.required > 10 for one in found)
+    assert {one.compared for one in found if one.digits < 20} == {
         "2 int (S0 + D0) r dr = F/E_star over a plane", "Hooke's law of displacements and stresses",
     }  # fmt: skip
     assert {one.compared for one in found} >= {"pi p/E_star on the surface", "S0 + D0 of a point load F far away"}
