@@ -130,6 +130,7 @@ TABLES = {
         "normal = true", "adhesive = true", 'adhesive = { dgamma = "50 mJ/m^2" }', "adhesive = { dgamma = 0 }",
         "tangential = { mu = 0.3 }", "plane = true", "loads = true", 'viscoelastic = { model = "maxwell" }',
         "viscoelastic = true", 'viscoelastic = { model = "power_creep", alpha = 0.3 }', "adhesive = false",
+        "subsurface = true", "subsurface = { nu = 0.3, mu = 0 }",
     ),
     "want": (
         'quantities = ["depth"]', 'quantities = ["force", "pressure"]', 'quantities = ["pull_off"]',

@@ -27,7 +27,7 @@ LATER = (
     *("physics/subsurface", "proof/rules/subsurface", "oracle/subsurface", "checks/subsurface", "code/subsurface"),
     *("runtime/subsurface/", "stable/fields", "rows/fields", "readback/fields", "figures/contours"),
     *("abel/field_moments", "languages/", "web/calculator", "scene/translation"),
-    *("physics/torsion", "runtime/physics/torsion"),
+    *("physics/torsion", "runtime/physics/torsion", "scene/fields"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
 )
 """What came since, and is counted by itself: the fields below the surface; torsion; load within a radius and energy;

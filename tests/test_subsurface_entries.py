@@ -18,8 +18,10 @@ from test_mutations import differs, flipped_sign, wrong_exponent, wrong_factor
 import axicontact
 from axiderive import notation as nt
 from axiderive.abel.field_moments import Moments, kernel
+from axiderive.checks import subsurface as checks
+from axiderive.checks.comparison import Comparison
 from axiderive.oracle.evaluate import evaluated
-from axiderive.physics import systems
+from axiderive.physics import subsurface, systems
 from axiderive.profiles.pools import ROUND
 from axiderive.proof.certificate import certify, certify_profile
 from axiderive.stable.fields import RESULTS
@@ -162,3 +164,40 @@ def test_a_wrong_or_careless_sum_over_punches_is_measured() -> None:
     assert worst("cone", wrong)["stress"]["bench"]["worst_ulp"] > 1e6
     careless = worst("cone", ("        pressed * ss,", "        pressed - deep * kappa * (c * y + s * x) / r,"))
     assert careless["sliding_stress"]["extreme"]["by_component"] > 1e6
+
+
+PROFILE = "cone"
+
+
+def placed(true: dict[str, Any]) -> tuple[Comparison, tuple[int, Any]]:
+    """The comparison of some entries, and the last case with a point of it."""
+    own = Comparison(ROUND.load(PROFILE), true, subsurface.PHYSICS, seed=1)
+    return own, (len(true["S0"].cases) - 1, checks._places(own, true["S0"].cases[-1])[-1])
+
+
+@pytest.mark.parametrize(
+    ("identity", "suffixes"),
+    [
+        (checks._beside, ("S2",)),
+        (checks._carried, ("S0",)),  # of D0 a plane carries nothing
+        (checks._hooke, ("S0", "S2", "D0", "D1", "D2", "W")),
+    ],
+)
+def test_each_identity_notices_a_wrong_factor(identity: Any, suffixes: tuple[str, ...]) -> None:
+    """That of a factor of all numbers is noticed by the load and by the surface."""
+    true = entries(PROFILE)
+    own, last = placed(true)
+    assert identity(own, *last)[1] < 1e-13
+    for suffix in suffixes:
+        (case,) = true[suffix].cases
+        false = {**true, suffix: with_formula(true[suffix], 0, case.expr * (1 + sp.Rational(1, 10**10)))}
+        assert identity(placed(false)[0], *last)[1] > 1e-11, suffix
+
+
+def test_what_is_recorded_of_the_numbers() -> None:
+    found = checks.check_profile(placed(entries(PROFILE))[0])
+    assert all(one.outcome == "passed" and one.required > 10 for one in found)
+    assert {one.compared for one in found if one.digits < 20} == {
+        "2 int (S0 + D0) r dr = F/E_star over a plane", "Hooke's law of displacements and stresses",
+    }  # fmt: skip
+    assert {one.compared for one in found} >= {"pi p/E_star on the surface", "S0 + D0 of a point load F far away"}

@@ -15,7 +15,7 @@ from .. import notation as nt
 from ..abel import masters
 from ..abel.form import Order
 from ..abel.reduce import parse
-from ..entry import Entry
+from ..entry import Entry, Quantity
 from ..letters import name_of
 from ..notation import C, a, coefficients, t
 from ..physics import subsurface as below
@@ -115,6 +115,25 @@ ASKED = (
 )  # fmt: skip
 
 
+def asked(*, grows: bool) -> tuple[Asked, ...]:
+    """The public functions of a contact that grows, or of one with a fixed edge."""
+    return tuple(one for one in ASKED if grows or "c, {1}" not in one.call)
+
+
+def _quantities(*, grows: bool) -> dict[str, Quantity]:
+    place, found = {symbol.name: symbol for symbol in (nt.r, below.ANGLE, nt.z)}, dict[str, Quantity]()
+    for one in asked(grows=grows):
+        held = [nt.c] if "c, {1}" in one.call else []
+        fields = (*(place[name] for name in one.fields), nt.a if grows else nt.d, *held)
+        words = f"{one.summary} {RETURNS[one.returns]}"
+        found[one.name] = Quantity(one.name, one.name, one.summary, nt.S_0, fields, summary=words)
+    return found | {name: Quantity(name, name, name, nt.S_0, ()) for name in SHARED if name.islower()}
+
+
+GIVEN = {"grows": _quantities(grows=True), "fixed": _quantities(grows=False)}
+"""The public functions by name, and behind them the measures of a stress, which have no fields."""
+
+
 def module(entries: Mapping[str, Entry], plain: Mapping[str, Entry], known: Mapping[str, Sequence[str]]) -> Module:
     """The module of a profile, on that of the normal contact, whose entries are `plain` and whose functions take what
     `known` says.
@@ -142,9 +161,9 @@ class _Source:
 
     def module(self) -> Module:
         """The whole module."""
-        asked = [one for one in ASKED if self.compact or one.name != "partial_slip_stress"]
         shape = self.grown() if self.compact else self.fixed()
-        public, title = [self.public(one) for one in asked], f"{self.profile.title}: stresses below the surface"
+        public = [self.public(one) for one in asked(grows=self.compact)]
+        title = f"{self.profile.title}: stresses below the surface"
         return Module(SYSTEM, self.profile.name, title, self.profile.subtitle, public, shape)
 
     def public(self, asked: Asked) -> Function:
@@ -269,7 +288,8 @@ def _piece(start: str, high: str, slope: sp.Expr, regimes: Regimes | None) -> st
     if regimes is not None and calls:
         form = regimes.slopes["tip"][1]
         (argument, *_) = {call.args[-1].subs(dict(form.steps)) for call in calls}
-        longest = python(sp.cancel(t / argument) * (6 if slope.has(masters.StruveH) else 1))
+        # radians of waves in a panel: six leave 880 units of the last place next to an edge, four 65
+        longest = python(sp.cancel(t / argument) * (4 if slope.has(masters.StruveH) else 1))
         return f"Piece(PLAIN, {start}, longest={longest})"
     return f"Piece(PLAIN, {start}{'' if slope.has(t) else ', sharp=True'})"
 

@@ -7,7 +7,7 @@ k**(1, 2, 0) P(k) exp(-k z) J_m(k r).  Neither a flat punch nor the slope g' ent
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -20,19 +20,23 @@ from .integrals import Homogeneous
 from .rules import Rule, at_working_precision, ball, gauss_rule, integrate, middle
 from .shape import Number, Shape
 
+Share = tuple[arb, arb]
 PARTS = 4
 """Panels of a stretch of the profile at least, for the sake of the waves."""
 TURNS, ORDER = 24.0, 44
 """Radians of a wave in a panel of wave numbers, and its nodes."""
 
 
-def numbers(contact: HalfSpace) -> dict[str, Number]:
-    """S0 ... S3, D0 ... D3 and W at the place r, z of a contact, to about its digits where z is of the size of a."""
+def numbers(contact: HalfSpace, shares: Sequence[Share] = ()) -> dict[str, Number]:
+    """S0 ... S3, D0 ... D3 and W at the place r, z of a contact, to about its digits where z is of the size of a.
+
+    Its `shares` are those of `pressed`, which all places have in common.
+    """
     digits = contact.digits
     with mp.workdps(digits + 20), at_working_precision():
         r, z = contact.at(nt.r), contact.at(nt.z)
-        a, free = contact.contact(contact.at(nt.a))
-        pressed = list(_pressed(contact, a, free))
+        a, _ = contact.contact(contact.at(nt.a))
+        shares = shares or pressed(contact)
         highest = (digits + 6) * mp.log(10) / z
         panels = int(mp.ceil(highest * (a + r) / TURNS))
         zero, one = arb(0), arb(1)
@@ -42,7 +46,7 @@ def numbers(contact: HalfSpace) -> dict[str, Number]:
         for i in range(panels):
             for x, weight in rule:
                 k = (i + x) * width
-                transform = sum((w * (k * t).cos() for t, w in pressed), zero)
+                transform = sum((w * (k * t).cos() for t, w in shares), zero)
                 wave = weight * width * transform * (-k * depth).exp()
                 for m in range(4):
                     surface = wave * k * (k * place).bessel_j(arb(m) * one)
@@ -52,8 +56,13 @@ def numbers(contact: HalfSpace) -> dict[str, Number]:
         return {name: middle(value) for name, value in total.items()}
 
 
-def _pressed(contact: HalfSpace, a: Number, free: Number | None) -> Iterator[tuple[arb, arb]]:
+def pressed(contact: HalfSpace) -> list[Share]:
     """Radii up to the edge, and weights times what a punch of the radius is pressed in by."""
+    with mp.workdps(contact.digits + 20), at_working_precision():
+        return [*_pressed(contact, *contact.contact(contact.at(nt.a)))]
+
+
+def _pressed(contact: HalfSpace, a: Number, free: Number | None) -> Iterator[Share]:
     whole = contact.face(a).shape
     depth = _depth(whole, a, contact.digits) if free is None else free
     for piece in whole.stretches:

@@ -234,9 +234,11 @@ PHYSICS = Physics(
     group=GROUP,
     over=normal.PHYSICS,
     beside=True,
-    material=(nt.nu,),
+    material=(nt.nu, nt.mu),
     contact="below the surface",
+    wanted=("stress", "displacement"),
     runtime=("subsurface.punches", "subsurface.stresses"),
     quantities={"subsurface": QUANTITIES, "subsurface complete": QUANTITIES_COMPLETE},
+    shown={nt.nu: "3/10"},
     printed=False,
 )

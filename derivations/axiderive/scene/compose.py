@@ -16,6 +16,7 @@ from ..exits import USAGE, CommandError
 from . import evidence, interface
 from .contact import Contact
 from .evidence import Run, measured, test_text
+from .interface import Function
 from .linker import library, module
 from .linker.library import Module, definition
 from .linker.linking import OWN, Wanted
@@ -136,9 +137,9 @@ class _Composition:
         wanted = [self._wanted(modules, quantity, texts) for quantity in request.quantities]
         modules[OWN] = Module(OWN, "\n\n".join(texts))
         constants = {name: (value, self._comment(name)) for name, value in request.frozen.items()}
-        domains = {p: interface.interval(interface.record(p, self.profile))[:2] for p in request.free}
+        domains = {p: interface.interval(interface.record(p, self.profile)) for p in request.free}
         fields = {name for one in wanted for name in one.fields}
-        units = {name: interface.record(name, self.profile).unit for name in {*fields, *request.free}}
+        units = {name: interface.unit(name, self.profile) for name in {*fields, *request.free}}
         title = module.head(request, self.profile, self.answer, self.contact)
         return module.module_text(title, modules, wanted, constants, domains, units), wanted
 
@@ -152,6 +153,8 @@ class _Composition:
             texts.append(module.pull_off(modules, f"{kind.name}.{name}", self.request.keywords, array=array))
             return Wanted(f"{OWN}:{quantity}", quantity, PULL_OFF_DOC, tuple(free), leading='control="force"')
         function = interface.function(kind, self.profile, quantity)
+        if function.whole:
+            return self._whole(modules, function, texts)
         package, private = f"{function.module}.{name}", f"_{function.quantity.function}"
         key = f"{package}:{private}"
         if private not in modules[package].definitions:
@@ -166,6 +169,17 @@ class _Composition:
         return Wanted(
             key, quantity, function.doc(name), keywords, fields, signed=function.signed, parity=function.parity
         )
+
+    def _whole(self, modules: Mapping[str, Module], function: Function, texts: list[str]) -> Wanted:
+        """A function of several results, as the package has it; what is asked of a stress takes nothing else."""
+        if not function.fields:
+            own = definition(modules, f"{module.STRESSES}:{function.name}")
+            return Wanted(own.key, function.name, "", (), leading=module.taken(own))
+        text, needs = module.whole(modules[f"{function.module}.{self.profile.name}"], function)
+        texts.append(text)
+        keywords = tuple(name for name in needs if name in self.request.free)
+        doc = function.doc(self.profile.name)
+        return Wanted(f"{OWN}:{function.name}", function.name, doc, keywords, function.fields, whole=True)
 
     def _origin(self) -> str:
         """Where the check values come from."""

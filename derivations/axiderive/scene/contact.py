@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from .reading import Scene
 
 DIGITS = 20
+STICK = 0.6
+"""Radius of the stick zone over the contact radius, or its place between a flat face and it."""
 MATERIAL = {"E_star": 1.0e6, "dgamma": 0.05, "G_star": 8.0e5, "mu": 0.3, "H": 1.0e6, "k": 0.25, "H_x": 8.0e5,
             "E": 1.0e6, "E_inf": 4.0e5, "E_1": 1.3e6, "eta": 3.0e6, "tau": 2.5, "alpha": 0.3, "t_0": 1.7}  # fmt: skip
 """Material values where a scene leaves them free; those of others are shown by their physics."""
@@ -139,6 +141,11 @@ class Contact:
         """A place in the last piece below the contact radius, where there is more than one."""
         inner = [b for b in (float(self.given()[b]) for b in self.profile.breaks) if b < a]
         return [0.5 * (inner[-1] + a)] if inner else []
+
+    def stick(self, a: float) -> float:
+        """The radius of a zone of stick within a contact."""
+        floor = float(self.given()[self.profile.breaks[0]]) if self.profile.truncated else 0.0
+        return short(floor + STICK * (a - floor))
 
     def peak(self, a: float) -> tuple[mp.mpf, mp.mpf]:
         """The greatest pressure and its radius, searched for once."""

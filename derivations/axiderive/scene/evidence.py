@@ -6,7 +6,7 @@ The evidence of a scene: certificates, comparisons with the definition, what the
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -15,10 +15,11 @@ from ..exits import FAILED, CommandError
 from ..profiles.profile import Profile
 from . import interface
 from .contact import DIGITS, Contact
+from .fields import GREATEST
 from .linker import library
 from .linker.module import TEMPLATES
 from .reading import Scene
-from .references import State, Value, detached
+from .references import State, Value, below, detached
 
 if TYPE_CHECKING:
     from ..expression.answer import Answer
@@ -37,7 +38,7 @@ class RuleError(CommandError, ArithmeticError):
 class Run:
     """What running a module says."""
 
-    values: Sequence[Value]
+    values: list[Value]
     errors: dict[str, float]
     """The worst relative deviation of every function."""
     detached: dict[str, State]
@@ -57,14 +58,24 @@ def measured(text: str, values: Sequence[Value], free: Mapping[str, float], cont
     exec(compile(text, request.module, "exec"), space)  # text of our own making
     errors: dict[str, float] = {}
     states = _states(space, contact, free, errors) if interface.PULL_OFF in request.quantities else {}
+    run = Run([], errors, states)
     for value in values:
-        got = space[value.function](*value.fields, **dict(value.keywords))
-        _compare(errors, value.function, f"{value.function}{value.fields}", got, value.wanted)
-    return Run(values, errors, states)
+        fields = (space[value.of](*value.fields),) if value.of else value.fields
+        got, call = space[value.function](*fields, **dict(value.keywords)), f"{value.function}{value.fields}"
+        if value.function in GREATEST:
+            first, *place = below(contact).greatest(value.function, value.fields[0], got)
+            _compare(errors, value.function, call, got.value, first)
+            _compare({}, value.function, call, got[1:], tuple(place))
+            value = replace(value, wanted=(first, *place))
+        else:
+            _compare(errors, value.function, call, got, value.wanted)
+        run.values.append(value)
+    return run
 
 
-def _compare(errors: dict[str, float], name: str, call: str, got: float, wanted: float) -> None:
-    error = abs(got - wanted) / abs(wanted) if wanted else abs(got)
+def _compare(errors: dict[str, float], name: str, call: str, got: Any, wanted: Any) -> None:
+    pairs = [*zip(got, wanted, strict=True)] if isinstance(wanted, tuple) else [(got, wanted)]
+    error = max(0.0 if x == y else abs(x - y) for x, y in pairs) / (max(abs(y) for _, y in pairs) or 1.0)
     if not error <= LARGEST_ERROR:
         message = (
             f"{call} gives {got!r} instead of {wanted!r}; nothing was written: the rules "
@@ -159,14 +170,21 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
     """
     lines = [TEMPLATES["test"].format(stem=stem, origin=origin, digits=DIGITS, rule=tolerance(run))]
     tests, count = list[str](), dict[str, str]()
-    if run.values:
-        keyed = any(v.keywords for v in run.values)
-        given = [f"dict({_passed(dict(v.keywords))}), " if keyed else "" for v in run.values]
-        rows = (f'("{v.function}", {v.fields!r}, {own}{v.wanted!r})' for v, own in zip(run.values, given, strict=True))
-        lines += ["VALUES = [", *(f"    {row}," for row in rows), "]"]
+    if any(isinstance(v.wanted, tuple) for v in run.values):
+        tests.append("\n\n" + TEMPLATES["near"])
+    for name, searched in (("values", False), ("greatest", True)):
+        values = [v for v in run.values if (v.function in GREATEST) == searched]
+        if not values:
+            continue
+        keyed = any(v.keywords for v in values)
+        given = [f"dict({_passed(dict(v.keywords))}), " if keyed else "" for v in values]
+        wanted = [repr(v.wanted).replace("inf", "math.inf") for v in values]
+        rows = (f'("{v.function}", {_fields(v)}, {own}{w})' for v, own, w in zip(values, given, wanted, strict=True))
+        lines += [f"{name.upper()} = [", *(f"    {row}," for row in rows), "]"]
         words = {"keywords": "keywords, ", "passed": ", **keywords"} if keyed else {"keywords": "", "passed": ""}
-        tests.append("\n\n" + TEMPLATES["test_values"].format(**words))
-        count["values"] = "len(VALUES)"
+        words["close"] = "near" if any(isinstance(v.wanted, tuple) for v in values) else "math.isclose"
+        tests.append("\n\n" + TEMPLATES[f"test_{name}"].format(**words))
+        count[name] = f"len({name.upper()})"
     if run.detached:
         rows = (f'"{control}": {state!r}' for control, state in run.detached.items())
         lines += ["PULL_OFF = {  # radius, force and depth", *(f"    {row}," for row in rows), "}"]
@@ -177,6 +195,10 @@ def test_text(stem: str, run: Run, free: Mapping[str, float], origin: str) -> st
         count["pull_off"] = "3 * len(PULL_OFF)"
     calls = [*(f"test_{name}()" for name in count), f'print(f"{{{" + ".join(count.values())}}} values agree")']
     return "\n".join([*lines, *tests, "", "", 'if __name__ == "__main__":', *(f"    {call}" for call in calls), ""])
+
+
+def _fields(value: Value) -> str:
+    return f"(module.{value.of}{value.fields!r},)" if value.of else repr(value.fields)
 
 
 def _passed(keywords: Mapping[str, float]) -> str:

@@ -9,12 +9,13 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..code import subsurface as fields
 from ..code.plane import SHAPE
 from ..code.tables import bounds
 from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of
 from ..oracle.half_space import HalfSpace
-from ..physics import Physics, adhesive, normal, viscoelastic
+from ..physics import Physics, adhesive, normal, subsurface, viscoelastic
 from ..physics.adhesive import pull_off_rule
 from ..physics.systems import SYSTEMS, System
 from ..physics.viscoelastic import Law
@@ -29,6 +30,8 @@ CONCAVE = "concave"
 """A complete contact from some least load on."""
 TILTED = "tilted"
 """The contact under an eccentric load, complete until one edge lifts off."""
+WHOLE = {subsurface.PHYSICS: fields.GIVEN}
+"""Functions of several results, each of which has its own way over arrays."""
 LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
 """What is given beside the time, by the kind of loading."""
 PULL_OFF = "pull_off"
@@ -124,8 +127,15 @@ class Function:
         mirrored = self.kind.system.pool.strip and not self.leaning
         return self.quantity.parity if mirrored else ""
 
+    @property
+    def whole(self) -> bool:
+        """Whether it has several results and its own way over arrays."""
+        return self.kind.physics in WHOLE
+
     def doc(self, profile: str) -> str:
-        """The docstring: summary, unit of the result, key of the formula."""
+        """The docstring: summary, unit of the result, key of the formula; of several results what they are."""
+        if self.whole:
+            return self.quantity.summary
         unit = nt.describe(self.quantity.symbol).unit
         system = self.kind.system
         key = system.medium.key(system.pool.id(profile), system.group, self.quantity.suffix)
@@ -149,7 +159,7 @@ def functions(kind: Kind, contact: str = "compact") -> dict[str, Function]:
     """All functions of a kind of contact by name, `pull_off` left out."""
     if kind.law:
         return _viscoelastic(kind, kind.law, contact)
-    tables = [*kind.physics.quantities.values()]
+    tables = [*WHOLE.get(kind.physics, kind.physics.quantities).values()]
     table = tables[{"compact": 0, TILTED: -1}.get(contact, 1 % len(tables))]
     if kind.system.pool.strip and contact != TILTED:
         table = {"f": SHAPE} | {**table}
@@ -187,6 +197,11 @@ def ramps(profile: Profile) -> bool:
     """Whether the force under a ramp of the depth is known: that on the elastic half-space is a power of the depth."""
     base, _ = profile.pieces[0].expr.as_independent(nt.r, as_Add=False)[1].as_base_exp()
     return not profile.breaks and (profile.pieces[0].expr == 0 or (profile.compact and bool(base == nt.r)))
+
+
+def unit(name: str, profile: Profile) -> str:
+    """The unit of a field or a parameter."""
+    return "rad" if name == subsurface.ANGLE.name else record(name, profile).unit
 
 
 def record(name: str, profile: Profile | None = None) -> nt.Notation:

@@ -184,7 +184,7 @@ def medium_values(text: SceneText) -> dict[str, float]:
         message = f"{missing} is missing: E_star = E/(1 - nu^2) needs both; give {missing}, or E_star alone"
         text.problem("medium", there, message)
     elif "E" in values and "nu" in values:
-        nu, E = values.pop("nu"), values.pop("E")
+        nu, E = values["nu"], values["E"]
         values["E_star"] = E / ((1.0 - nu) * (1.0 + nu))
         values.setdefault("G_star", 2.0 * E / ((1.0 + nu) * (2.0 - nu)))
-    return {key: value for key, value in values.items() if key not in ("E", "nu")}
+    return {key: value for key, value in values.items() if key != "E"}

@@ -22,7 +22,7 @@ from ..physics.viscoelastic import LAWS, Law
 from ..profiles.pools import PRESSURES, ROUND, STRIPS
 from ..profiles.profile import Profile
 from . import interface
-from .linker.library import graded_refusal
+from .linker.library import fields_refusal, graded_refusal
 from .medium import KEYS as MEDIUM
 from .medium import frozen, given, kind_of, medium_values
 from .text import SceneText, near
@@ -105,7 +105,7 @@ def read(text: SceneText) -> Scene:
     _profile(text, scene)
     with nt.extended(scene.notation):
         _parameters(text, scene)
-        scene.values |= medium_values(text)
+        scene.values = medium_values(text) | scene.values
         _physics(text, scene)
         _want(text, scene)
         _rules(text, scene)
@@ -258,7 +258,7 @@ def _physics(text: SceneText, scene: Scene) -> None:
         message = "normal is true or left out; write normal = true, or name another kind of contact"
         text.problem("physics", PLAIN, message)
     if len(chosen) > 1:
-        count = {2: "two", 3: "three", 4: "four", 5: "five"}[len(chosen)]
+        count = ("two", "three", "four", "five", "six", "seven")[len(chosen) - 2]
         message = f"{' and '.join(chosen)} together are not derived; emit {count} scenes, one with each"
         text.problem("physics", chosen[-1], message)
     medium = text.values.get("medium")
@@ -307,7 +307,9 @@ def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
         return f"{kind} on a graded half-space is not derived"
     if found := system.refusal(profile):
         return found.partition(": use ")[0]
-    return graded_refusal(profile) if graded and own else ""
+    if not own:
+        return ""
+    return fields_refusal(profile) if PHYSICS[kind] in interface.WHOLE else graded_refusal(profile) if graded else ""
 
 
 def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
@@ -327,7 +329,10 @@ def _table(text: SceneText, scene: Scene, name: str, raw: Any) -> None:
         text.problem("physics", name, message)
         return
     for key, value in raw.items():
-        if key in names:
+        if key in names and key in text.table("medium"):
+            message = f"{key} stands below [medium] already; leave it out of {name}"
+            text.problem("physics", name, message)
+        elif key in names:
             frozen(text, scene.values, "physics", key, value, inside=name)
         else:
             text.problem("physics", name, f"unknown key {key[:40]!r} of {name}{near(key, names)}")

@@ -30,14 +30,13 @@ from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
 from . import interface
 from .contact import DIGITS, Contact, short
+from .fields import Below
 from .interface import Function
 
 Rows = list[tuple[tuple[float, ...], Any]]
 """Calls of a function, by their fields, with their results."""
 LOAD = 3.0
 """Line load at which the eccentric punch is checked."""
-STICK = 0.6
-"""Radius of the stick zone over the contact radius, or its place between a flat face and it."""
 COARSE = 8
 """Digits of a load that is only compared with another one."""
 PLACES = 24
@@ -67,15 +66,20 @@ class Value:
     function: str
     fields: tuple[float, ...]
     keywords: tuple[tuple[str, float], ...]
-    wanted: float
+    wanted: Any
+    """A number, or a tuple of several results."""
+    of: str = ""
+    """The named tuple that its fields are."""
 
     def record(self) -> dict[str, Any]:
         """The call and its value as plain data."""
+        several = isinstance(self.wanted, tuple)
         return {
             "function": self.function,
             "fields": list(self.fields),
             "keywords": dict(self.keywords),
-            "value": self.wanted,
+            # an infinite number has no form in JSON
+            "value": [x if np.isfinite(x) else repr(x) for x in self.wanted] if several else self.wanted,
         }
 
 
@@ -86,10 +90,15 @@ def check_values(contact: Contact, keywords: Mapping[str, Sequence[str]]) -> lis
     with mp.workdps(DIGITS + (STRIPS if kind.system.pool.strip else GUARD)):
         for name in contact.request.quantities:
             if name != interface.PULL_OFF:
-                calls = rows(interface.function(kind, profile, name))
+                function = interface.function(kind, profile, name)
+                calls, of = rows(function), "SlidingStress" if function.whole and not function.fields else ""
                 passed = tuple((keyword, contact.all[keyword]) for keyword in keywords[name])
-                found += [Value(name, fields, passed, float(wanted)) for fields, wanted in calls]
+                found += [Value(name, fields, passed, _plain(wanted), of) for fields, wanted in calls]
     return found
+
+
+def _plain(wanted: Any) -> float | tuple[float, ...]:
+    return tuple(map(float, wanted)) if isinstance(wanted, list) else float(wanted)
 
 
 def _rules(contact: Contact) -> Callable[[Function], Rows]:
@@ -106,9 +115,22 @@ def _rules(contact: Contact) -> Callable[[Function], Rows]:
     edged = Edged(contact)
     if kind.law:
         return lambda function: _relaxing(contact, edged, function)
+    if kind.physics in interface.WHOLE:
+        own = below(contact)
+        return lambda function: own.rows(function) if function.whole else _pressed(contact, edged, function)
+    return lambda function: _pressed(contact, edged, function)
+
+
+def _pressed(contact: Contact, edged: Edged, function: Function) -> Rows:
     if not contact.compact:
-        return edged.rows
-    return lambda function: [row for a in contact.radii() for row in _Radius(contact, a).rows(function)]
+        return edged.rows(function)
+    return [row for a in contact.radii() for row in _Radius(contact, a).rows(function)]
+
+
+def below(contact: Contact) -> Below:
+    """The fields below the surface."""
+    edged = Edged(contact)
+    return Below(contact, *((contact.radii(), contact.load) if contact.compact else (edged.depths, edged.at)))
 
 
 def _sunk(contact: Contact, load: Load) -> Rows:
@@ -191,8 +213,7 @@ class _Radius:
     def superposed(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
         """What superposes normal contacts, by the definitions of its physics; a field on both sides of c."""
         a, contact, quantity = self.a, self.contact, function.quantity
-        floor = float(contact.given()[contact.profile.breaks[0]]) if contact.profile.truncated else 0.0
-        c, rows = short(floor + STICK * (a - floor)), Rows()
+        c, rows = contact.stick(a), Rows()
         for r in (0.5 * c, 0.5 * (a + c)) if nt.r in quantity.arguments else (0.0,):
             here = contact.half_space(a=a, c=c, r=r)
             known = {nt.r: r, nt.a: a, nt.c: c}

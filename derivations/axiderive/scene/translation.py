@@ -61,6 +61,9 @@ def _asked(contact: Contact, name: str) -> Asked:
         message = "the programs are those of the catalogue, and this is an expression"
         raise NoProgramError(message)
     function = interface.function(request.kind, profile, name)
+    if function.whole:
+        message = "fields below the surface are sums of numbers, which go over arrays"
+        raise NoProgramError(message)
     home = f"{function.module}.{profile.name}"
     return Asked(name, home, function.quantity.function, request.frozen, function.doc(profile.name), function.parity)
 

@@ -20,7 +20,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ...abel.reduce import NotReducibleError
+from ...abel.reduce import NotReducibleError, parse
 from ...code.graded.families import family
 from ...code.module import PLACE, RUNTIME
 from ...code.python import NODE_COUNTS
@@ -315,7 +315,7 @@ class _Runtime(dict[str, Module]):
             case "nodes":
                 found = Module(name, nodes_source(NODE_COUNTS))
             case "kernels":
-                found = _polynomials(Module(name, catalogue_text(f"{PLACE}/kernels.py") or kernels_source()))
+                found = Module(name, catalogue_text(f"{PLACE}/kernels.py") or kernels_source())
             case _:
                 folder = Path(__file__).with_name("runtime") if file == FOR_SCENES else RUNTIME
                 found = Module(name, (folder / f"{file}.py").read_text())
@@ -325,15 +325,6 @@ class _Runtime(dict[str, Module]):
 
 
 RUN_TIME = _Runtime()
-
-
-def _polynomials(kernels: Module) -> Module:
-    """The module with kernels of denominator 1 as coefficients in descending order, for `np.polyval`."""
-    for own in kernels.definitions.values():
-        match own.node:
-            case ast.Assign(value=ast.Tuple(elts=[ast.Tuple(elts=top), ast.Tuple(elts=[ast.Constant(value=1.0)])])):
-                own.node.value = ast.Tuple(top[::-1], ast.Load())
-    return kernels
 
 
 def catalogue_text(path: str) -> str | None:
@@ -370,6 +361,17 @@ def graded_refusal(profile: Profile) -> str:
             "on the graded half-space there are rules for sums of powers of r, with at most one break of "
             "straight or parabolic pieces, and not for these pieces"
         )
+    return ""
+
+
+def fields_refusal(profile: Profile) -> str:
+    """Why no fields below an expression are emitted; empty if they are."""
+    if profile.breaks:
+        return "fields below the surface are emitted for an expression without breaks, or a profile of the catalogue"
+    try:
+        parse(profile.pieces)
+    except NotReducibleError as error:
+        return f"fields below the surface are sums over the rate of the depth, and {error}"
     return ""
 
 

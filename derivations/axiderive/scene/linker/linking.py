@@ -34,6 +34,7 @@ OWN = "scene"
 SHARED = {
     "_runtime.integrals:integral": "_integral",
     "_runtime.nodes:_LOWER_HALVES": "_NODES",
+    "_runtime.interface:numbers": "_bare",
 }
 """Names of what is written anew for a scene, in fewer lines."""
 WRITTEN = {*SHARED.values(), "_bare", "_elementwise", "_require", "_DOMAINS", "_UNITS"}
@@ -55,6 +56,13 @@ class Wanted:
     """Whether a field may be negative."""
     parity: str = ""
     """Whether it is even or odd in its first field."""
+    whole: bool = False
+    """Whether it goes over arrays by itself, and has several results."""
+
+    @property
+    def elementwise(self) -> bool:
+        """Whether it is a formula for each number of its fields."""
+        return bool(self.fields) and not self.whole
 
 
 class Linker:
@@ -71,7 +79,7 @@ class Linker:
         written = [f"{OWN}:{name}" for name in modules[OWN].definitions]
         self.program = Program(modules, [*(w.key for w in wanted), *written], frozenset(SHARED))
         bind(self.program, frozen, positive)
-        self.merged = {w.key for w in wanted if w.fields and self._merged(w)}
+        self.merged = {w.key for w in wanted if w.elementwise and self._merged(w)}
         names = [*self.program.trees]
         inline(self.program, frozen)
         functions = self.program.functions
@@ -94,7 +102,7 @@ class Linker:
         return plain and not shadowed
 
     def _named(self, keys: Sequence[str]) -> dict[str, str]:
-        names = {w.key: w.name for w in self.wanted if w.key in self.merged or not w.fields}
+        names = {w.key: w.name for w in self.wanted if w.key in self.merged or not w.elementwise}
         taken = {w.name for w in self.wanted} | self.frozen | WRITTEN
         for key in keys:
             if key not in names:

@@ -6,6 +6,7 @@ import ast
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from copy import deepcopy
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ from ...profiles.profile import Profile, Rule
 from .. import interface
 from ..contact import Contact, worked
 from ..reading import Scene
-from .library import Module, definition, parameters, references
+from .library import Definition, Module, definition, parameters, references, source
 from .linking import OWN, Linker, Wanted
 from .written import documented, marks
 
@@ -68,7 +69,7 @@ def module_text(
     modules: Mapping[str, Module],
     wanted: Sequence[Wanted],
     constants: Mapping[str, tuple[float, str]],
-    domains: Mapping[str, tuple[str, str]],
+    domains: Mapping[str, tuple[str, str, str]],
     units: Mapping[str, str],
 ) -> str:
     """The module.
@@ -84,17 +85,18 @@ def module_text(
     constants : mapping
         Values of the frozen parameters and what they are; those that nothing needs are left out.
     domains : mapping
-        Open interval of each parameter that is left free.
+        Interval of each parameter that is left free: its ends, and which of them is in it.
     units : mapping
         Units of all fields and parameters.
     """
     wanted = sorted(wanted, key=lambda one: not one.fields)
     frozen, positive = frozenset(constants), frozenset(name for name, (value, _) in constants.items() if value > 0.0)
-    linker, fielded = Linker(modules, wanted, frozen, positive), [one for one in wanted if one.fields]
+    linker, fielded = Linker(modules, wanted, frozen, positive), [one for one in wanted if one.elementwise]
     counts = _counts(linker)  # numbers of the trees, which are texts once they are written
-    hidden = {*linker.merged, *(one.key for one in wanted if not one.fields)}
+    hidden = {*linker.merged, *(one.key for one in wanted if not one.elementwise)}
     private = [linker.text(key) for key in linker.program.functions if key not in hidden]
-    values = [linker.text(key) for key in _constants(linker)]
+    constants_of, behind = _constants(linker)
+    values, late = ([linker.text(key) for key in keys] for keys in (constants_of, behind))
     body = "\n\n\n".join([*(_public(linker, one) for one in wanted), *private])
     if "_integral(" in body:
         body += f"\n\n\n{TEMPLATES['integral']}"
@@ -102,7 +104,7 @@ def module_text(
         values.append(_nodes(modules["_runtime.nodes"], counts))
     free = sorted({name for one in wanted for name in one.keywords})
     if free:
-        ends = {name: ", ".join(domains[name]).replace("inf", "np.inf") for name in free}
+        ends = {name: _ends(*domains[name]) for name in free}
         values.append("\n".join(["_DOMAINS = {", *(f'    "{name}": ({both}),' for name, both in ends.items()), "}"]))
         body = f"{TEMPLATES['require']}\n\n\n{body}"
     given = dict.fromkeys([name for one in wanted for name in one.fields] + free)
@@ -116,7 +118,14 @@ def module_text(
     body = f"{TEMPLATES['bare']}\n\n\n{body}" if given else body
     shown = [f"{name} = {value!r}  # {comment}" for name, (value, comment) in used.items()]
     parts = [f'"""{head}"""', _imports(body + "\n".join(values)), "\n".join([*shown, *values])]
+    body = "\n\n\n".join([body, *(["\n".join(late)] if late else [])])
     return "\n\n".join(part for part in parts if part) + "\n\n\n" + body + "\n"
+
+
+def _ends(low: str, high: str, closed: str) -> str:
+    """The open interval of the numbers in a domain."""
+    below = f"np.nextafter({high}, np.inf)" if closed == "high" else high.replace("inf", "np.inf")
+    return f"{low.replace('inf', 'np.inf')}, {below}"
 
 
 def _vanishes(one: Wanted) -> bool:
@@ -138,7 +147,7 @@ def _core(wanted: Sequence[Wanted]) -> str:
 
 def _public(linker: Linker, one: Wanted) -> str:
     """A function of the interface, by itself or in front of a private one that takes more than its fields."""
-    options = ["least=-np.inf"] * one.signed + ["vanishing=True"] * bool(one.fields and _vanishes(one))
+    options = ["least=-np.inf"] * one.signed + ["vanishing=True"] * bool(one.elementwise and _vanishes(one))
     above = [f"@_{one.parity}"] if one.parity else []
     above.append(f"@partial(_elementwise, {', '.join(options)})" if options else "@_elementwise")
     if one.key in linker.merged:
@@ -146,7 +155,7 @@ def _public(linker: Linker, one: Wanted) -> str:
     tree = linker.program.trees[one.key]
     given = [*one.fields, *filter(None, [one.leading]), *(["*", *one.keywords] if one.keywords else [])]
     head = [f"def {one.name}({', '.join(given)}):", *documented(one.doc), *_checks(linker, one)]
-    if not one.fields:
+    if not one.elementwise:
         return linker.text(one.key, head=[*marks(tree, linker.names), *head])
     call = f"{linker.names[one.key]}({', '.join(parameters(tree))})"
     return "\n".join([*above, *head, f"    return {call}"])
@@ -162,8 +171,8 @@ def _checks(linker: Linker, one: Wanted) -> list[str]:
     return [*found, f"    {REQUIRE_ORDER}({', '.join(left)})"] if left and {*left} <= {*one.keywords} else found
 
 
-def _constants(linker: Linker) -> list[str]:
-    """What is no function, each after those it is made of."""
+def _constants(linker: Linker) -> tuple[list[str], list[str]]:
+    """What is no function, each after those it is made of; and apart what names functions, which stands behind them."""
     found: dict[str, None] = {}
     trees, functions = linker.program.trees, linker.program.functions
 
@@ -175,7 +184,11 @@ def _constants(linker: Linker) -> list[str]:
 
     for key in trees:
         add(key)
-    return list(found)
+    late: list[str] = []
+    for key in found:
+        if any(name.id in functions or name.id in late for name in references(trees[key])):
+            late.append(key)
+    return [key for key in found if key not in late], late
 
 
 def _counts(linker: Linker) -> list[int]:
@@ -252,6 +265,33 @@ def pull_off(modules: Mapping[str, Module], key: str, parameters: Sequence[str],
     return TEMPLATES["growing" if growing else "peeling"].format(
         module=key, parameters=", ".join(parameters), silent=SILENT if growing or array else "", **names, **called
     )
+
+
+STRESSES = "_runtime.subsurface.stresses"
+
+
+def taken(own: Definition) -> str:
+    """The arguments in the head of a function."""
+    assert isinstance(own.node, ast.FunctionDef)
+    return source(own.node.args)
+
+
+def whole(home: Module, function: interface.Function) -> tuple[str, list[str]]:
+    """A function of several results as its module has it, without what asks about its arguments, and its keywords."""
+    node = deepcopy(home.definitions[function.name].node)
+    assert isinstance(node, ast.FunctionDef)
+    last, head = node.body[-1], node.args
+    assert isinstance(last, ast.Return) and last.value is not None
+    needs = [arg.arg for arg, value in zip(head.kwonlyargs, head.kw_defaults, strict=True) if value is None]
+    for call in (n for n in ast.walk(last) if isinstance(n, ast.Call)):
+        call.keywords = [keyword for keyword in call.keywords if keyword.arg]
+    given = [*function.fields, *needs]
+    names = {n.id for n in ast.walk(last.value) if isinstance(n, ast.Name)} - {*given}
+    text = TEMPLATES["whole"].format(
+        module=home.name, names=", ".join(sorted(names)), name=function.name,
+        parameters=", ".join(given), value=source(last.value),
+    )  # fmt: skip
+    return text, needs
 
 
 def leaning(key: str, name: str) -> str:

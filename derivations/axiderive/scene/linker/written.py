@@ -100,9 +100,10 @@ class _Written(ast.NodeTransformer):
 
 
 def _listed(node: ast.expr) -> ast.expr:
-    """A tuple without the brackets that some versions of Python write."""
+    """A tuple without the brackets that some versions of Python write; on several lines it needs them."""
     if isinstance(node, ast.Tuple) and len(node.elts) > 1:
-        return ast.Name(", ".join(map(source, node.elts)))
+        text = ", ".join(map(source, node.elts))
+        return ast.Name(text if len(text) < WIDTH else f"({text})")
     return node
 
 
@@ -111,7 +112,15 @@ def constant_text(name: str, value: ast.expr, names: Mapping[str, str]) -> str:
     line = f"{name} = {written(value, names)}"
     if isinstance(value, ast.Tuple) and len(line) > WIDTH:
         return textwrap.fill(line, WIDTH, subsequent_indent="    ", break_long_words=False)
+    if isinstance(value, ast.Call) and len(line) > WIDTH:
+        given = (f"    {one}," for one in _given(value, names))
+        return "\n".join([f"{name} = {written(value.func, names)}(", *given, ")"])
     return "\n".join(fit(line, 0))
+
+
+def _given(call: ast.Call, names: Mapping[str, str]) -> list[str]:
+    """The arguments of a call, as they stand in it."""
+    return [*(written(one, names) for one in call.args), *(f"{k.arg}={written(k.value, names)}" for k in call.keywords)]
 
 
 def class_text(name: str, node: ast.ClassDef, names: Mapping[str, str]) -> str:
@@ -120,7 +129,7 @@ def class_text(name: str, node: ast.ClassDef, names: Mapping[str, str]) -> str:
     fields = " ".join(ast.unparse(row.target) for row in rows)
     given = [written(row.value, names) for row in rows if row.value is not None]
     defaults = f", defaults=[{', '.join(given)}]" if given else ""
-    return f'{name} = namedtuple("{name}", "{fields}"{defaults})'
+    return "\n".join(fit(f'{name} = namedtuple("{name}", "{fields}"{defaults})', 0))
 
 
 def function_text(head: Sequence[str], node: ast.FunctionDef, names: Mapping[str, str], doc: str = "") -> str:

@@ -109,7 +109,7 @@ def beside(r: Array, a: Array, kernel: tuple[Sequence[float], Sequence[float], f
 
 def dawson(x: Array) -> Array:
     """Dawson's integral exp(-x**2) int_0^x exp(u**2) du for 0 <= x <= 25/16."""
-    return x / np.polyval(DAWSON, x * x)
+    return x / np.polyval(DAWSON[0][::-1], x * x)
 
 
 def arc_strips(r: Array, a: Array, R: Array) -> Array:
