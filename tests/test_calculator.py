@@ -75,7 +75,7 @@ def test_a_field_changes_the_numbers_the_curves_and_the_address(opened: tuple[Ch
     curves = "[...document.querySelectorAll('.drawn polyline')].map((one) => one.getAttribute('points'))"
     tables = "[...document.querySelectorAll('.drawn a')].map((one) => decodeURIComponent(one.href))"
     before, first = browser.value(curves), browser.value(SHOWN)
-    assert len(before) == 3
+    assert len(before) == 4  # pressure, displacement, load within a radius, force
     typed(browser, "indentation depth", "2 µm")
     after = browser.value(SHOWN)
     assert number(after["ad"]) == pytest.approx(2.0 * number(first["ad"]), rel=1e-4)

@@ -29,10 +29,10 @@ PACKAGES = {problem.system.name: problem.system for problem in problems()}
 
 COMPACT = {
     "profile", "depth", "force", "pressure", "displacement", "stiffness", "mean_pressure",
-    "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force", "load_within", "energy",
+    "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
 }  # fmt: skip
 COMPLETE = {
-    "profile", "force", "pressure", "displacement", "stiffness", "depth_from_force", "load_within", "energy",
+    "profile", "force", "pressure", "displacement", "stiffness", "depth_from_force",
 }  # fmt: skip
 CONCAVE = {"minimum_depth", "minimum_force", "zero_radius"}
 PEAKED = ("quartic", "sextic", "rounded_punch", "power_law")
@@ -47,6 +47,8 @@ BELOW = {
 """Functions of the numbers below the surface whose entries stand under stress and displacement."""
 LAWS = ("maxwell", "kelvin_voigt", "standard_solid", "power_creep")
 RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
+FOLLOW = {"load_within", "energy"}
+"""Of the homogeneous half-space, as the greatest pressure is."""
 TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
 PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
 PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}
@@ -62,7 +64,8 @@ def interface(problem: Problem) -> set[str]:
     compact = profile.contact == "compact"
     if family == "normal":
         peak = {"peak_pressure"} if problem.key in PEAKED else set()
-        return COMPACT | peak if compact else COMPLETE | (CONCAVE if "concave" in problem.name else set())
+        peak |= set() if problem.system.medium.graded else FOLLOW
+        return (COMPACT if compact else COMPLETE) | peak | (CONCAVE if "concave" in problem.name else set())
     if family == "adhesive":
         return ADHESIVE if compact else {"retraction", "pull_off"}
     if family == "tangential":

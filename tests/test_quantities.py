@@ -63,7 +63,7 @@ class Bare:
         return np.asarray(self.data, dtype=dtype)
 
 
-KNOWN = {"n": 2.0, "R": 3.0, "R1": 3.0, "R2": 2.0, "a": 1.0, "wavelength": 9.0, "e": 0.1}
+KNOWN = {"n": 2.0, "R": 3.0, "R1": 3.0, "R2": 2.0, "a": 1.0, "wavelength": 9.0, "e": 0.1, "C_13": 0.1}
 """Numbers that obey the rules between parameters; all others are 0.3."""
 
 

@@ -170,7 +170,7 @@ def test_arguments_are_only_read(package: str) -> None:
             own = by_name(function, call)
             numbers = {key: WHOLE.get(key, ceil(x)) for key, x in own.items() if isinstance(x, float)}
             floats = {key: frozen([float(x)] * 3) for key, x in numbers.items()}
-            bytes_ = {key: x.astype(np.uint8) if x[0].is_integer() else x for key, x in floats.items()}
+            bytes_ = {key: x.astype(np.uint8) if x[0].is_integer() and x[0] > 0.0 else x for key, x in floats.items()}
             found, again = function(**own | floats), function(**own | bytes_)
             np.testing.assert_array_equal(found, again, err_msg=f"{name}.{function.__name__}")
 

@@ -201,7 +201,7 @@ young_1 = define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of 
 young_2 = define("young_2", "E_2", STRESS, "Pa", "E_2 > 0", "Young's modulus of the second body", letter="E_2")
 C_11 = define("C_11", "C_{11}", STRESS, "Pa", "C_11 > 0", "elastic constant, along the surface")
 C_33 = define("C_33", "C_{33}", STRESS, "Pa", "C_33 > 0", "elastic constant, into the half-space")
-C_13 = define_signed("C_13", "C_{13}", STRESS, "Pa", "elastic constant, couples both directions, C_13^2 < C_11 C_33")
+C_13 = define_signed("C_13", "C_{13}", STRESS, "Pa", "elastic constant of both directions, its square below C_11 C_33")
 C_44 = define("C_44", "C_{44}", STRESS, "Pa", "C_44 > 0", "shear modulus in planes across the surface")
 E_0 = define("E_0", "E_0", STRESS, "Pa", "E_0 > 0", "Young's modulus at the depth of reference")
 c_0 = define("c_0", "c_0", LENGTH, "m", "c_0 > 0", "depth of reference of the graded half-space")

@@ -184,7 +184,8 @@ def _cells(profile_id: str, models: Mapping[str, Model]) -> dict[str, Any]:
     """A row of the matrix: the cells of `book.evidence`, or that of the only system a profile has."""
     title, status = models[profile_id]["title"], models[profile_id]["status"]
     own = COLUMNS if pool_of(profile_id) is ROUND else list(status)
-    cells = [(name, _digits_below(status.get(name, LEFT_OUT))) for name in own]
+    told = {*models[profile_id]["blocks"], BELOW.name}
+    cells = [(name, _digits_below(status.get(name, LEFT_OUT)), name in told) for name in own]
     return {"name": profile_id, "title": title, "cells": cells, "span": len(COLUMNS) // len(cells)}
 
 

@@ -168,7 +168,12 @@ def _over_threshold(complete: Complete, own: Consequence, lines: list[str]) -> s
     if not rest.is_polynomial(ROOT) or per_depth.has(d):
         return None
     rise = {a - ROOT: RISE, ROOT - a: -RISE}
-    lines += ["root = np.sqrt((a - r) * (a + r))", "rise = r**2 / (a + root)", f"face = {python(rest.subs(rise))}"]
+    face = rest.subs(rise)
+    for part in face.atoms(sp.Add):
+        if part.has(ROOT) and len({sp.sign(factor) for factor in sp.Poly(part, ROOT, a).coeffs()}) > 1:
+            # powers of the root that cancel near the axis, where the rise is small
+            face = face.subs(part, sp.horner(sp.expand(part.subs(ROOT, a - RISE)), RISE))
+    lines += ["root = np.sqrt((a - r) * (a + r))", "rise = r**2 / (a + root)", f"face = {python(face)}"]
     least = complete.functions["minimum_depth"].call()
     return f"{python(per_depth.subs(rise))} * (d - {least} + face)"
 

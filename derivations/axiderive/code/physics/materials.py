@@ -34,7 +34,7 @@ FORMULAS = {
         "return np.divide(1.0, compliance)",
     ],
     "E_ti": [
-        "mean = np.sqrt(C_11) * np.sqrt(C_33)",
+        "mean = C_11 * np.sqrt(C_33 / C_11)",
         "high, low = mean + C_13, mean - C_13",
         "return 2.0 * high * np.sqrt(C_44 / C_11 * (low / (high + 2.0 * C_44)))",
     ],

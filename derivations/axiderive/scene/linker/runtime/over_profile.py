@@ -91,7 +91,7 @@ def punches(m: Array, a: Array, gap: Array, rest: Array, other: Array) -> Array:
 
 def across(x: Array, excess: Array, r: Array) -> Array:
     """u (x + u) with u = sqrt(x**2 - r**2) and x = r + excess."""
-    square = excess * (x + r)
+    square = np.maximum(excess * (x + r), 1e-300)  # next to r, where what it divides is 0, the product underflows
     return square + x * np.sqrt(square)
 
 
