@@ -121,7 +121,8 @@ def like(name: str) -> Iterator[str]:
 
 def declared(kind: str, name: str) -> str:
     """The declaration of a variable of a kind."""
-    return {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}"}.get(kind, f"{kind} {name} = 0")
+    own = {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"double {name}[64]"}
+    return own.get(kind, f"{kind} {name} = 0")
 
 
 def inside(node: ast.AST) -> Iterator[ast.AST]:
