@@ -39,6 +39,7 @@ def _node() -> str | None:
 NODE = _node()
 GROUPS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads")
 GRADED = ("graded.normal", "graded.adhesive", "graded.tangential")
+EVERY = [*GROUPS, *(pytest.param(group, marks=pytest.mark.slow) for group in GRADED)]
 FEW = {"cone", "rounded_punch", "sphere_tipped_cone", "gaussian", "polynomial", "concave_power", "wedge", "hertzian"}
 """Profiles of the plain run: closed forms, rules, iterations, coefficients, a fixed edge."""
 MORE = {
@@ -217,9 +218,11 @@ def judged(rows: Iterable[Row]) -> tuple[list[str], list[str], int]:
     return worst, beyond, total
 
 
-@pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("group", EVERY)
 @pytest.mark.parametrize("language", SPOKEN)
-@pytest.mark.parametrize("count", [8, pytest.param(400, marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    "count", [8, pytest.param(400, marks=pytest.mark.slow), pytest.param(10_000, marks=pytest.mark.sweep)]
+)
 def test_programs_give_the_numbers_of_the_package(package: Package, language: str, group: str, count: int) -> None:
     names = [own for own in import_module(f"axicontact.{group}").__all__ if count > 8 or own in FEW]
     rows = [row for name in names for row in compared(package, language, group, name, count)]
@@ -245,7 +248,7 @@ def at_ends(group: str, name: str, one: Asked) -> list[dict[str, Any]]:
     return [fields | named | change for change in changes]
 
 
-@pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("group", EVERY)
 @pytest.mark.parametrize("language", SPOKEN)
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_domains_and_their_ends_are_those_of_the_package(
@@ -300,12 +303,10 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
     assert script.text() == before
 
 
-LACKING = {
-    ("adhesive", own) for own in ("pull_off", "radius_from_depth", "radius_from_force")
-}  # fmt: skip
+LACKING = {("adhesive", own) for own in ("pull_off", "radius_from_depth", "radius_from_force")}
 """Branches that are looked for on a grid."""
-MISSING = {"c": (0, 0), "javascript": (0, 0)}
-"""How many of these there are, of few profiles and of all."""
+MISSING = 32, 104
+"""How many of these there are, of few profiles and of all: the radii of a profile, and six numbers of pull-off."""
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -318,7 +319,7 @@ def test_what_is_a_program_is_one_in_other_languages(package: Package, language:
                 known = taken(LANGUAGES[language](package), group, name)
                 missing += [(group, one.function) for one in asked(group, name) if one not in known]
     assert set(missing) <= LACKING
-    assert len(missing) == MISSING[language][every]
+    assert len(missing) == MISSING[every]
 
 
 SMALL = """

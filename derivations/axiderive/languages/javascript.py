@@ -104,7 +104,7 @@ class Script:
 
     def _free(self, key: Name) -> str:
         plain = _word(key[1])
-        taken = {*self.names.values()}
+        taken = {*self.names.values(), *_reserved()}
         where = key[0].rpartition(".")[2]
         tried = [plain, f"{plain}_of_{where}", *(f"{plain}_{count}" for count in range(2, 100))]
         return next(name for name in tried if name not in taken)
@@ -437,6 +437,14 @@ def _constant(value: object, module: Module) -> str:
     if isinstance(value, str):
         return repr(value)
     raise _missing(module, repr(value))
+
+
+@cache
+def _reserved() -> frozenset[str]:
+    """The names that a file has besides."""
+    return frozenset(
+        ("HALVES", "functions", "formulas", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
+    )
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from .c.file import File
 from .javascript import Script
@@ -20,7 +21,7 @@ class Asked:
     module: str
     """The module of the package it comes from, and its name in it."""
     function: str
-    known: Mapping[str, float]
+    known: Mapping[str, Any]
     """Parameters that are no arguments of it."""
     doc: str
     part: str = ""

@@ -194,7 +194,7 @@ class Calls(Expressions):
             case "_pairs":
                 return self._pairs(*given)
             case "products":
-                return self._products(*given, named["beyond"])
+                return self._products(given[0], given[1], named["beyond"])
         raise missing(scope, name)
 
     def _of_kind(self, order: Native, a: Value, b: Value) -> Number:

@@ -19,7 +19,7 @@ from .natives import NODES
 from .statements import Writer
 from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, names_of, shape
 
-DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void)) (\w+)", re.MULTILINE)
+DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void|struct pairs)) (\w+)", re.MULTILINE)
 """What a helper is called."""
 HELPERS = Path(__file__).with_name("numbers.h")
 """What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""

@@ -96,7 +96,7 @@ class Lines:
 
     def _label(self, name: str) -> str:
         self.labels += 1
-        return f"{name}_{self.labels}"
+        return f"to_{name}_{self.labels}"
 
     def _place(self, label: str) -> None:
         if label and any(label in needs for _, _, _, needs in self.lines):

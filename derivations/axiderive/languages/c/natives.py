@@ -63,7 +63,7 @@ WORDS = frozenset((
     *("float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return", "short", "signed"),
     *("sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile", "while", "main"),
     *("minimum", "maximum", "lower", "higher", "pairs", "sum", "gamma", "j0", "j1", "jn", "y0", "y1", "yn"),
-    *("log", "exp"),
+    *(own.name for own in NATIVES.values()),
 ))  # fmt: skip
 """Names that mean something else in C."""
 

@@ -143,8 +143,9 @@ class Writer(Calls):
                 self.bind(scope, name, value)
             case ast.Tuple(targets) | ast.List(targets):
                 items = self._items(value, scope)
-                if isinstance(targets[-1], ast.Starred):
-                    *targets, rest = targets
+                rest = targets[-1]
+                if isinstance(rest, ast.Starred):
+                    targets = targets[:-1]
                     self.assign(rest.value, tuple(items[len(targets) :]), scope)
                     items = items[: len(targets)]
                 held = self._held(targets, items, scope)
