@@ -40,7 +40,17 @@ NODE = _node()
 GROUPS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads")
 GRADED = ("graded.normal", "graded.adhesive", "graded.tangential")
 EVERY = [*GROUPS, *(pytest.param(group, marks=pytest.mark.slow) for group in GRADED)]
-FEW = {"cone", "rounded_punch", "sphere_tipped_cone", "gaussian", "polynomial", "concave_power", "wedge", "hertzian"}
+FEW = {
+    "cone",
+    "flat_punch",
+    "rounded_punch",
+    "sphere_tipped_cone",
+    "gaussian",
+    "polynomial",
+    "concave_power",
+    "wedge",
+    "hertzian",
+}
 """Profiles of the plain run: closed forms, rules, iterations, coefficients, a fixed edge."""
 MORE = {
     **{"v": 0.3, "E": 1.4, "tau": 0.7, "eta": 0.6, "E_inf": 0.5, "E_1": 0.9, "alpha": 0.4, "t_0": 0.8, "t": 1.2},
