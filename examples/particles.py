@@ -2,7 +2,7 @@
 
 Run `python examples/particles.py`; it writes particles.c by way of `axicontact emit`, compiles it with `cc`, integrates
 the force over the depth of an impact, and says what that costs.  It needs a C compiler and SciPy:
-pip install 'axicontact[derive,examples]'.  A function of Numba may call `force` too, as any pointer that ctypes knows.
+pip install 'axicontact[derive,examples]'.  Where Numba is installed, a loop that it compiles calls the same pointer.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 from scipy import LowLevelCallable
 from scipy.integrate import quad
 
@@ -44,6 +45,23 @@ def called(function, depth):
     return work, (time.perf_counter() - start) / 200
 
 
+def looped(force, depths):
+    """The sum of many forces in a loop that Numba compiles, which calls the function of C; None without Numba."""
+    try:
+        from numba import njit
+    except ModuleNotFoundError:
+        return None
+
+    @njit
+    def total(depths):
+        found = 0.0
+        for depth in depths:
+            found += force(depth)
+        return found
+
+    return total(depths)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--folder", type=Path, default=Path("particles"), help="where the module in C is written")
@@ -58,6 +76,10 @@ def main():
     print(f"greatest depth {1e6 * depth:.3f} um, force {force(depth):.3f} N, work {1e6 * in_c:.4f} uJ")
     print(f"energy of the impact {1e6 * MASS * SPEED**2 / 2:.4f} uJ, work by Python {1e6 * in_python:.4f} uJ")
     print(f"the integral takes {1e6 * quick:.0f} us, and {slow / quick:.1f} times that with the function of Python")
+    depths = np.linspace(0.0, depth, 1001)
+    if (total := looped(force, depths)) is not None:
+        wanted = paraboloid.force_from_depth(depths, R=R, E_star=E_STAR).sum()
+        print(f"sum of {depths.size} forces in a loop of Numba {total:.6f} N, by NumPy {wanted:.6f} N")
 
 
 if __name__ == "__main__":

@@ -116,3 +116,6 @@ def test_a_contact_law_in_c_gives_the_work_of_the_impact(tmp_path: Path) -> None
     (energy, work) = re.search(r"energy of the impact (\S+) uJ, work by Python (\S+) uJ", said).groups()
     (in_c,) = re.search(r"work (\S+) uJ\n", said).groups()
     assert energy == work == in_c == "0.1625"
+    if find_spec("numba"):
+        looped, by_numpy = re.search(r"loop of Numba (\S+) N, by NumPy (\S+) N", said).groups()
+        assert looped == by_numpy

@@ -92,6 +92,7 @@ def test_links_resolve_and_nothing_is_fetched_from_outside(site: dict[str, str],
                 assert address == f"../handbook.pdf#nameddest={path.removesuffix('.html')}"
                 continue
             target, _, fragment = address.partition("#")
+            target = target.partition("?")[0]
             assert (target or path) in site, f"{path}: {address}"
             assert not fragment or fragment in pages[target or path].ids, f"{path}: {address}"
     styles = "".join(text for path, text in site.items() if path.endswith(".css"))
@@ -158,6 +159,7 @@ def test_the_home_page_has_a_picture_of_every_profile(site: dict[str, str]) -> N
     assert 'href="cone.html#about.adhesive"' in card
     assert re.findall(r'data-kind="(\w*)"', site["index.html"]) == ["", "pointed", "flat", "worn", "long", "load"]
     assert '<b>Berkovich, Vickers:</b> the <a href="cone.html">cone</a>' in site["index.html"]
+    assert '<a href="cone.html?theta=70.3+half">calculate</a>' in site["index.html"]
     assert not re.search(r"<(li|div)[^>]* hidden", site["index.html"])
 
 

@@ -19,7 +19,11 @@ CONE = 'profile = "cone"\n[parameters]\ntheta = "30 deg"\n[medium]\nE = "3 GPa"\
 FREE = 'profile = "rounded_punch"\n[parameters]\nb = "1 mm"\n[physics]\ntangential = { mu = 0.3 }\n'
 STRIP = 'profile = "wedge"\n[physics]\nplane = true\n[want]\nquantities = ["pressure", "slope", "load"]\n'
 RULED = 'profile = "gaussian"\n[want]\nquantities = ["pressure", "radius_from_force", "force_from_depth"]\n'
-SCENES = {"frozen": CONE, "free": FREE, "both sides": STRIP, "rules": RULED}
+HELD = 'profile = "cone"\n[physics]\nadhesive = true\n[want]\nquantities = ["force", "pull_off"]\n'
+OWN = 'profile = "r**2/(2*R) + q*r**4"\n[want]\nquantities = ["force", "pressure", "radius_from_force"]\n'
+GRADED = 'profile = "sphere"\n[medium]\nkind = "power_law"\n[want]\nquantities = ["force", "pressure"]\n'
+SCENES = {"frozen": CONE, "free": FREE, "both sides": STRIP, "rules": RULED, "several results": HELD, "expression": OWN,
+          "graded": GRADED}  # fmt: skip
 TOOLS = {"c": "cc", "javascript": "node"}
 
 
@@ -70,11 +74,9 @@ def test_a_file_holds_what_its_functions_need():
 
 @pytest.mark.parametrize("language", TOOLS)
 def test_what_has_no_program_names_what_has(language):
-    adhesive = 'profile = "cone"\n[physics]\nadhesive = true\n[want]\nquantities = ["force", "pull_off"]\n'
-    with pytest.raises(CommandError, match=r'pull_off: .*write language = "python", or ask for force$'):
-        composed_from(adhesive + FORMATS.format(language, language))
-    with pytest.raises(CommandError, match=r'this is an expression\); write language = "python"$'):
-        composed_from('profile = "r**2/(2*R) + q*r**4"\n' + FORMATS.format(language, language))
+    bump = 'profile = "gaussian"\n[physics]\nadhesive = true\n[want]\nquantities = ["depth", "radius_from_depth"]\n'
+    with pytest.raises(CommandError, match=r'radius_from_depth: .*write language = "python", or ask for depth$'):
+        composed_from(bump + FORMATS.format(language, language))
 
 
 def test_bad_languages():

@@ -12,9 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
-from ..code.programs import FOLDER
-from ..code.programs.bodies import BODIES
-from .reach import PLAIN, Module, Name, NoProgramError, Package
+from .public import FORMULAS, PROGRAMS
+from .reach import PLAIN, PRODUCTS, Module, Name, NoProgramError, Package
 
 Part = TypeVar("Part")
 HELPERS = Path(__file__).with_name("numbers.js")
@@ -39,13 +38,14 @@ OF_NUMPY = OF_MATH | {
 }
 """Names of NumPy in a program over single numbers."""
 OF_PYTHON = {
-    **{"abs": "Math.abs", "min": "Math.min", "max": "Math.max", "float": "Number", "bool": "Boolean"},
+    **{"abs": "Math.abs", "min": "Math.min", "max": "Math.max", "float": "Number", "int": "Math.trunc"},
+    **{"bool": "Boolean"},
     **{"len": "math.length", "list": "Array.from", "tuple": "Array.from", "sum": "math.sum"},
-    **{name: f"math.{name}" for name in ("zip", "enumerate", "range", "reversed")},
+    **{name: f"math.{name}" for name in ("all", "zip", "enumerate", "range", "reversed")},
     **{"True": "true", "False": "false", "None": "null"},
 }
 """Names of Python itself."""
-RULED = re.compile(r"math\.(rule|in_groups|integral)")
+RULED = re.compile(r"math\.(rule|in_groups|integral|products)")
 """What needs the nodes of the rules."""
 WORDS = frozenset(("default", "function", "var", "const", "new", "this", "delete", "switch", "case", "void", "enum"))
 """Names that mean something else here."""
@@ -75,7 +75,7 @@ class Script:
         home, program = self.package.program(module, function)
         known = dict(self.texts)
         try:
-            return self._take((f"{module}:public", function), home, program)
+            return self._take((home.name, function), home, program)
         except NoProgramError:
             self.texts = known
             raise
@@ -104,18 +104,17 @@ class Script:
 
     def _free(self, key: Name) -> str:
         plain = _word(key[1])
-        taken = {*self.names.values()}
-        where = key[0].removesuffix(":public").rpartition(".")[2]
+        taken = {*self.names.values(), *_reserved()}
+        where = key[0].rpartition(".")[2]
         tried = [plain, f"{plain}_of_{where}", *(f"{plain}_{count}" for count in range(2, 100))]
         return next(name for name in tried if name not in taken)
 
     def named(self, module: Module, name: str, attribute: str = "") -> str:
         """What a name of a module, or an attribute of it, is called here; what it is bound to is taken along."""
         found = self.package.resolved(module.name, name)
-        if name == "bodies" and attribute:
-            own = module.name.removeprefix(f"{FOLDER}.")
-            homes = [self.package.module(f"{place}{own}") for place in (f"{BODIES}.", "")]
-            return self.named(next(home for home in homes if home and attribute in home.bound), attribute)
+        if name.startswith((PROGRAMS, FORMULAS)):
+            of_it, node = self.package.formula(name, attribute)
+            return self._take((of_it.name, node.name), of_it, node)
         if found is None:
             if name not in OF_PYTHON or attribute:
                 raise _missing(module, name)
@@ -136,9 +135,11 @@ class Script:
         there = self.package.module(home)
         if there is None:
             raise _missing(module, name)
+        if found == PRODUCTS:
+            return "math.products"
         if home == PLAIN and own in _helpers():
             return f"math.{own}"
-        return self._take(found, there, there.bound[own])
+        return self._take(found, there, self.package.bound(there, own))
 
     def signature(self, module: Module, function: ast.expr) -> ast.arguments | None:
         """The arguments of a function that a call names; None where it is a value."""
@@ -147,6 +148,8 @@ class Script:
             name, attribute = function.value, function.attr
         if not isinstance(name, ast.Name):
             return None
+        if name.id.startswith((PROGRAMS, FORMULAS)):
+            return self.package.formula(name.id, attribute)[1].args
         found = self.package.resolved(module.name, name.id)
         if found and attribute and found[1] == "":
             found = self.package.resolved(found[0], attribute)
@@ -155,7 +158,8 @@ class Script:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Name) and home:
             node = home.bound.get(node.value.id)
         if isinstance(node, ast.FunctionDef):
-            return node.args
+            grouped = any(ast.unparse(one) == "in_groups" for one in node.decorator_list)
+            return ast.arguments([], [], ast.arg("given"), [], [], None, []) if grouped else node.args
         if isinstance(node, ast.ClassDef):
             fields = _fields(node)
             values = [value for value in fields.values() if value]
@@ -177,7 +181,7 @@ class Printer:
             for decorator in map(ast.unparse, node.decorator_list):
                 if decorator in _helpers():
                     text = f"math.{decorator}({text})"
-                elif decorator.partition("(")[0] not in ("cache", "at_many_radii", "over_radii"):
+                elif decorator.partition("(")[0] not in ("cache", "Kept", "at_many_radii", "over_radii"):
                     raise _missing(self.module, decorator)
             return f"const {name} = {text};\n"
         if isinstance(node, ast.ClassDef):
@@ -226,6 +230,8 @@ class Printer:
                 return [f"({text[:-1]});" if text.startswith("{") else text]
             case ast.Assign(targets, value):
                 return [f"{' = '.join(map(self.target, targets))} = {self.expr(value)};"]
+            case ast.AnnAssign(target, _, ast.expr() as value):
+                return [f"{self.target(target)} = {self.expr(value)};"]
             case ast.AugAssign(target, ast.Add(), ast.List() | ast.ListComp() as value):
                 return [f"{self.expr(target)}.push(...{self.expr(value)});"]
             case ast.AugAssign(target, operator, value):
@@ -251,6 +257,13 @@ class Printer:
                 return []
             case ast.Raise():
                 return ["return NaN;"]
+            case ast.Try(body, [handler]):
+                known = dict(self.script.texts)
+                try:
+                    return [line for own in body for line in self.statement(own)]
+                except NoProgramError:
+                    self.script.texts = known
+                    return [line for own in handler.body for line in self.statement(own)]
         raise _missing(self.module, ast.unparse(node))
 
     def _block(self, body: Iterable[ast.stmt]) -> list[str]:
@@ -289,6 +302,8 @@ class Printer:
                 return f"({SIGNS[type(operator)]}{self.expr(operand)})"
             case ast.BoolOp(operator, values):
                 return f"({f' {SIGNS[type(operator)]} '.join(map(self.expr, values))})"
+            case ast.Compare(ast.Call(ast.Name("type")), [ast.Is()], _):
+                return "true"
             case ast.Compare(left, operators, others):
                 terms = [left, *others]
                 compared = zip(terms[:-1], operators, terms[1:], strict=True)
@@ -422,6 +437,14 @@ def _constant(value: object, module: Module) -> str:
     if isinstance(value, str):
         return repr(value)
     raise _missing(module, repr(value))
+
+
+@cache
+def _reserved() -> frozenset[str]:
+    """The names that a file has besides."""
+    return frozenset(
+        ("HALVES", "functions", "formulas", *re.findall(r"^const (\w+)", HELPERS.read_text(), re.MULTILINE))
+    )
 
 
 @cache

@@ -14,11 +14,16 @@ from functools import cached_property
 from ..code.module import PACKAGE
 from ..code.programs import FOLDER
 from ..code.programs.bodies import BODIES, COUNTERPARTS
+from .public import FORMULAS, Domain, Public, domains, evaluated
 
 Name = tuple[str, str]
 """A module below the package, dotted, and what it calls the thing."""
 PLAIN = "_runtime.plain"
 """What stands for NumPy in programs over single numbers; another language has its own."""
+
+
+PRODUCTS = ("_runtime.graded.single", "_pairs")
+"""What has the nodes of rules for a power as a weight, from tables of arrays; another language has its own."""
 
 
 class NoProgramError(ValueError):
@@ -39,8 +44,13 @@ class Module:
         for statement in ast.parse(self.text).body:
             if isinstance(statement, ast.FunctionDef | ast.ClassDef):
                 found[statement.name] = statement
-            elif isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
-                found[statement.targets[0].id] = statement
+            elif isinstance(statement, ast.Assign):
+                target, value = statement.targets[0], statement.value
+                if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple):
+                    pairs = zip(target.elts, value.elts, strict=True)
+                    found |= {one.id: ast.Assign([one], own) for one, own in pairs if isinstance(one, ast.Name)}
+                elif isinstance(target, ast.Name):
+                    found[target.id] = statement
             elif isinstance(statement, ast.AnnAssign) and isinstance(statement.target, ast.Name) and statement.value:
                 found[statement.target.id] = statement
         return found
@@ -66,6 +76,8 @@ class Package:
 
     texts: Mapping[str, str]
     """Their sources by path below the catalogue."""
+    domains: Mapping[str, Domain] = field(default_factory=dict)
+    """Of parameters that the tables of the run time do not know."""
     read: dict[str, Module] = field(default_factory=dict)
 
     def module(self, name: str) -> Module | None:
@@ -99,55 +111,64 @@ class Package:
             return f"{home}.{there}", ""
         return self.resolved(home, there) if self.module(home) else (home, there)
 
+    def bound(self, module: Module, name: str) -> ast.stmt:
+        """What a module binds to a name; a public function as it is over single numbers."""
+        node = module.bound[name]
+        if not isinstance(node, ast.FunctionDef) or "__all__" not in module.bound:
+            return node
+        return Public(module.name, self.resolved, self._function, self._domains).function(node)
+
     def program(self, module: str, function: str) -> tuple[Module, ast.FunctionDef]:
-        """The program of a public function and its module, without what asks whether its arguments are in its range.
+        """A public function and its module.
 
         Raises
         ------
         NoProgramError
-            If the function is evaluated over arrays only, or by another function.
+            If there is none of that name.
         """
-        programs = self.module(f"{FOLDER}.{module}")
-        found = programs.bound.get(function) if programs else None
-        if programs is None or not isinstance(found, ast.FunctionDef):
-            message = f"{module}.{function} has no program over single numbers"
+        home = self.module(module)
+        if home is None or not isinstance(home.bound.get(function), ast.FunctionDef):
+            message = f"{module} has no function {function}"
             raise NoProgramError(message)
-        guarded = next(node for node in ast.walk(found) if isinstance(node, ast.Try))
-        body = _unasked(guarded.body)
-        if (own := self.body(module, f"_{function}")) is not None:
-            # what a program leaves to the arrays is left to its body
-            body = [_Otherwise(own).visit(statement) for statement in body]
-        return programs, ast.FunctionDef(function, found.args, body, [], None, None)
+        node = self.bound(home, function)
+        assert isinstance(node, ast.FunctionDef)
+        return home, node
 
-    def body(self, module: str, name: str) -> ast.FunctionDef | None:
-        """The body of a function of a module that its program rests on, over single numbers where there is one."""
-        found = (self.module(f"{place}{module}") for place in (f"{BODIES}.", ""))
-        own = (home.bound.get(name) for home in found if home)
-        return next((one for one in own if isinstance(one, ast.FunctionDef)), None)
+    def arguments(self, module: str, function: str) -> list[str]:
+        """The names of the arguments of a public function, in their order."""
+        own = self.program(module, function)[1].args
+        return [one.arg for one in (*own.args, *own.kwonlyargs)]
 
+    def formula(self, place: str, name: str) -> tuple[Module, ast.FunctionDef]:
+        """A formula and its module: its body over single numbers, and before that its program where one is asked for.
 
-def _unasked(body: list[ast.stmt]) -> list[ast.stmt]:
-    """Statements that return a value at once, where they ask whether it is in its range."""
-    found: list[ast.stmt] = []
-    for statement in body:
-        match statement:
-            case ast.If(_, [ast.Return(ast.Name("value") as value)], []):
-                return [*found, ast.Return(value)]
-            case ast.If(test, inner, other):
-                found.append(ast.If(test, _unasked(inner), _unasked(other)))
-            case _:
-                found.append(statement)
-    return found
+        `place` is the module that states it, behind PROGRAMS or FORMULAS.
+        """
+        kind, _, home = place.partition(":")
+        module, body = self._body(home, name)
+        programs = self.module(f"{FOLDER}.{home}")
+        program = programs.bound.get(name.removeprefix("_")) if programs else None
+        if kind == FORMULAS[:-1] or programs is None or not isinstance(program, ast.FunctionDef):
+            return module, body
+        both = evaluated(program, body, home)
+        return (programs, both) if both else (module, body)
 
+    def _body(self, home: str, name: str) -> tuple[Module, ast.FunctionDef]:
+        for place in (f"{BODIES}.", ""):
+            module = self.module(f"{place}{home}")
+            node = module.bound.get(name) if module else None
+            if module and isinstance(node, ast.FunctionDef):
+                return module, node
+        message = f"{home} has no formula {name}"
+        raise NoProgramError(message)
 
-class _Otherwise(ast.NodeTransformer):
-    """Calls a body where a program gives nothing."""
+    def _function(self, module: str, name: str) -> ast.stmt | None:
+        home = self.module(module)
+        return home.bound.get(name) if home else None
 
-    def __init__(self, body: ast.FunctionDef) -> None:
-        names: list[ast.expr] = [ast.Name(one.arg, ast.Load()) for one in body.args.args]
-        self.call = ast.Call(ast.Attribute(ast.Name("bodies", ast.Load()), body.name, ast.Load()), names, [])
-
-    def visit_Return(self, node: ast.Return) -> ast.Return:
-        """The statement, with the call for None."""
-        nothing = isinstance(node.value, ast.Constant) and node.value.value is None
-        return ast.Return(self.call) if nothing else node
+    @cached_property
+    def _domains(self) -> dict[str, Domain]:
+        tables = [self._function(f"_runtime.{home}", name) for home, name in
+                  (("intervals", "INSIDE"), ("symbols", "SYMBOLS"))]  # fmt: skip
+        first, second = (table.value for table in tables if isinstance(table, ast.Assign))
+        return {**domains(first, second), **self.domains}

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 from .c.file import File
 from .javascript import Script
@@ -20,16 +21,18 @@ class Asked:
     module: str
     """The module of the package it comes from, and its name in it."""
     function: str
-    known: Mapping[str, float]
+    known: Mapping[str, Any]
     """Parameters that are no arguments of it."""
     doc: str
-    parity: str = ""
-    """Whether it is even or odd in its first argument, of which its program takes no negative value."""
+    part: str = ""
+    """Which of several numbers that the function gives."""
+    held: Mapping[str, str] = field(default_factory=dict)
+    """Words among its parameters."""
 
     def arguments(self, package: Package) -> list[str]:
         """Names of its arguments, in their order."""
-        _, node = package.program(self.module, self.function)
-        return [own.arg for own in node.args.args if own.arg not in self.known]
+        names = package.arguments(self.module, self.function)
+        return [own for own in names if own not in self.known and own not in self.held]
 
 
 @dataclass(frozen=True)
@@ -108,7 +111,8 @@ class CFile(Standalone):
 
     def add(self, asked: Asked) -> None:
         """See `Standalone`."""
-        self.file.add(asked.module, asked.function, asked.name, asked.known, asked.parity, asked.doc)
+        known = {**asked.known, **asked.held}
+        self.file.add(asked.module, asked.function, asked.name, known, asked.part, asked.doc)
         self.functions[asked.name] = asked
 
     def text(self, head: str) -> str:
@@ -151,17 +155,13 @@ class JavaScriptFile(Standalone):
     def add(self, asked: Asked) -> None:
         """See `Standalone`."""
         program = self.script.add(asked.module, asked.function)
-        _, node = self.package.program(asked.module, asked.function)
-        order = [own.arg for own in node.args.args]
+        order = self.package.arguments(asked.module, asked.function)
         left = asked.arguments(self.package)
-        given = [repr(float(asked.known[own])) if own in asked.known else own for own in order]
-        if asked.parity:
-            given[0] = f"Math.abs({given[0]})"
-        sign = f"({left[0]} < 0.0 ? -1.0 : 1.0) * " if asked.parity == "odd" else ""
-        self.rows += [
-            f"  // {asked.doc}",
-            f"  {asked.name}: ({', '.join(left)}) => {sign}{program}({', '.join(given)}),",
-        ]
+        known = {**{own: repr(float(value)) for own, value in asked.known.items()},
+                 **{own: repr(word) for own, word in asked.held.items()}}  # fmt: skip
+        called = f"{program}({', '.join(known.get(own, own) for own in order)})"
+        called = f"({called}).{asked.part} ?? NaN" if asked.part else called
+        self.rows += [f"  // {asked.doc}", f"  {asked.name}: ({', '.join(left)}) => {called},"]
         self.functions[asked.name] = asked
 
     def text(self, head: str) -> str:

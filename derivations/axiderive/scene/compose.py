@@ -110,7 +110,7 @@ class _Composition:
         if request.language in request.formats:
             head = module.head(request, self.profile, self.answer, self.contact)
             own = {request.module: text, f"test_{stem}.py": test_text(stem, run, free, self._origin())}
-            written = own if request.language == "python" else translated(self.contact, head.strip(), run)
+            written = own if request.language == "python" else translated(self.contact, head.strip(), run, self.answer)
             files |= {name: content.encode() for name, content in written.items()}
         if "tex" in request.formats:
             files |= page

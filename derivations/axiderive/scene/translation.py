@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import cache
+from typing import TYPE_CHECKING
 
 from ..code.module import PACKAGE
 from ..exits import USAGE, CommandError
 from ..languages.reach import NoProgramError, Package
-from ..languages.standalone import LANGUAGES, Asked, Call, Standalone
+from ..languages.standalone import LANGUAGES, Asked, Call
 from ..store.index import package
 from . import interface
 from .contact import Contact
 from .evidence import Run, tolerance
+from .linker import library
+
+if TYPE_CHECKING:
+    from ..expression.answer import Answer
+
+CONTROLS = ("force", "depth")
+"""What is held while a contact breaks."""
+UNITS = {"radius": "m", "force": "N", "depth": "m"}
+"""Of the state of pull-off."""
 
 
-def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
+def translated(contact: Contact, head: str, run: Run, answer: Answer | None) -> dict[str, str]:
     """Module and test of a scene by the names of their files; `head` is what the module says of itself.
+
+    The programs are those of the catalogue, or of the answer where the profile is an expression.
 
     Raises
     ------
@@ -24,11 +35,12 @@ def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
         If a function has no program in the language; it names those that have.
     """
     request = contact.request
-    language = LANGUAGES[request.language](_catalogue())
+    language = LANGUAGES[request.language](_with(contact, answer) if answer else _catalogue())
     missing: dict[str, str] = {}
     for name in request.quantities:
         try:
-            language.add(_asked(contact, name))
+            for asked in _asked(contact, name):
+                language.add(asked)
         except NoProgramError as error:
             missing[name] = str(error)
     if missing:
@@ -39,8 +51,12 @@ def translated(contact: Contact, head: str, run: Run) -> dict[str, str]:
         )
         raise CommandError(message, USAGE)
     stem, suffix = request.module.rpartition(".")[0], language.suffix
-    calls = [Call(value.function, _given(contact, language, value.function, value.fields, dict(value.keywords)),
+    free = {own: contact.all[own] for own in request.free}
+    calls = [Call(value.function, {**_given(contact, value.function, value.fields), **free, **dict(value.keywords)},
                   value.wanted) for value in run.values]  # fmt: skip
+    for control, state in run.detached.items():
+        # a depth of zero has no digits
+        calls += [Call(_state(control, part), free, own) for part, own in zip(UNITS, state, strict=True) if own]
     return {request.module: language.text(head), f"test_{stem}.{suffix}": language.test(stem, calls, tolerance(run))}
 
 
@@ -52,27 +68,42 @@ def _catalogue() -> Package:
     return Package({name: path.read_text(encoding="utf-8") for name, path in paths.items()})
 
 
-def _asked(contact: Contact, name: str) -> Asked:
+def _with(contact: Contact, answer: Answer) -> Package:
+    """The package with the modules of a profile that is an expression, and the domains of its letters."""
+    sources = library.Library(contact.entries, answer.module).sources(contact.request.kind.system)
+    texts = {f"{PACKAGE}/{name.replace('.', '/')}.py": text for name, text in sources.items()}
+    records = {name: interface.record(name, contact.profile) for name in interface.parameters(contact.profile)}
+    ends = {name: interface.interval(record) for name, record in records.items()}
+    domains = {name: (float(low), float(high), closed) for name, (low, high, closed) in ends.items()}
+    return Package({**_catalogue().texts, **texts}, domains)
+
+
+def _asked(contact: Contact, name: str) -> list[Asked]:
+    """The functions of the file for one of the scene: that of pull-off gives three numbers for what may be held."""
     request, profile = contact.request, contact.profile
     if name == interface.PULL_OFF:
-        message = "pull_off gives three numbers"
-        raise NoProgramError(message)
-    if request.own is not None:
-        message = "the programs are those of the catalogue, and this is an expression"
-        raise NoProgramError(message)
+        home = f"{request.kind.system.name}.{profile.name}"
+        return [
+            Asked(_state(control, part), home, name, request.frozen,
+                  f"{part.capitalize()} [{unit}] at which the contact breaks, under control of the {control}.",
+                  part, {"control": control})
+            for control in CONTROLS for part, unit in UNITS.items()
+        ]  # fmt: skip
     function = interface.function(request.kind, profile, name)
     if function.whole:
         message = "fields below the surface are sums of numbers, which go over arrays"
         raise NoProgramError(message)
-    home = f"{function.module}.{profile.name}"
-    return Asked(name, home, function.quantity.function, request.frozen, function.doc(profile.name), function.parity)
+    quantity, home = function.quantity, f"{function.module}.{profile.name}"
+    public = "peak_pressure" if quantity.member else quantity.function
+    return [Asked(name, home, public, request.frozen, function.doc(profile.name), quantity.member)]
 
 
-def _given(
-    contact: Contact, language: Standalone, name: str, fields: tuple[float, ...], keywords: Mapping[str, float]
-) -> dict[str, float]:
-    """The arguments of a call by name."""
+def _state(control: str, part: str) -> str:
+    """What a number of the state of pull-off is called."""
+    return f"pull_off_{part}" if control == CONTROLS[0] else f"pull_off_{part}_by_{control}"
+
+
+def _given(contact: Contact, name: str, fields: tuple[float, ...]) -> dict[str, float]:
+    """The fields of a call by name."""
     function = interface.function(contact.request.kind, contact.profile, name)
-    names = interface.arguments(function, contact.entries)
-    return {**dict(zip(names, fields, strict=True)), **{free: contact.all[free] for free in contact.request.free},
-            **keywords}  # fmt: skip
+    return dict(zip(interface.arguments(function, contact.entries), fields, strict=True))

@@ -51,7 +51,7 @@ def calculator(profile_id: str, derived: Derived, package: Package) -> str | Non
                 name = script.add(module, quantity.function)
             except NoProgramError:
                 continue
-            order = [own.arg for own in package.program(module, quantity.function)[1].args.args]
+            order = package.arguments(module, quantity.function)
             records = {name_of(s): nt.describe(s) for s in (*quantity.arguments, *entry.parameters)}
             needed |= {letter: records.get(letter) or nt.describe(letter) for letter in order}
             formulas[row] = {

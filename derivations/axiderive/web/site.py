@@ -24,8 +24,9 @@ from ..figures.svg import Picture, svg
 from ..physics.systems import PRINTED, SYSTEMS, pool_of
 from ..print.words import escaped, prose
 from ..profiles.pools import ROUND
+from ..worked.cases import CASES
 from .calculator import scripts
-from .page import Derived, page
+from .page import BELOW, Derived, page
 from .search import PARTS, anchor_of, has_shape, search_index
 from .words import formula, plain, slug, words
 
@@ -124,16 +125,18 @@ def _card(one: Mapping[str, Any], kind: str, models: Mapping[str, Mapping[str, A
     return {**one, "picture": svg(one["shape"], SMALL), "kinds": kinds, "physics": physics}
 
 
-def _presets(tip: tuple[str, str, str, str], models: Mapping[str, Mapping[str, Any]]) -> list[tuple[str, str]]:
-    """Name of a tip, and the entries for it."""
+def _presets(tip: tuple[str, str, str, str], models: Mapping[str, Mapping[str, Any]]) -> list[tuple[str, str, str]]:
+    """Name of a tip, the entries for it, and the address of a calculator with its numbers; empty if there is none."""
     name, half, inclination, _ = tip
     blunted = [i for i in WORDS["Berkovich indenter, blunted"].split() if i in models]
-    return [
-        (name, rf"the \hyperref[sec:cone]{{cone}} of the same area, half-angle {half}°, $\theta={inclination}$°"),
-        ("Berkovich, blunted", ", ".join(rf"\hyperref[sec:{i}]{{{models[i]['title']}}}" for i in blunted)),
-    ]
+    cone = rf"the \hyperref[sec:cone]{{cone}} of the same area, half-angle {half}°, $\theta={inclination}$°"
+    others = ", ".join(rf"\hyperref[sec:{i}]{{{models[i]['title']}}}" for i in blunted)
+    tipped = f"sphere_tipped_cone.html?theta={half}+half&R={_TIP:g}+nm" if "sphere_tipped_cone" in models else ""
+    return [(name, cone, f"cone.html?theta={half}+half"), ("Berkovich, blunted", others, tipped)]
 
 
+_TIP = 1e9 * float(str(CASES["sphere_tipped_cone"].parameters["R"]))
+"""Radius of a usual tip in nm."""
 UNIT = 8.0
 """SVG units to a millimetre."""
 

@@ -12,7 +12,7 @@ from functools import reduce
 
 from ..reach import Module
 from .expressions import Expressions
-from .natives import FULL, LIKE, NATIVES, NODES, TRUTHS
+from .natives import FULL, LIKE, NATIVES, NODES, PRODUCTS, TRUTHS
 from .values import (
     Closure,
     Counted,
@@ -135,7 +135,7 @@ class Calls(Expressions):
         if name in ("full_like", "full"):
             return given[1]
         if name in TRUTHS or name == "bool":
-            return given[0]
+            return self.truth(name != "all", given[0]) if isinstance(given[0], tuple) else given[0]
         match name:
             case "hasattr":
                 return False
@@ -193,6 +193,8 @@ class Calls(Expressions):
                 return Rule(given[0])
             case "_pairs":
                 return self._pairs(*given)
+            case "products":
+                return self._products(given[0], given[1], named["beyond"])
         raise missing(scope, name)
 
     def _of_kind(self, order: Native, a: Value, b: Value) -> Number:
@@ -272,10 +274,21 @@ class Calls(Expressions):
 
     def _set_pairs(self, own: Number, count: int, panels: Value) -> None:
         number = number_of(panels, "int")
-        text = (
-            f"{own.text}.half = {NODES.format(count)}; {own.text}.count = {count}; {own.text}.panels = {number.text};"
-        )
-        self.emit(text, None, own.names | number.names | {NODES.format(count)})
+        table = NODES.format(count)
+        text = f"{own.text} = pairs_of({table}, {count}, {number.text});"
+        self.emit(text, None, own.names | number.names | {table, "pairs_of"})
+
+    def _products(self, power: Value, count: Value, beyond: bool) -> Number:
+        """The nodes of a rule for what has a power as a weight; how many there are the program may find."""
+        own, weights = self.variable("nodes", "pairs"), self.variable("weights", "weights")
+        sizes = PRODUCTS if isinstance(count, Number) else (int(count),)
+        size, x = number_of(count, "int"), number_of(power)
+        *others, table = (NODES.format(one) for one in sizes)
+        for one, name in zip(sizes, others, strict=False):
+            table = f"{bracketed(size, 5)} == {one} ? {name} : {table}"
+        self.emit(f"{own.text} = products_of({table}, {size.text}, {x.text}, {int(beyond)}, {weights.text});", None,
+                  own.names | size.names | x.names | weights.names | {NODES.format(one) for one in sizes})  # fmt: skip
+        return own
 
     def _rule(self, lengths: Sequence[tuple[float, int]], length: Value) -> Number:
         own = self.variable("nodes", "pairs")

@@ -6,12 +6,11 @@ import ast
 import math
 import operator
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
-from ...code.programs import FOLDER
-from ...code.programs.bodies import BODIES
-from ..reach import PLAIN
+from ..public import FORMULAS, PROGRAMS
+from ..reach import PLAIN, PRODUCTS
 from .lines import Lines
 from .natives import CONSTANTS, NATIVES
 from .values import (
@@ -73,7 +72,9 @@ class Expressions(Lines):
             case ast.UnaryOp(kind, operand):
                 return self._unary(kind, self.expr(operand, scope), scope)
             case ast.BoolOp(kind, values):
-                return self._bool(isinstance(kind, ast.Or), values, scope)
+                return self.truth(isinstance(kind, ast.Or), (self.expr(one, scope) for one in values))
+            case ast.Compare(ast.Call(ast.Name("type")), [ast.Is()], _):
+                return True
             case ast.Compare(left, kinds, others):
                 return self._compare(kinds, [self.expr(one, scope) for one in (left, *others)], scope)
             case ast.IfExp(test, body, orelse):
@@ -90,6 +91,9 @@ class Expressions(Lines):
                 return self._each(element, loop, scope)
             case ast.Subscript(value, place):
                 return self._item(self.expr(value, scope), place, scope)
+            case ast.Call(ast.Name("isinstance"), [value, _]):
+                # what is known is a number of Python
+                return not isinstance(self.expr(value, scope), Number)
             case ast.Call(function, given, keywords):
                 named = {own.arg: self.expr(own.value, scope) for own in keywords if own.arg}
                 return self.call(self.expr(function, scope), list(self._spread(given, scope)), named, scope)
@@ -117,8 +121,8 @@ class Expressions(Lines):
                 return around.names[name]
             around = around.around
         package = self.file.package
-        if name == "bodies" and name not in scope.module.bound:
-            return Whole("bodies:" + scope.module.name.removeprefix(f"{FOLDER}."))
+        if name.startswith((PROGRAMS, FORMULAS)):
+            return Whole(name)
         found = package.resolved(scope.module.name, name)
         if found is None:
             return NATIVES["abs"] if name == "abs" else Native(name)
@@ -131,6 +135,8 @@ class Expressions(Lines):
             return self._of_numpy(own, scope)
         if home == PLAIN and own in ("rule", "_pairs", "gauss_legendre", "sqrt", "log", "log1p"):
             return NATIVES.get(own) or Native(own)
+        if (home, own) == PRODUCTS:
+            return Native("products")
         there = package.module(home)
         if there is None:
             raise missing(scope, name)
@@ -148,12 +154,10 @@ class Expressions(Lines):
             return Native(f".{attribute}")
         if value.name in ("numpy", "math"):
             return self._of_numpy(attribute, scope)
-        if value.name.startswith("bodies:"):
-            own = value.name.removeprefix("bodies:")
-            homes = [self.file.package.module(f"{place}{own}") for place in (f"{BODIES}.", "")]
-            home = next((one for one in homes if one and attribute in one.bound), None)
-        else:
-            home = self.file.package.module(value.name)
+        if value.name.startswith((PROGRAMS, FORMULAS)):
+            own, node = self.file.package.formula(value.name, attribute)
+            return Closure(node, own)
+        home = self.file.package.module(value.name)
         if home is None:
             raise missing(scope, attribute)
         found = self.file.package.resolved(home.name, attribute)
@@ -178,20 +182,15 @@ class Expressions(Lines):
             if isinstance(left, bool | int | float) and isinstance(right, int | float) and sign == "/" and right == 0:
                 return math.nan if left == 0 or left != left else math.copysign(math.inf, left)
             return known(left, right)
-        kinds = {kind_of(left), kind_of(right)}
-        whole = kinds == {"int"} and sign != "/"
-        if sign in "%&|" and not whole:
-            raise missing(scope, f"{sign} of numbers that are not whole")
+        if sign in "&|":
+            return self.truth(sign == "|", (left, right))
+        whole = {kind_of(left), kind_of(right)} == {"int"} and sign != "/"
+        if sign == "%" and not whole:
+            raise missing(scope, "% of numbers that are not whole")
         inner = "int" if whole else "double"
         a, b = number_of(left, inner), number_of(right, inner)
         first = a.text if a.rank >= rank else f"({a.text})"
         second = b.text if b.rank > rank and not b.text.startswith("-") else f"({b.text})"
-        if sign == "&":
-            sign, rank = "&&", 2
-            first, second = bracketed(a, 3), bracketed(b, 3)
-        elif sign == "|":
-            sign, rank = "||", 1
-            first, second = bracketed(a, 3), bracketed(b, 3)
         return Number(f"{first} {sign} {second}", inner, rank, a.names | b.names)
 
     def _unary(self, kind: ast.unaryop, value: Value, scope: Scope) -> Value:
@@ -201,11 +200,11 @@ class Expressions(Lines):
             return Number(f"!{bracketed(value, 9)}", "int", 8, value.names)
         return Number(f"-{bracketed(value, 9)}", value.kind, 7, value.names) if isinstance(kind, ast.USub) else value
 
-    def _bool(self, either: bool, values: Sequence[ast.expr], scope: Scope) -> Value:
+    def truth(self, either: bool, values: Iterable[Value]) -> Value:
+        """Whether either of several holds, or all of them; what is decided already is not asked for."""
         made: list[Number] = []
         value: Value = not either
-        for node in values:
-            value = self.expr(node, scope)
+        for value in values:
             if isinstance(value, Number):
                 made.append(value)
             elif bool(value) is either:

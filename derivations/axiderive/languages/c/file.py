@@ -17,9 +17,9 @@ from ..reach import Module, NoProgramError, Package
 from .lines import like
 from .natives import NODES
 from .statements import Writer
-from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, shape
+from .values import Closure, Kind, Number, Scope, SeveralValuesError, Text, Value, bound_value, names_of, shape
 
-DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void)) (\w+)", re.MULTILINE)
+DEFINED = re.compile(r"^(?:struct|static inline (?:double|int|void|struct pairs)) (\w+)", re.MULTILINE)
 """What a helper is called."""
 HELPERS = Path(__file__).with_name("numbers.h")
 """What C lacks: comparisons that keep what is no number, exact sums, the places of a rule."""
@@ -43,14 +43,14 @@ class File:
         function: str,
         name: str,
         known: Mapping[str, Value] | None = None,
-        parity: str = "",
+        part: str = "",
         doc: str = "",
     ) -> None:
-        """Take a public function along under a name, with the arguments of its program in their order.
+        """Take a public function along under a name, with its arguments in their order.
 
         Those `known` are none: a number is written into the file.  What is a sequence of numbers, as the coefficients
-        of a polynomial are, has to be known, or is as many arguments as there are numbers of C in it.  With a `parity`,
-        "even" or "odd", the first argument may be negative.
+        of a polynomial are, has to be known, or is as many arguments as there are numbers of C in it.  Of several
+        numbers that it gives, one `part` is taken.
 
         Raises
         ------
@@ -58,19 +58,16 @@ class File:
             If it, or something it calls, is evaluated over arrays only, or gives more than one number.
         """
         home, node = self.package.program(module, function)
-        given = [(known or {}).get(own.arg, Number(own.arg)) for own in node.args.args]
-        inner, returns = (f"{name}_of_size", "static double") if parity else (name, "double")
+        given = [(known or {}).get(own, Number(own)) for own in names_of(node.args)]
+        self.written[name] = Text("", frozenset(), ())
         try:
-            text = self.written[inner] = Writer(self).whole(Closure(node, home), given, inner, returns)
+            text = Writer(self).whole(Closure(node, home), given, name, "double", part)
         except SeveralValuesError:
             message = f"{module}.{function} gives no single number"
             raise NoProgramError(message) from None
-        if parity:
-            first, *others = (own.partition(" ")[2] for own in text.arguments)
-            sign = f"copysign(1.0, {first}) * " if parity == "odd" else ""
-            called = f"{sign}{inner}({', '.join([f'fabs({first})', *others])})"
-            head = f"double {name}({', '.join(text.arguments)})"
-            text = Text(f"{head}\n{{\n  return {called};\n}}\n", frozenset((inner,)), text.arguments)
+        finally:
+            # behind what it needs
+            del self.written[name]
         self.written[name] = replace(text, text=f"/* {doc} */\n{text.text}") if doc else text
         self.public.append(name)
 
@@ -117,7 +114,7 @@ class File:
         """What a module binds to a name."""
         key = (module.name, name)
         if key not in self._constants:
-            node = module.bound[name]
+            node = self.package.bound(module, name)
             if isinstance(node, ast.FunctionDef):
                 made: Value = Closure(node, module)
                 for decorator in node.decorator_list:

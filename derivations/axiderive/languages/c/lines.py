@@ -96,7 +96,7 @@ class Lines:
 
     def _label(self, name: str) -> str:
         self.labels += 1
-        return f"{name}_{self.labels}"
+        return f"to_{name}_{self.labels}"
 
     def _place(self, label: str) -> None:
         if label and any(label in needs for _, _, _, needs in self.lines):
@@ -121,7 +121,8 @@ def like(name: str) -> Iterator[str]:
 
 def declared(kind: str, name: str) -> str:
     """The declaration of a variable of a kind."""
-    return {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}"}.get(kind, f"{kind} {name} = 0")
+    own = {"sum": f"struct sum {name}", "pairs": f"struct pairs {name}", "weights": f"double {name}[64]"}
+    return own.get(kind, f"{kind} {name} = 0")
 
 
 def inside(node: ast.AST) -> Iterator[ast.AST]:

@@ -56,12 +56,14 @@ FULL = {"ones_like": 1.0, "zeros_like": 0.0, "zeros": 0.0, "ndim": 0}
 TRUTHS = ("any", "all", "count_nonzero")
 NODES = "NODES_{}"
 """The name of the nodes of a rule by their number."""
+PRODUCTS = (16, 32, 64)
+"""How many nodes a rule has for what has a power as a weight, where the program finds that."""
 WORDS = frozenset((
     *("auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else", "enum", "extern"),
     *("float", "for", "goto", "if", "inline", "int", "long", "register", "restrict", "return", "short", "signed"),
     *("sizeof", "static", "struct", "switch", "typedef", "union", "unsigned", "void", "volatile", "while", "main"),
     *("minimum", "maximum", "lower", "higher", "pairs", "sum", "gamma", "j0", "j1", "jn", "y0", "y1", "yn"),
-    *("log", "exp"),
+    *(own.name for own in NATIVES.values()),
 ))  # fmt: skip
 """Names that mean something else in C."""
 

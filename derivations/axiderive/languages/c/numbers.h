@@ -17,6 +17,12 @@ struct sum {
 static inline void sum_add(struct sum *sum, double x)
 {
   int place, kept = 0;
+  /* what is infinite or no number stays that */
+  if (!isfinite(x) || (sum->count > 0 && !isfinite(sum->part[sum->count - 1]))) {
+    sum->part[0] = sum->count > 0 && !isfinite(sum->part[sum->count - 1]) ? sum->part[sum->count - 1] + x : x;
+    sum->count = 1;
+    return;
+  }
   for (place = 0; place < sum->count; place++) {
     double y = sum->part[place], high, low;
     if (fabs(x) < fabs(y)) {
@@ -58,15 +64,59 @@ static inline double sum_of(const struct sum *sum)
 struct pairs {
   const double (*half)[2];
   int count, panels;
+  const double *weights;
 };
 
 static inline int panels_of(double length) { return length < 4096.0 ? (int)ceil(length) : 4096; }
+
+static inline struct pairs pairs_of(const double (*half)[2], int count, int panels)
+{
+  struct pairs own = {0, 0, 0, 0};
+  own.half = half;
+  own.count = count;
+  own.panels = panels;
+  return own;
+}
 
 static inline double node_of(const struct pairs *pairs, int place, double *weight)
 {
   int within = place % pairs->count, start = place / pairs->count;
   int lower = within < pairs->count / 2;
   const double *own = pairs->half[lower ? within : pairs->count - 1 - within];
-  *weight = own[1] / pairs->panels;
+  *weight = pairs->weights ? pairs->weights[place] : own[1] / pairs->panels;
   return (start + (lower ? own[0] : 1.0 - own[0])) / pairs->panels;
+}
+
+/* the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+   is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place */
+static inline struct pairs products_of(const double (*half)[2], int count, double power, int beyond, double *weights)
+{
+  struct pairs own = pairs_of(half, count, 1);
+  double last[32], now[32], even[32], odd[32], moment = 1.0 / (1.0 + power);
+  int place, order;
+  for (place = 0; place < count / 2; place++) {
+    last[place] = 1.0;
+    now[place] = 2.0 * half[place][0] - 1.0;
+    even[place] = moment;
+    odd[place] = 0.0;
+  }
+  for (order = 1; order < count; order++) {
+    double up = (2.0 * order + 1.0) / (order + 1.0), down = order / (order + 1.0), share;
+    double *sum = order % 2 ? odd : even;
+    moment = moment * (power + (1.0 - order)) / (power + (1.0 + order));
+    share = (2.0 * order + 1.0) * moment;
+    for (place = 0; place < count / 2; place++) {
+      double next = up * (2.0 * half[place][0] - 1.0) * now[place] - down * last[place];
+      sum[place] += share * now[place];
+      last[place] = now[place];
+      now[place] = next;
+    }
+  }
+  for (place = 0; place < count / 2; place++) {
+    double node = half[place][0], weight = half[place][1];
+    weights[place] = weight * (even[place] + odd[place]) / (beyond ? node : 1.0);
+    weights[count - 1 - place] = weight * (even[place] - odd[place]) / (beyond ? 1.0 - node : 1.0);
+  }
+  own.weights = weights;
+  return own;
 }

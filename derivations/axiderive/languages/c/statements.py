@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from ..reach import PLAIN
+from ..reach import PLAIN, NoProgramError
 from .calls import Calls
 from .lines import declared, inside
 from .values import (
@@ -15,6 +15,7 @@ from .values import (
     Counted,
     Number,
     Over,
+    Record,
     Scope,
     SeveralValuesError,
     Text,
@@ -32,8 +33,12 @@ SPELLED = 32
 class Writer(Calls):
     """Writes one function of C."""
 
-    def whole(self, closure: Closure, given: Sequence[Value], name: str, returns: str) -> Text:
-        """The text of a function with as many arguments as there are numbers of C among those given."""
+    def whole(self, closure: Closure, given: Sequence[Value], name: str, returns: str, part: str = "") -> Text:
+        """The text of a function with as many arguments as there are numbers of C among those given.
+
+        Of a record that it gives the number is a `part`.
+        """
+        self.part = part
         assert isinstance(closure.node, ast.FunctionDef)
         letters: list[Number] = []
 
@@ -96,6 +101,8 @@ class Writer(Calls):
                 made = self.expr(value, scope)
                 for target in targets:
                     self.assign(target, made, scope)
+            case ast.AnnAssign(target, _, ast.expr() as value):
+                self.assign(target, self.expr(value, scope), scope)
             case ast.AugAssign(ast.Name(name), kind, value):
                 self.bind(scope, name, self._arithmetic(kind, scope.names[name], self.expr(value, scope), scope))
             case ast.If(test, body, orelse):
@@ -106,12 +113,24 @@ class Writer(Calls):
                 scope.names[node.name] = Closure(node, scope.module, scope)
             case ast.Break():
                 self._leave(scope.loops[-1], "break;")
+            case ast.Try(body, [handler]):
+                self._either(body, handler.body, scope)
             case ast.Raise():
                 # panels that Python leaves to the arrays are summed here
                 if scope.module.name != PLAIN:
                     self._return(scope, math.nan)
             case _:
                 raise missing(scope, ast.unparse(node))
+
+    def _either(self, body: Sequence[ast.stmt], otherwise: Sequence[ast.stmt], scope: Scope) -> None:
+        """Statements, or others where C has no counterpart of those."""
+        lines, depth, inlined, divided, names = list(self.lines), self.depth, self.inlined, scope.divided, scope.names
+        scope.names = dict(names)
+        try:
+            self.block(body, scope)
+        except NoProgramError:
+            self.lines, self.depth, self.inlined, scope.divided, scope.names = lines, depth, inlined, divided, names
+            self.block(otherwise, scope)
 
     def _leave(self, label: str, otherwise: str) -> None:
         self.emit(f"goto {label};" if label else otherwise, None, [label] if label else [])
@@ -123,7 +142,13 @@ class Writer(Calls):
             case ast.Name(name):
                 self.bind(scope, name, value)
             case ast.Tuple(targets) | ast.List(targets):
-                held = self._held(targets, self._items(value, scope), scope)
+                items = self._items(value, scope)
+                rest = targets[-1]
+                if isinstance(rest, ast.Starred):
+                    targets = targets[:-1]
+                    self.assign(rest.value, tuple(items[len(targets) :]), scope)
+                    items = items[: len(targets)]
+                held = self._held(targets, items, scope)
                 for one, own in zip(targets, held, strict=True):
                     self.assign(one, own, scope)
             case _:
@@ -223,7 +248,7 @@ class Writer(Calls):
 
     def _return(self, scope: Scope, value: Value) -> None:
         if scope.alone:
-            number = self._single(value)
+            number = self._single(value.fields.get(self.part) if isinstance(value, Record) else value)
             self.emit(f"return {number.text};", None, number.names)
         elif scope.divided or scope.result is not None:
             scope.result = self._joined(scope, value)

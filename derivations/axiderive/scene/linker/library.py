@@ -396,7 +396,12 @@ class Library(dict[str, Module]):
             return RUN_TIME[name]
         return self.setdefault(name, Module(name, self._text(BY_NAME[name.rpartition(".")[0]])))
 
-    def _text(self, system: System) -> str:
+    def sources(self, system: System) -> dict[str, str]:
+        """The modules of a system and of those below it by their names, with all that they have for others."""
+        own = {f"{system.name}.{self.profile.name}": self._text(system, interface=True)}
+        return own | (self.sources(system.base) if system.base else {})
+
+    def _text(self, system: System, *, interface: bool = False) -> str:
         """The module of a system as the catalogue has it, or written: by itself, or what it adds to the one below."""
         known, below, graded = not self.normal, system.base, system.medium.graded
         if known and (text := catalogue_text(f"{system.name.replace('.', '/')}/{self.profile.name}.py")):
@@ -407,7 +412,7 @@ class Library(dict[str, Module]):
         parameters = {name: own.parameters for name, own in found.items()}
         # a law takes from the normal contact what its functions say
         own = {} if system.physics.laws else system.derive(self.profile, plain)
-        return superposed(system, own, plain, parameters, interface=False).source()
+        return superposed(system, own, plain, parameters, interface=interface).source()
 
     def _entries(self, system: System) -> Mapping[str, Entry]:
         """Those of normal contact on the half-space of a system."""
