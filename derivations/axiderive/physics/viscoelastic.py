@@ -1,4 +1,4 @@
-"""Viscoelastic half-space with a constant Poisson ratio, while the contact grows (Lee and Radok), and then shrinks (Ting).
+"""Viscoelastic half-space with a constant Poisson ratio: a contact that grows (Lee, Radok) and then shrinks (Ting).
 
 The elastic solution with unit modulus is convolved with the relaxation function: F(t) = int_0^t E(t - s) d[F_el(s)/E*].
 A contact that shrinks after its only maximum is as large as it was at a time t_1 before.  The pressure that went with
@@ -87,7 +87,7 @@ LAWS = (
         E * (t_0 / time) ** alpha * sp.gamma(1 + _m) / (sp.gamma(1 + alpha) * sp.gamma(1 + _m - alpha)),
         _power * time ** (1 - alpha) / (1 - alpha),
         _power * _m * time ** (_m - alpha) * t_1**-_m * IncompleteBeta(t_1 / time, _m, 1 - alpha),
-        time - _root * (time - t_m), t_m * _root / (_root - 1),
+        time - _root * (time - t_m), t_m + t_m / (_root - 1),
     ),
 )  # fmt: skip
 
@@ -108,7 +108,7 @@ QUANTITIES = {
                  " from t = 0 on."),
         Quantity(f"earlier_{law.suffix}", f"earlier_time_{law.name}", f"Earlier time, retraction, {law.name}", t_1,
                  (time,), row="Earlier time: of the same contact",
-                 summary=f"Time before t at which the contact was as large, on {law.material}; zero once it has ended."),
+                 summary=f"Time before t at which the contact was as large on {law.material}; zero after its end."),
         Quantity(f"radius_{law.suffix}", f"retract_radius_{law.name}", f"Contact radius, retraction, {law.name}", a,
                  (time,), row="Contact radius: ramp and retraction",
                  summary=f"Contact radius at time t on {law.material}, indented at the speed v until t_m and then"
@@ -132,7 +132,7 @@ def of_depth(plain: Mapping[str, Entry]) -> Entry:
 
 
 def derive(profile: Profile) -> dict[str, Entry]:
-    """Force after a step of depth, radius after a step of load; of power laws and the flat punch also ramp and way back."""
+    """Force after a step of depth, radius after one of load; of power laws and the flat punch also a ramp, and back."""
     plain = normal.derive(profile)
     out: dict[str, Entry] = {}
     depth_route = of_depth(plain)
@@ -231,8 +231,8 @@ PHYSICS = Physics(
             title="Growing contact, viscoelastic half-space",
             heading="Viscoelastic half-space",
             note=r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
-            package="Contact with a viscoelastic half-space, while it grows",
-            searched="creep relaxation Lee Radok rheology",
+            package="Contact with a viscoelastic half-space, while it grows and on the way back",
+            searched="creep relaxation Lee Radok rheology Ting retraction approach retract",
             button="viscoelastic",
             subject="sphere.vis",
         )

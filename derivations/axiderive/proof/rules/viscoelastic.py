@@ -103,7 +103,7 @@ def memory(law: Law) -> list[str]:
 def solved(law: Law, expr: sp.Expr, before: sp.Expr, now: sp.Symbol) -> list[str]:
     """The times at which the contact is as large as before: an equation in I, or what its v_2 leads back to."""
     past, back = (law.memory.subs(time, now - start) for start in (before, t_m))
-    words = "I(t - t_1) = (1 + v_2/v) I(t - t_m), from int E(t - s) d'(s) ds = 0 over t_1 < s < t with d' = v, then -v_2"
+    words = "int E(t - s) d'(s) ds = 0 over t_1 < s < t, d' = v, then -v_2: I(t - t_1) = (1 + v_2/v) I(t - t_m)"
     domain = Domain(BOUNDS, (before, t_m, now) if before.is_Symbol else (t_m, now))
     if isinstance(expr, sp.Eq):
         gaps = expr.lhs - past, expr.rhs - (1 + v_2 / v) * back
