@@ -164,7 +164,7 @@ def _ramp(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: 
     t = here.at(nt.time)
     until = here.at(nt.t_1) if nt.t_m in values else t
     total, speed, scatter = _counted(here, t, until, own, digits)
-    known = {s: x for s, x in values.items() if s != nt.a or here.profile.complete} | speed
+    known = {**{s: x for s, x in values.items() if s != nt.a or here.profile.complete}, **speed}
     return max(residual(evaluate(case_at(entry, known).expr, known, digits), total), scatter)
 
 

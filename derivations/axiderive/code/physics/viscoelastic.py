@@ -6,7 +6,7 @@ import sympy as sp
 
 from ...entry import Quantity
 from ...letters import name_of
-from ...notation import v_2
+from ...notation import t_1, v_2
 from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth
 from .. import docstring
 from ..text import python
@@ -18,8 +18,11 @@ def interface(writer: Writer) -> None:
     profile = writer.profile
     for entry in writer.entries.values():
         held = entry.arguments[1:]
-        while_ = RETURNED if v_2 in entry.parameters else "and while the contact grows."
-        notes = f"Valid for {profile.validity}, {while_} Negative or NaN times give NaN."
+        when = RETURNED if v_2 in entry.parameters else "and while the contact grows."
+        notes = f"Valid for {profile.validity}, {when}" + " Negative or NaN times give NaN." * bool(entry.arguments)
+        if any(case.expr.has(t_1) for case in entry.cases) and entry.quantity.symbol != t_1:
+            law = kind_and_law(entry.quantity)[1]
+            notes += f" Here t_1 is earlier_time_{law.name}; up to t_m it is t, and the force that of the ramp."
         if entry.note:
             notes += f" Here {entry.note}: {'; '.join(docstring.stated(writer.plain['ad']))}."
         writer.add(entry, notes, writer.checks([*held, *entry.parameters]), held=held)
@@ -89,7 +92,7 @@ def _way_back(writer: Writer, name: str, kind: str, law: Law) -> None:
         writer.rule(name, ["t"], own, lines)
 
 
-RETURNED = "a contact that grows up to t_m and then shrinks, without adhesion."
+RETURNED = "a ramp up to t_m and then a constant speed back, so that the contact has one maximum, and no adhesion."
 
 
 def _exponent(writer: Writer) -> sp.Expr | None:

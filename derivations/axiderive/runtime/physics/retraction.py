@@ -89,30 +89,32 @@ def kept_power_creep(t: Array, t_1: Array, since: Array, m: Array, E: Array, alp
     x, rest = t_1 / t, np.minimum(since / t, 1.0)
     low, high, near = np.minimum(x, middle), np.maximum(x, middle), np.minimum(rest, 1.0 - middle)
     first = rest**beta * fraction(low, m, beta)
-    whole = gamma_quotient(1.0 + m, m + beta) * gamma(beta) / high**m
+    whole = gamma_quotient(1.0 + m, m + beta) * gamma(1.0 + beta) / beta / high**m
     second = whole - m / beta * near**beta * fraction(near, beta, m)
     scale = E * (t_0 / t) ** alpha * np.sin(np.pi * np.minimum(alpha, beta)) / (np.pi * alpha)
     return scale * np.where(x < middle, first, second)
 
 
 def fraction(x: Array, p: Array, q: Array) -> Array:
-    """p x**-p (1 - x)**-q B(x; p, q) for x up to (p + 1)/(p + q + 2), by the continued fraction, as Lentz takes it."""
-    above = np.ones_like(x)
-    below = 1.0 / (1.0 - (p + q) * x / (p + 1.0))
+    """p x**-p (1 - x)**-q B(x; p, q) for x up to (p + 1)/(p + q + 2), by its continued fraction (Lentz)."""
+    above, below = 1.0, 1.0 / (1.0 - (p + q) * x / (p + 1.0))
     total = below
     for k in range(1, TERMS):
-        even = k * (q - k) * x / ((p + (2 * k - 1)) * (p + 2 * k))
-        below = 1.0 / (1.0 + even * below)
-        above = 1.0 + even / above
-        total = total * (above * below)
-        odd = -(p + k) * (p + q + k) * x / ((p + 2 * k) * (p + (2 * k + 1)))
-        below = 1.0 / (1.0 + odd * below)
-        above = 1.0 + odd / above
-        change = above * below
-        total = total * change
+        change = 1.0
+        for own in coefficients(k, x, p, q):
+            below = 1.0 / (1.0 + own * below)
+            above = 1.0 + own / above
+            change = above * below
+            total = total * change
         if not np.count_nonzero(np.abs(change - 1.0) > ROUNDING):
             break
     return total
+
+
+def coefficients(k: int, x: Array, p: Array, q: Array) -> tuple[Array, Array]:
+    """Two of its coefficients."""
+    even = k * (q - k) * x / ((p + (2 * k - 1)) * (p + 2 * k))
+    return even, -(p + k) * (p + q + k) * x / ((p + 2 * k) * (p + (2 * k + 1)))
 
 
 def end_maxwell(ratio: Array, t_m: Array, E: Array, tau: Array) -> Array:
