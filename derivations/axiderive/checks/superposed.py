@@ -193,7 +193,9 @@ def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
     found = []
     for suffix, entry in own.entries.items():
         kind, law = suffix.split("_")
-        source = plain.get({"load": "aF", "radius": "ad"}.get(kind, "")) or viscoelastic.of_depth(plain)
+        given = {"load": nt.F, "radius": nt.d}.get(kind)
+        radii = (one for one in plain.values() if one.quantity.symbol == nt.a and given in one.quantity.arguments)
+        source = next(radii, viscoelastic.of_depth(plain))
         if entry.status != "closed" or source.status != "closed":
             continue
         limit, modulus, words = ELASTIC[law]

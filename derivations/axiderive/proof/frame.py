@@ -307,7 +307,7 @@ def relaxing(profile: Profile) -> Frames:
     s = sp.Symbol("s", positive=True)
     summed = E_(time - s) * sp.Derivative(F_(s), s) / E_star
     definition = sp.Integral(summed, (s, 0, time))
-    moved, back, lengths = sp.Derivative(sp.Function("d")(s), s), (v, v_2, t_m), profile.parameters
+    moved, back, lengths = sp.Derivative(sp.Function(d.name)(s), s), (v, v_2, t_m), profile.parameters
     kinds = {
         "ramp": (definition, (*lengths, v), ()),
         "step": (definition, lengths, (F,)),

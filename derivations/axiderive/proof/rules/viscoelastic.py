@@ -161,9 +161,7 @@ class Viscoelastic:
     def _of_power(
         self, suffix: str, chain: tuple[sp.Symbol, ...], until: sp.Symbol, factor: sp.Expr, words: str
     ) -> list[str]:
-        (elastic,) = closed(self.force).cases
-        require_regions(self.entries[suffix], (chain,))
-        (case,) = self.entries[suffix].cases
+        (elastic,), case = closed(self.force).cases, self._case(suffix, chain)
         domain = self.domain(elastic)
         steps = [self._linear(elastic)]
         exponent = normal(d * sp.diff(elastic.expr, d) / elastic.expr, domain)
@@ -176,21 +174,23 @@ class Viscoelastic:
 
     def radius(self, suffix: str) -> list[str]:
         """a is that of the elastic contact at d = v t_1."""
-        require_regions(self.entries[suffix], ((t_1, t_m, time),))
-        (case,), (elastic,) = self.entries[suffix].cases, closed(self.normal.entries["ad"]).cases
+        case, (elastic,) = self._case(suffix, (t_1, t_m, time)), closed(self.normal.entries["ad"]).cases
         domain = Domain(*self.domain(elastic).chains(), (t_1, t_m, time))
         gap = case.expr - elastic.expr.subs(d, v * t_1)
         return [require_zero(gap, domain, "a = a_el(d) at d = v t_1")]
 
     def earlier(self, suffix: str) -> list[str]:
         """t_1 is that of the equation of the way back."""
-        require_regions(self.entries[suffix], ((t_m, time),))
-        return solved(self._law(suffix), self.entries[suffix].cases[0].expr, t_1, time)
+        return solved(self._law(suffix), self._case(suffix, (t_m, time)).expr, t_1, time)
 
     def end(self, suffix: str) -> list[str]:
         """The contact ends as t_1 comes to the first touch."""
-        require_regions(self.entries[suffix], ((t_m, t_c),))
-        return solved(self._law(suffix), self.entries[suffix].cases[0].expr, sp.S.Zero, t_c)
+        return solved(self._law(suffix), self._case(suffix, (t_m, t_c)).expr, sp.S.Zero, t_c)
+
+    def _case(self, suffix: str, chain: tuple[sp.Symbol, ...]) -> Case:
+        """The only case of an entry, which holds in this order."""
+        require_regions(self.entries[suffix], (chain,))
+        return self.entries[suffix].cases[0]
 
     def step(self, suffix: str) -> list[str]:
         """F after a step of depth, given or by an equation, is F_el/E* times the relaxation E(t)."""
