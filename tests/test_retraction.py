@@ -63,7 +63,7 @@ def springs(law: str, sunk: np.ndarray, speed: float, held: np.ndarray, dt: floa
 @pytest.mark.parametrize("name", ["cone", "paraboloid"])
 def test_springs_that_come_off_one_by_one(name: str, law: str) -> None:
     """A foundation whose springs touch as the profile comes down and let go when nothing presses them any more."""
-    x, steps = np.linspace(0.0, 1.2, 4001), 4000
+    x, steps = np.linspace(0.0, 1.2, 2401), 2000
     depth_at = x * np.pi / 2.0 * np.tan(0.3) if name == "cone" else x * x / 1.6
     dt = MOVED["t_m"] / steps
     held, free, depth, t = np.zeros_like(x), np.zeros(x.shape, bool), 0.0, 0.0
@@ -80,7 +80,7 @@ def test_springs_that_come_off_one_by_one(name: str, law: str) -> None:
         if step >= steps:
             free |= touching & (force <= 0.0)
         force[free] = 0.0
-        if step % 400 == 399:
+        if step % 200 == 199:
             seen.append((t, 2.0 * np.trapezoid(force, x), x[force > 0.0].max(initial=0.0)))
     times, forces, radii = map(np.array, zip(*seen, strict=True))
     # a turn belongs to both speeds
@@ -91,7 +91,7 @@ def test_springs_that_come_off_one_by_one(name: str, law: str) -> None:
     assert np.abs(radii - radius)[keep].max() < 2e-3 * radius.max() + x[1]
     ended = call(name, "contact_time", law)
     assert ((forces > 0.0) == (times < ended))[keep].all()
-    assert (forces[keep & (times > MOVED["t_m"])] > 0.0).any() or law == "kelvin_voigt"
+    assert (forces[keep & (times > MOVED["t_m"])] > 0.0).sum() > 2
 
 
 @pytest.mark.parametrize("law", MATERIAL)
@@ -169,7 +169,7 @@ FALSE = [
 ]
 
 
-QUICK = ("retract_kv", "earlier_pc", "end_mx")
+QUICK = ("retract_sls", "earlier_pc")
 CASES = [
     pytest.param(*case, id=f"{case[0]}{i}", marks=() if case[0] in QUICK else pytest.mark.sweep)
     for i, case in enumerate(FALSE)
@@ -203,7 +203,7 @@ def exact(name: str, law: str, known: dict) -> tuple[mp.mpf, mp.mpf]:
 def test_the_module_keeps_its_digits_over_twenty_decades(name: str, law: str) -> None:
     """To as many as one unit more of the time, of the turn or of a speed leaves."""
     draw, count, symbols = np.random.default_rng(7), 0, {nt.describe(s).letter or str(s): s for s in POINT}
-    while count < 12:
+    while count < 6:
         scale = {key: 10.0 ** draw.uniform(-10, 10) for key in MATERIAL[law] if key != "alpha"}
         ratio, turn = 10.0 ** draw.uniform(-10, 10), 10.0 ** draw.uniform(-2, 2) * scale.get("tau", 1.0)
         given = {**MATERIAL[law], **scale, "v": 0.25, "v_2": 0.25 * ratio, "t_m": turn}
