@@ -140,7 +140,9 @@ QUICK = [p.key for p in problems() if p.system.name == "normal" and p.name not i
 
 @pytest.mark.parametrize("key", QUICK)
 def test_rows_hold_every_entry_and_fit_their_line(key: str) -> None:
-    assert {e.key for one in rows(key) for e in (one.entry, *one.also)} == {e.key for e in stored(key).values()}
+    # what says the same of every profile, of a way back, stands with the laws in front of the book
+    wanted = {e.key for e in stored(key).values() if nt.t_m not in e.parameters}
+    assert {e.key for one in rows(key) for e in (one.entry, *one.also)} == wanted
     for one in rows(key):
         for region in one.regions:
             assert region.tex.count("{") == region.tex.count("}")

@@ -169,7 +169,7 @@ FALSE = [
 ]
 
 
-QUICK = ("retract_sls", "earlier_pc")
+QUICK = ("earlier_pc", "end_mx")
 CASES = [
     pytest.param(*case, id=f"{case[0]}{i}", marks=() if case[0] in QUICK else pytest.mark.sweep)
     for i, case in enumerate(FALSE)
