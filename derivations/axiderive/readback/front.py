@@ -354,6 +354,7 @@ def _way_back() -> Iterator[Line]:
         force = mp.quad(lambda s: fades(t - s) * mp.mpf("0.7") * m * v**m * s ** (m - 1), [0, t_1])
         summed = memory(t)
     yield Claim(known, summed, "I(t)").line(PLACE, r"I(t)=\int_0^t E(s)\,\mathrm ds")
+    yield _said(r"I(t)=Et+\eta", viscoelastic.LAWS[1].memory, "I(t)")
     yield Claim(known).line(PLACE, r"I(t-t_1)=(1+v_2/v)\,I(t-t_{\mathrm m})")
     yield Claim(known, known["Psi_m"], "Psi_m").line(PLACE, r"\Psi_m=\int_0^1 m\,\xi^{m-1}E(t-t_1\xi)\,\mathrm d\xi")
     yield Claim(known, force).line(PLACE, r"\Psi_m F_{\mathrm N}(v t_1)/E^{*}")

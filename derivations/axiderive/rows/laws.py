@@ -32,7 +32,7 @@ NAMES = {RELAXATION: "E(t)", COMPLIANCE: "J(t)", RAMP: r"\Phi_{m}(t)"}
 
 LABELS = {
     "E(t)": "Relaxation", "J(t)": "Creep", "Phi_m(t)": "Ramp",
-    "I(t)": "Memory", "Psi_m": "Way back", "t_1": "Earlier time", "t_c": "Contact time",
+    "Psi_m": "Way back", "t_1": "Earlier time", "t_c": "Contact time",
 }  # fmt: skip
 """What a law says, by the left side as it is read."""
 LEFT = {"Phi_m(t)": r"\Phi_{m}(t)", "Psi_m": r"\Psi_{m}", "t_c": r"t_{\mathrm c}"}
@@ -75,7 +75,7 @@ def laws() -> tuple[LawText, ...]:
 
 def expressions(law: viscoelastic.Law) -> dict[str, sp.Expr]:
     """What it says, by the left sides."""
-    told = (law.relaxation, law.creep, law.ramp, law.memory, law.kept, law.earlier, law.end)
+    told = (law.relaxation, law.creep, law.ramp, law.kept, law.earlier, law.end)
     return {name: expr for name, expr in zip(LABELS, told, strict=True) if expr is not None}
 
 
