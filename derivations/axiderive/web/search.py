@@ -116,7 +116,7 @@ PARTS: Sequence[tuple[str, str, str]] = (
     ("Definitions", "reading.html#definitions", "integral"),
     ("Special functions as used", "reading.html#functions", "elliptic integral"),
     ("Rules for every profile", "reading.html#rules", "graded"),
-    ("Viscoelastic laws", "reading.html#laws", "Maxwell Kelvin Voigt standard solid power-law creep relaxation retraction"),
+    ("Viscoelastic laws", "reading.html#laws", "Maxwell Kelvin Voigt standard solid power-law creep relaxation"),
     ("References", "reading.html#references", "literature sources works"),
 )
 """Title, address and further words of the parts of the book on the home page and the page on reading."""
