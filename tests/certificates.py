@@ -30,8 +30,8 @@ def entries(kind: str, name: str) -> Entries:
 
 
 def expected(entry: Entry, within: Entries) -> bool:
-    """Closed formulas, equations that are shown to say where a load is least, and a step force given by the radius."""
+    """Closed formulas, equations that say where a load is least, a step force by the radius, times of a way back."""
     if entry.status == "root":
-        shown = entry.suffix in ("ac", "am", "rz") or entry.suffix.startswith("step_")
+        shown = entry.suffix in ("ac", "am", "rz") or entry.suffix.startswith(("step_", "earlier_", "end_"))
         return shown and within[entry.suffix] is entry
     return entry.status == "closed"

@@ -5,10 +5,12 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import json
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from axiderive import notation as nt
 from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
@@ -46,6 +48,11 @@ def receipts() -> dict[str, dict[str, str]]:
 @cache
 def stored(key: str) -> dict[str, Entry]:
     return read_entries(problem(key), record(key)["entries"])
+
+
+def on_pages(entries: Mapping[str, Entry]) -> list[Entry]:
+    """Those with a row on the page of their profile; a way back stands with the laws, in front of the book."""
+    return [entry for entry in entries.values() if nt.t_m not in entry.parameters]
 
 
 def suffixes(key: str) -> tuple[str, ...]:

@@ -27,11 +27,11 @@ LATER = (
     *("physics/subsurface", "proof/rules/subsurface", "oracle/subsurface", "checks/subsurface", "code/subsurface"),
     *("runtime/subsurface/", "stable/fields", "rows/fields", "readback/fields", "figures/contours"),
     *("abel/field_moments", "languages/", "web/calculator", "scene/translation"),
-    *("physics/torsion", "runtime/physics/torsion", "scene/fields"),
+    *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
 )
-"""What came since, and is counted by itself: the fields below the surface; torsion; load within a radius and energy;
-other languages and calculators."""
+"""What came since, and is counted by itself: the fields below the surface; torsion; a way back; load within a radius and
+energy; other languages and calculators."""
 WHOLE = 62731
 """Lines with all of that."""
 FULL = {"physics": 16}

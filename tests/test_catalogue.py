@@ -71,7 +71,9 @@ def interface(problem: Problem) -> set[str]:
     if family == "tangential":
         return TANGENTIAL
     if family == "viscoelastic":
-        kinds = ["step_force"] + ["step_load_radius"] * compact + ["ramp_force"] * (problem.name in RAMPS)
+        kinds = ["step_force"] + ["step_load_radius"] * compact
+        if problem.name in RAMPS:
+            kinds += ["ramp_force", "earlier_time", "retract_force", "contact_time"] + ["retract_radius"] * compact
         return {f"{kind}_{law}" for kind in kinds for law in LAWS}
     if family == "torsion":
         return TURNING if compact else {"torque", "displacement", "stress"}

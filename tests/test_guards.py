@@ -768,11 +768,11 @@ NEEDED: dict[str, tuple[Callable[[], Claim], str]] = {
         law_too_steep_at_the_start,
         "has no Laplace transform",
     ),
-    "viscoelastic.Viscoelastic.ramp: require_regions(self.entries[suffix], ((),))": (
+    "viscoelastic.Viscoelastic._case: require_regions(self.entries[suffix], (chain,))": (
         lambda: regions("cone.vis", "ramp_mx", (time, nt.relaxation)),
         ONCE,
     ),
-    "viscoelastic.Viscoelastic.ramp: ... is not shown to be a power of d": (
+    "viscoelastic.Viscoelastic._of_power: ... is not shown to be a power of d": (
         rushing_ramp,
         "is not shown to be a power of d",
     ),

@@ -12,6 +12,7 @@ from typing import Any
 
 import mpmath as mp
 import pytest
+from stored_book import on_pages
 
 from axiderive.book.back import WORKS, label
 from axiderive.book.evidence import coverage
@@ -127,7 +128,7 @@ def test_every_key_is_printed_once_and_every_reference_has_a_target(
 ) -> None:
     for name in SAMPLE:
         text = sources[f"profiles/{name}.tex"]
-        wanted = {e.key for key, es in derived.items() for e in es.values() if f"{key}.".startswith(f"{name}.")}
+        wanted = {e.key for key, es in derived.items() for e in on_pages(es) if f"{key}.".startswith(f"{name}.")}
         places = re.findall(r"\\(?:tolab\{|f(?:row|pair).*\{)([\w.]+)\}\}?$|\\tolab\{([\w.]+)\}", text, flags=re.M)
         targets = {f"{name}.{suffix}" for pair in places for suffix in pair if suffix}
         targets |= {f"{name}.{left}" for left in re.findall(r"\{([\w.]+)\}\}\{[\[{]", text)}

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from markupsafe import Markup
-from stored_book import CATALOGUE, HANDBOOK, stored
+from stored_book import CATALOGUE, HANDBOOK, on_pages, stored
 from web_page import Page
 
 from axiderive.book.guide import TITLE
@@ -74,7 +74,7 @@ def test_every_formula_of_every_entry_is_on_the_page_of_its_profile(
     """As it is printed and read back, also where the book refers to a rule in front."""
     for problem in (one for one in problems(SAMPLE) if one.key in derived):
         page = pages[f"{problem.profile_id}.html"]
-        for entry in derived[problem.key].values():
+        for entry in on_pages(derived[problem.key]):
             assert page.ids.count(entry.key.removeprefix(f"{problem.profile_id}.")) == 1, entry.key
         for one in rows_of(problem.system, derived[problem.key], derived, problem.name):
             for region in one.regions:
@@ -206,7 +206,7 @@ def test_the_calls_run_as_they_are_copied(
     program.write_text("\n".join(lines))
     environment = {**os.environ, "PYTHONPATH": str(CATALOGUE)}
     subprocess.run([sys.executable, str(program)], env=environment, check=True, timeout=600)
-    assert len(blocks) == sum(map(len, derived.values()))
+    assert len(blocks) == sum(len(on_pages(entries)) for entries in derived.values())
 
 
 def test_the_key_says_under_which_control_a_contact_is_pulled_off(site: dict[str, str]) -> None:

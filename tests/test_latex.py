@@ -7,7 +7,7 @@ import re
 import mpmath as mp
 import pytest
 import sympy as sp
-from stored_book import rows, stored
+from stored_book import on_pages, rows, stored
 
 from axiderive import notation as nt
 from axiderive.physics.normal import derive
@@ -140,7 +140,7 @@ QUICK = [p.key for p in problems() if p.system.name == "normal" and p.name not i
 
 @pytest.mark.parametrize("key", QUICK)
 def test_rows_hold_every_entry_and_fit_their_line(key: str) -> None:
-    assert {e.key for one in rows(key) for e in (one.entry, *one.also)} == {e.key for e in stored(key).values()}
+    assert {e.key for one in rows(key) for e in (one.entry, *one.also)} == {e.key for e in on_pages(stored(key))}
     for one in rows(key):
         for region in one.regions:
             assert region.tex.count("{") == region.tex.count("}")

@@ -195,6 +195,10 @@ eta = define("eta", r"\eta", STRESS, "Pa s", "eta > 0", "effective viscosity")
 relaxation = define("relaxation", r"\tau", NUMBER, "s", "tau > 0", "relaxation time", letter="tau")
 alpha = define("alpha", r"\alpha", NUMBER, "1", "0 < alpha < 1", "exponent of power-law creep")
 t_0 = define("t_0", "t_0", NUMBER, "s", "t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E")
+v_2 = define("v_2", "v_2", LENGTH, "m/s", "v_2 > 0", "speed of retraction, d = v t_m - v_2 (t - t_m)")
+t_m = define("t_m", r"t_{\mathrm m}", NUMBER, "s", "t_m > 0", "time at which the indenter turns back")
+t_1 = define("t_1", "t_1", NUMBER, "s", "", "time before at which the contact was as large")
+t_c = define("t_c", r"t_{\mathrm c}", NUMBER, "s", "", "time at which the contact ends")
 
 # elastic constants of the bodies in contact
 young_1 = define("young_1", "E_1", STRESS, "Pa", "E_1 > 0", "Young's modulus of the first body", letter="E_1")

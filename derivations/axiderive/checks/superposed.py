@@ -181,26 +181,39 @@ ELASTIC = {
 """Where each law is elastic: the parameter at its limit, the modulus that is left, and the words."""
 
 
+SPRING = {
+    "earlier": nt.t_m - nt.v_2 / nt.v * (nt.time - nt.t_m),
+    "end": nt.t_m + nt.v / nt.v_2 * nt.t_m,
+}
+"""Times of the way back along the line of the way in."""
+
+
 def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
-    """Every formula of a law in its elastic limit gives the elastic force or radius."""
+    """Every formula of a law in its elastic limit gives the elastic force or radius, at the depth that there is."""
     found = []
     for suffix, entry in own.entries.items():
         kind, law = suffix.split("_")
-        source = plain["aF"] if kind == "load" else viscoelastic.of_depth(plain)
+        given = {"load": nt.F, "radius": nt.d}.get(kind)
+        radii = (one for one in plain.values() if one.quantity.symbol == nt.a and given in one.quantity.arguments)
+        source = next(radii, viscoelastic.of_depth(plain))
         if entry.status != "closed" or source.status != "closed":
             continue
         limit, modulus, words = ELASTIC[law]
         rows: Rows = []
         for case in source.cases:
             drawn = own.tame(case.chain, 9, (*entry.parameters, nt.time, nt.d, nt.F))[0]
-            values = {**drawn, nt.v: drawn[nt.d] / drawn[nt.time]}
+            times = {nt.t_1: drawn[nt.time] / 2, nt.t_m: drawn[nt.time] * 3 / 4, nt.t_c: 2 * drawn[nt.time]}
+            there = times[nt.t_1] if nt.t_m in entry.parameters else drawn[nt.time]
+            values = {**drawn, **times, nt.v: drawn[nt.d] / there}
             values |= {nt.E_star: modulus(values), **limit(values)}
             if own.profile.compact:
                 values.pop(nt.a, None)
             with mp.workdps(own.digits + GUARD):
-                got, want = (evaluate(case_at(e, values).expr, values, own.digits) for e in (entry, source))
-            rows.append((values, residual(got, want)))
-        found.append(own.judge(suffix, f"{words}: {source.key}", rows))
+                got = evaluate(case_at(entry, values).expr, values, own.digits)
+                known = SPRING[kind] if kind in SPRING else case_at(source, values).expr
+                rows.append((values, residual(got, evaluate(known, values, own.digits))))
+        line = "the line of the way in" if kind in SPRING else source.key
+        found.append(own.judge(suffix, f"{words}: {line}", rows))
     return found
 
 

@@ -1,9 +1,12 @@
-"""Growing contact with a viscoelastic half-space: the integral of Lee and Radok by quadrature.
+"""Contact with a viscoelastic half-space: the integrals of Lee and Radok, and of Ting, by quadrature.
 
 The elastic force is the defined one, as a function of the contact radius; the
 ramp is an integral over the radii of the earlier contacts, without an inverse:
 F = int E(t - g(x)/v) F_el'(x)/E* dx.  Relaxation and creep are stated here once
 more, and belong together because their convolution is a unit step.
+
+A way back is met where it leads: at a time t the contact is as large as at a chosen t_1 if the rate of the depth, v and
+then -v_2, has left nothing from t_1 on, which says v_2.
 """
 
 from __future__ import annotations
@@ -26,6 +29,8 @@ from ..profiles.profile import Profile
 from .comparison import Comparison, Entries, Evidence, Rows, residual, root
 
 LOST = 8
+BACK = 3
+"""Points of the way back: its times say the same on every profile."""
 ALPHAS = (sp.Rational(1, 5), sp.Rational(1, 2), sp.Rational(2, 5))
 POWERS = (sp.Rational(1, 2), sp.Integer(1), sp.Integer(2), sp.Rational(37, 10))
 
@@ -94,23 +99,29 @@ def material(law: str, values: Values) -> Material:
 
 
 def check(own: Comparison, suffix: str) -> Evidence:
-    """Ramp, step of depth or step of load against the convolution."""
+    """Ramp, step of depth, step of load, or a way back against the convolution."""
     entry, (kind, law) = own.entries[suffix], suffix.split("_")
+    count = min(own.points, BACK) if nt.v_2 in entry.parameters else own.points
     rows: Rows = []
     plain = _elastic_entries(own.profile)
     fields = (*entry.parameters, nt.time, *own.profile.free_depth)
     cases = plain["d" if "d" in plain else "F"].cases
-    for i, drawn in enumerate(x for case in cases for x in own.tame(case.chain, own.points + 8, fields)[: own.points]):
+    for i, drawn in enumerate(x for case in cases for x in own.tame(case.chain, own.points + 8, fields)[:count]):
         values = dict(drawn)
         if nt.alpha in values:
             values[nt.alpha] = ALPHAS[i % len(ALPHAS)]
-        if kind == "ramp" and nt.n in values:
+        if kind in ("ramp", "retract") and nt.n in values:
             values[nt.n] = POWERS[i % len(POWERS)]
+        if nt.t_m in values:
+            # in order, anywhere
+            values[nt.t_m] = values[nt.time] / (1 + values[nt.t_m])
+            values[nt.t_1] = values[nt.t_m] / (1 + values[nt.v_2])
         # the distance from the present is a difference of two defined depths
         with mp.workdps(2 * own.digits + 30):
             here = HalfSpace(own.profile, {**values, nt.E_star: sp.S.One}, own.digits + 10, False)
             rows.append((values, _RESIDUALS[kind](here, plain, entry, material(law, values), values, own.digits)))
-    compared = "quadrature of the convolution of Lee and Radok" + (", round trip" if entry.status == "root" else "")
+    law = "Ting" if nt.t_m in entry.parameters else "Lee and Radok"
+    compared = f"quadrature of the convolution of {law}" + (", round trip" if entry.status == "root" else "")
     return own.judge(suffix, compared, rows, lost=LOST)
 
 
@@ -149,16 +160,23 @@ def _load(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: 
 
 
 def _ramp(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
-    """The convolution over the earlier contacts of a power law, y = g(x)/g(a) from 0 and from 1.
+    """The convolution over the contacts up to the present, or up to t_1."""
+    t = here.at(nt.time)
+    until = here.at(nt.t_1) if nt.t_m in values else t
+    total, speed, scatter = _counted(here, t, until, own, digits)
+    known = {**{s: x for s, x in values.items() if s != nt.a or here.profile.complete}, **speed}
+    return max(residual(evaluate(case_at(entry, known).expr, known, digits), total), scatter)
 
-    Their depths and forces grow as x**n and x**(n + 1), which a smaller contact confirms.
+
+def _counted(here: HalfSpace, t: Number, until: Number, own: Material, digits: int) -> tuple[Number, Values, Number]:
+    """The convolution over the contacts up to a time, y = g(x)/g(a) from 0 and from 1; the speed; what it is off by.
+
+    Depths and forces of a power law grow as x**n and x**(n + 1), which a smaller contact confirms.
     """
-    a, t = here.at(nt.a), here.at(nt.time)
+    a, impulse = here.at(nt.a), own.impulse if until == t else mp.mpf(0)
     if here.profile.complete:  # the radius is fixed: the force grows with the depth at the stiffness of the punch
-        stiffness = here.normal("k", a, mp.mpf(1))
-        whole = integrate(own.relaxation, mp.mpf(0), t, (0j,), digits) + own.impulse
-        got = evaluate(case_at(entry, values).expr, values, digits)
-        return residual(got, stiffness * here.at(nt.v) * whole)
+        whole = _since(own, t, mp.mpf(0), until, digits) + impulse
+        return here.normal("k", a, mp.mpf(1)) * here.at(nt.v) * whole, {}, mp.mpf(0)
     face = here.face(a).shape.stretches[0]
     n = a * face.slope(a) / face.height(a)
     depth, force, x = here.depth(a), here.force(a), a * mp.mpf(2) / 3
@@ -166,21 +184,61 @@ def _ramp(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: 
         residual(here.depth(x), depth * (x / a) ** n),
         residual(here.force(x), force * (x / a) ** (n + 1)),
     )
-    rate = (n + 1) / n * force
+    rate, left = (n + 1) / n * force, t - until
 
     def early(y: Number) -> Number:
-        return own.relaxation(t * (1 - y)) * rate * y ** (1 / n)
+        return own.relaxation(t - until * y) * rate * y ** (1 / n)
 
     def late(z: Number) -> Number:
-        return own.relaxation(t * z) * rate * (1 - z) ** (1 / n)
+        return own.relaxation(left + until * z) * rate * (1 - z) ** (1 / n)
 
     half = mp.mpf(1) / 2
-    total = integrate(early, mp.mpf(0), half, (0j, 1 + 0j), digits)
-    total += integrate(late, mp.mpf(0), half, (0j, 1 + 0j), digits, own.least) + own.impulse * rate / t
-    known = {s: x for s, x in values.items() if s != nt.a} | {nt.v: depth / t}
-    return max(residual(evaluate(case_at(entry, known).expr, known, digits), total), scatter)
+    now = complex(-left / until)
+    total = integrate(early, mp.mpf(0), half, (0j, 1 - now), digits)
+    total += integrate(late, mp.mpf(0), half, (now, 1 + 0j), digits, own.least) + impulse * rate / until
+    return total, {nt.v: depth / until}, scatter
+
+
+def _since(own: Material, t: Number, start: Number, end: Number, digits: int) -> Number:
+    """int E(t - s) ds from start to end, without the impulse."""
+    left = t - end
+    at_once = (complex(-left),)
+    return integrate(lambda x: own.relaxation(left + x), mp.mpf(0), end - start, at_once, digits, own.least)
+
+
+def _returned(here: HalfSpace, own: Material, start: Number, digits: int) -> Values:
+    """The speed of the way back that makes the contact as large as it was at the start."""
+    t, t_m = here.at(nt.time), here.at(nt.t_m)
+    back = _since(own, t, t_m, t, digits) + own.impulse
+    return {nt.v_2: here.at(nt.v) * _since(own, t, start, t_m, digits) / back}
+
+
+def _earlier(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
+    """t_1 at the speed that belongs to it, or both sides of its equation."""
+    return _met(entry, {**values, **_returned(here, own, here.at(nt.t_1), digits + 10)}, digits)
+
+
+def _end(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
+    """The present is the end where t_1 is the first touch."""
+    known = {**values, nt.t_c: values[nt.time], **_returned(here, own, mp.mpf(0), digits + 10)}
+    return _met(entry, known, digits)
+
+
+def _met(entry: Entry, known: Values, digits: int) -> Number:
+    expr = case_at(entry, known).expr
+    if entry.status != "root":
+        return residual(evaluate(expr, known, digits), number(known[entry.quantity.symbol]))
+    return residual(*(evaluate(side, known, digits) for side in (expr.lhs, expr.rhs)))
+
+
+def _radius(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
+    """The radius that the depth v t_1 went with."""
+    a = here.at(nt.a)
+    known = {s: x for s, x in values.items() if s != nt.a} | {nt.v: here.depth(a) / here.at(nt.t_1)}
+    return residual(evaluate(case_at(entry, known).expr, known, digits), a)
 
 
 _RESIDUALS: dict[str, Callable[[HalfSpace, Entries, Entry, Material, Values, int], Number]] = {
     "ramp": _ramp, "step": _step, "load": _load,
+    "earlier": _earlier, "end": _end, "radius": _radius, "retract": _ramp,
 }  # fmt: skip

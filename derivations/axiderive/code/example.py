@@ -31,6 +31,8 @@ SHOWN, DIGITS = 6, 15
 """Decimals of a doctest, and digits of a quadrature."""
 RINGS = (nt.r_zero, nt.x_zero, nt.r_peak)
 """Places on the face that an equation defines."""
+DEFINED = (*RINGS, nt.t_1, nt.t_c)
+"""These, and times of a way back."""
 NUMERIC = [
     {"elliptic_f": mp.ellipf, "elliptic_e": mp.ellipe, **{master.__name__: master.numeric for master in MASTERS}},
     "mpmath",
@@ -188,12 +190,13 @@ class Example:
             outer, inner = entry.composed
             return self.number(self.entries[outer], at | {nt.a: self.number(self.entries[inner], at)})
         if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
-            if symbol in (nt.a, nt.c, *RINGS):
+            if symbol in (nt.a, nt.c, *DEFINED):
                 return self.root(entry, symbol, at)
             at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
         for ring in self.entries.values():
             place = ring.quantity.symbol
-            if place in RINGS and ring is not entry and any(case.expr.has(place) for case in entry.cases):
+            needed = place in DEFINED and ring is not entry and any(case.expr.has(place) for case in entry.cases)
+            if needed and {*ring.parameters} <= {*entry.parameters}:
                 at = at | {place: self.number(ring, at)}
         return value(entry, at)
 

@@ -48,9 +48,13 @@ from ..notation import (
     retraction,
     sigma_0,
     t,
+    t_1,
+    t_c,
+    t_m,
     tilt,
     time,
     v,
+    v_2,
     w,
     width,
     x,
@@ -301,15 +305,25 @@ def below(profile: Profile) -> Frames:
 def relaxing(profile: Profile) -> Frames:
     """Growing contact on a viscoelastic half-space: the elastic force, per modulus, under the relaxation."""
     s = sp.Symbol("s", positive=True)
-    definition = sp.Integral(E_(time - s) * sp.Derivative(F_(s), s) / E_star, (s, 0, time))
+    summed = E_(time - s) * sp.Derivative(F_(s), s) / E_star
+    definition = sp.Integral(summed, (s, 0, time))
+    moved, back, lengths = sp.Derivative(sp.Function(d.name)(s), s), (v, v_2, t_m), profile.parameters
+    kinds = {
+        "ramp": (definition, (*lengths, v), ()),
+        "step": (definition, lengths, (F,)),
+        "load": (definition, lengths, ()),
+        "earlier": (sp.Eq(sp.Integral(E_(time - s) * moved, (s, t_1, time)), 0), back, (t_1,)),
+        "end": (sp.Eq(sp.Integral(E_(t_c - s) * moved, (s, 0, t_c)), 0), back, (t_c,)),
+        "retract": (sp.Integral(summed, (s, 0, t_1)), (*lengths, *back), (t_1,)),
+        "radius": (sp.Eq(g_(a), v * t_1), (*lengths, *back), (t_1,)),
+    }
     found = {}
     for law in viscoelastic.LAWS:
-        for kind, own, unknown in (("ramp", (v,), ()), ("step", (), (F,)), ("load", (), ())):
+        for kind, (defined, own, unknown) in kinds.items():
             suffix = f"{kind}_{law.suffix}"
             key = f"{profile.name}.{viscoelastic.GROUP}.{suffix}"
-            parameters = (*profile.parameters, *own, *law.parameters)
             quantity = viscoelastic.QUANTITIES[suffix]
-            found[suffix] = Frame(key, profile, quantity, definition, parameters, unknown)
+            found[suffix] = Frame(key, profile, quantity, defined, (*own, *law.parameters), unknown)
     return found
 
 

@@ -163,18 +163,20 @@ def functions() -> list[Line]:
 
 
 def laws_of_materials() -> list[Line]:
-    """E(t), J(t) and Phi_m(t) of every law, against the functions that the engine convolves with."""
+    """What every law says, against the functions that the engine convolves with and the times of the way back."""
     found = []
     names = (nt.E, nt.E_1, nt.E_inf, nt.relaxation, nt.eta, nt.t_0, nt.time)
     # a misprint of what decays late shows at a time that is not late
     values: Values = {s: sp.Rational(7 + 4 * i, 9 + i) for i, s in enumerate(names)} | {nt.alpha: sp.Rational(2, 5)}
+    back = {nt.t_1: "3/7", nt.t_m: "8/5", nt.t_c: "13/4", nt.v: "9/4", nt.v_2: "5/7"}
+    values |= {s: sp.Rational(text) for s, text in back.items()}
     exponent = sp.Rational(5, 3)
     with mp.workdps(WORKING):
         power = number(exponent)
     for law, text in zip(viscoelastic.LAWS, laws.laws(), strict=True):
-        for (name, tex), expr in zip(text.functions().items(), (law.relaxation, law.creep, law.ramp), strict=True):
-            own = stated(expr.subs(laws.EXPONENT, exponent), values, name.replace("()", "(t)"), m=power)
-            found.append(own.line(f"law: {text.name}", tex))
+        for name, expr in laws.expressions(law).items():
+            own = stated(expr.subs(laws.EXPONENT, exponent), values, name, m=power)
+            found.append(own.line(f"law: {text.name}", text.texts[name]))
     return found
 
 
@@ -329,8 +331,33 @@ def in_front(bodies: Entries) -> Iterator[Line]:
     yield Claim(names, ramp, "Phi_m(t)").line(
         PLACE, r"\Phi_m(t)=\int_0^1 m\,\xi^{m-1}E\bigl(t(1-\xi)\bigr)\,\mathrm d\xi"
     )
+    yield from _way_back()
     for tex, members in CONDITIONS.items():
         yield Line(PLACE, tex, in_order([sp.sympify(x, {x: sp.Symbol(x)}) for x in members.split()], str))
+
+
+def _way_back() -> Iterator[Line]:
+    """Of a contact that shrinks, for a modulus that fades and a force that goes with a power of the depth."""
+
+    def fades(s: Any) -> Any:
+        return mp.exp(-s) + mp.mpf("0.3")
+
+    def memory(s: Any) -> Any:
+        return mp.quad(fades, [0, s])
+
+    with mp.workdps(2 * DIGITS):
+        t, t_1, t_m, v, m = map(mp.mpf, ("1.7", "0.6", "1.3", "0.9", "1.75"))
+        known = {"E()": fades, "I()": memory, "t": t, "t_1": t_1, "t_m": t_m, "v": v, "m": m, "E*": mp.mpf("1.4")}
+        known["v_2"] = v * mp.quad(lambda s: fades(t - s), [t_1, t_m]) / mp.quad(lambda s: fades(t - s), [t_m, t])
+        known["Psi_m"] = mp.quad(lambda x: m * x ** (m - 1) * fades(t - t_1 * x), [0, 1])
+        known["F_N()"] = lambda d: known["E*"] * mp.mpf("0.7") * d**m
+        force = mp.quad(lambda s: fades(t - s) * mp.mpf("0.7") * m * v**m * s ** (m - 1), [0, t_1])
+        summed = memory(t)
+    yield Claim(known, summed, "I(t)").line(PLACE, r"I(t)=\int_0^t E(s)\,\mathrm ds")
+    yield _said(r"I(t)=Et+\eta", viscoelastic.LAWS[1].memory, "I(t)")
+    yield Claim(known).line(PLACE, r"I(t-t_1)=(1+v_2/v)\,I(t-t_{\mathrm m})")
+    yield Claim(known, known["Psi_m"], "Psi_m").line(PLACE, r"\Psi_m=\int_0^1 m\,\xi^{m-1}E(t-t_1\xi)\,\mathrm d\xi")
+    yield Claim(known, force).line(PLACE, r"\Psi_m F_{\mathrm N}(v t_1)/E^{*}")
 
 
 def _of_both_bodies(wrong: Callable[[str], bool]) -> Callable[[str], bool]:

@@ -30,24 +30,38 @@ KEY = 16.0
 NAMES = {RELAXATION: "E(t)", COMPLIANCE: "J(t)", RAMP: r"\Phi_{m}(t)"}
 
 
+LABELS = {
+    "E(t)": "Relaxation", "J(t)": "Creep", "Phi_m(t)": "Ramp",
+    "Psi_m": "Way back", "t_1": "Earlier time", "t_c": "Contact time",
+}  # fmt: skip
+"""What a law says, by the left side as it is read."""
+LEFT = {"Phi_m(t)": r"\Phi_{m}(t)", "Psi_m": r"\Psi_{m}", "t_c": r"t_{\mathrm c}"}
+
+
 @dataclass(frozen=True)
 class LawText:
-    """A viscoelastic law in print: relaxation function, creep function, and the factor of a ramp."""
+    """A viscoelastic law in print."""
 
     suffix: str
     name: str
-    relaxation: str
-    creep: str
-    ramp: str
+    texts: Mapping[str, str]
+    """Its formulas by their left sides, those of `LABELS` that can be solved for."""
 
     @property
-    def paired(self) -> bool:
-        """Whether relaxation and creep stand side by side."""
-        return max(width(self.relaxation), width(self.creep)) <= HALF + KEY
+    def lines(self) -> list[list[tuple[str, str]]]:
+        """Label and formula of each row, two side by side where both are narrow."""
+        found: list[list[tuple[str, str]]] = []
+        for name, tex in self.texts.items():
+            last = found[-1] if found else []
+            if len(last) == 1 and max(width(tex), width(last[0][1])) <= HALF + KEY:
+                last.append((LABELS[name], tex))
+            else:
+                found.append([(LABELS[name], tex)])
+        return found
 
     def functions(self) -> dict[str, str]:
-        """The three functions by the name a row calls them by."""
-        return {"E()": self.relaxation, "J()": self.creep, "Phi_m()": self.ramp}
+        """The three functions of a contact that grows, by the name a row calls them by."""
+        return {f"{name.removesuffix('(t)')}()": self.texts[name] for name in tuple(LABELS)[:3]}
 
 
 TITLES = {"mx": "Maxwell fluid", "kv": "Kelvin--Voigt solid", "sls": "Standard solid", "pc": "Power-law creep"}
@@ -55,20 +69,24 @@ TITLES = {"mx": "Maxwell fluid", "kv": "Kelvin--Voigt solid", "sls": "Standard s
 
 @cache
 def laws() -> tuple[LawText, ...]:
-    """E(t), J(t) and Phi_m(t) of every law."""
+    """The formulas of every law."""
     return tuple(_law(law) for law in viscoelastic.LAWS)
+
+
+def expressions(law: viscoelastic.Law) -> dict[str, sp.Expr]:
+    """What it says, by the left sides."""
+    told = (law.relaxation, law.creep, law.ramp, law.kept, law.earlier, law.end)
+    return {name: expr for name, expr in zip(LABELS, told, strict=True) if expr is not None}
 
 
 def _law(law: viscoelastic.Law) -> LawText:
     printer = Printer(names={EXPONENT: "m"})
-    return LawText(
-        law.suffix,
-        TITLES[law.suffix],
-        f"E(t)={printer(law.relaxation)}",
-        f"J(t)={printer(law.creep)}",
-        # E_1 and the index of 1F1 behind it are read as one without more space
-        rf"\Phi_{{m}}(t)={printer(law.ramp)}".replace(r"\, {}_{1}", r"\,\, {}_{1}"),
-    )
+    # E_1 and the index of 1F1 behind it are read as one without more space
+    texts = {
+        name: f"{LEFT.get(name, name)}={printer(expr)}".replace(r"\, {}_{1}", r"\,\, {}_{1}")
+        for name, expr in expressions(law).items()
+    }
+    return LawText(law.suffix, TITLES[law.suffix], texts)
 
 
 def rows(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> list[Row]:

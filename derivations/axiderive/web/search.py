@@ -93,7 +93,7 @@ def _of_front(front: Mapping[str, Any]) -> Iterator[Place]:
     for title, address, also in PARTS:
         yield title, address, also, 0
     for law in front["laws"]:
-        yield plain(law.name), "reading.html#laws", f"{law.suffix} viscoelastic law creep relaxation", 0
+        yield plain(law.name), "reading.html#laws", f"{law.suffix} viscoelastic law creep relaxation retraction Ting", 0
     for one in (row for _, rows in front["notation"] for row in rows):
         names = f"{one['name']} {symbol(one['latex'])} {ALSO.get(one['name'], '')}"
         yield plain(one["meaning"]), f"reading.html#symbol.{one['name']}", names, 2

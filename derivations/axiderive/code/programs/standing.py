@@ -207,6 +207,7 @@ STANDING: dict[tuple[str, str], Any] = {
     ("shapes.waves", "inverse_over_waves"): _over_waves,
     ("shapes.across", "inverse_across"): _across,
     ("physics.relaxation", "fading"): _calling("fading"),
+    ("physics.retraction", "fraction"): _calling("fraction"),
     ("physics.branches", "exponent_of"): lambda graph, x: 0,
     ("physics.branches", "stress_at"): lambda graph, unit, H, k: (0, H),
     ("physics.unknowns", "root_of"): lambda graph, x, first, last: (x, 1.0),

@@ -12,7 +12,7 @@ import sympy as sp
 
 from ...abel.masters import IncompleteBeta, Kummer
 from ...entry import Case, Entry
-from ...notation import E_star, F, alpha, d, time, v, x
+from ...notation import E_star, F, alpha, d, t_1, t_c, t_m, time, v, v_2, x
 from ...physics.viscoelastic import LAWS, Law
 from ..algebra.domain import Domain, require
 from ..algebra.functions import normal, require_analytic, sign
@@ -59,24 +59,77 @@ def duality(law: Law) -> str:
 
 
 def ramp(law: Law) -> list[str]:
-    """The factor of a ramp, int_0^1 m x^(m-1) E(t (1 - x)) dx + impulse m/t, by antiderivatives in x."""
-    domain, total, steps = Domain(BOUNDS, (x, sp.S.One)), law.impulse * POWER / time, []
+    """The factor of a ramp, int_0^1 m x^(m-1) E(t (1 - x)) dx + impulse m/t."""
+    return _counted(law, time, law.ramp - law.impulse * POWER / time, "ramp factor")
+
+
+def kept(law: Law) -> list[str]:
+    """The factor of a ramp that counts up to t_1, int_0^1 m x^(m-1) E(t - t_1 x) dx: no impulse at t is in it."""
+    return _counted(law, t_1, law.kept, "factor of the way back")
+
+
+def _counted(law: Law, until: sp.Symbol, factor: sp.Expr, words: str) -> list[str]:
+    """The integral by antiderivatives in x, up to the present or to an earlier time."""
+    lasting = () if until == time else (until, time)
+    domain, face, total, steps = Domain(BOUNDS, (x, sp.S.One), lasting), Domain(BOUNDS, lasting), sp.S.Zero, []
     for constant, power, rate in terms(law.relaxation):
-        antiderivative = _antiderivative(power, rate)
-        kernel = POWER * x ** (POWER - 1) * (1 - x) ** power * sp.exp(-rate * time * (1 - x))
+        antiderivative = _antiderivative(power, rate, until)
+        kernel = POWER * x ** (POWER - 1) * (1 - until / time * x) ** power * sp.exp(-rate * (time - until * x))
         statement = f"d/dx of the antiderivative = {kernel}"
         steps.append(require_zero(sp.diff(antiderivative, x) - kernel, domain, statement))
         steps.append(require_zero(at(antiderivative, x, sp.S.Zero), domain, "it vanishes at x = 0"))
-        total += constant * time**power * at(antiderivative, x, sp.S.One, Domain(BOUNDS))
-    statement = f"ramp factor = int_0^1 m x^(m-1) E(t (1 - x)) dx = {law.ramp}"
-    return [*steps, require_zero(total - law.ramp, Domain(BOUNDS), statement)]
+        total += constant * time**power * at(antiderivative, x, sp.S.One, face)
+    statement = f"{words} = int_0^1 m x^(m-1) E(t - {until} x) dx = {factor}"
+    return [*steps, require_zero(total - factor, face, statement)]
 
 
-def _antiderivative(power: sp.Expr, rate: sp.Expr) -> sp.Expr:
+def _antiderivative(power: sp.Expr, rate: sp.Expr, until: sp.Symbol) -> sp.Expr:
     """For a fading term and for a power; its derivative refuses what is both."""
     if power == 0:
-        return x**POWER * sp.exp(-rate * time * (1 - x)) * Kummer(1, POWER + 1, -rate * time * x)
-    return POWER * IncompleteBeta(x, POWER, power + 1)
+        return x**POWER * sp.exp(-rate * (time - until * x)) * Kummer(1, POWER + 1, -rate * until * x)
+    return POWER * (until / time) ** -POWER * IncompleteBeta(until / time * x, POWER, power + 1)
+
+
+def memory(law: Law) -> list[str]:
+    """I(t) is the integral of E with its impulse."""
+    domain = Domain(BOUNDS)
+    gap = sp.diff(law.memory, time) - law.relaxation
+    return [
+        require_zero(gap, domain, "I'(t) = E(t)"),
+        require_zero(at(law.memory, time, sp.S.Zero, domain) - law.impulse, domain, "I(0+) is the impulse of E"),
+    ]
+
+
+def solved(law: Law, expr: sp.Expr, before: sp.Expr, now: sp.Symbol) -> list[str]:
+    """The times at which the contact is as large as before: an equation in I, or what its v_2 leads back to."""
+    past, back = (law.memory.subs(time, now - start) for start in (before, t_m))
+    words = "int E(t - s) d'(s) ds = 0 over t_1 < s < t, d' = v, then -v_2: I(t - t_1) = (1 + v_2/v) I(t - t_m)"
+    domain = Domain(BOUNDS, (before, t_m, now) if before.is_Symbol else (t_m, now))
+    if isinstance(expr, sp.Eq):
+        gaps = expr.lhs - past, expr.rhs - (1 + v_2 / v) * back
+        return [*memory(law), *(require_zero(gap, domain, words) for gap in gaps)]
+    unknown = before if before.is_Symbol else now
+    gap = _of_exponentials(expr.subs(v_2, v * (past - back) / back)) - unknown
+    return [*memory(law), require_zero(gap, domain, f"{words}, solved for v_2, gives {unknown} again")]
+
+
+def _of_exponentials(expr: sp.Expr) -> sp.Expr:
+    """Logarithms of what is one product of exponentials, by exact division, as their exponents."""
+    bases: dict[sp.Expr, sp.Symbol] = {}
+
+    def product(exponent: sp.Expr) -> sp.Expr:
+        parts = (term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(exponent)))
+        return sp.Mul(*(bases.setdefault(unit, sp.Dummy(positive=True)) ** times for times, unit in parts))
+
+    def exponent(argument: sp.Expr) -> sp.Expr:
+        single = sp.cancel(argument.replace(sp.exp, product))
+        units = {base: unit for unit, base in bases.items()}
+        factors = [factor.as_base_exp() for factor in sp.Mul.make_args(single)]
+        if any(base not in units for base, _ in factors):
+            return sp.log(argument)
+        return sp.Add(*(times * units[base] for base, times in factors))
+
+    return expr.replace(sp.log, exponent)
 
 
 class Viscoelastic:
@@ -96,18 +149,48 @@ class Viscoelastic:
 
     def ramp(self, suffix: str) -> list[str]:
         """F at d = v t is F_el/E* times the ramp factor of the law, F_el being a power of d."""
-        law, (elastic,) = self._law(suffix), closed(self.force).cases
-        require_regions(self.entries[suffix], ((),))
-        (case,) = self.entries[suffix].cases
+        law = self._law(suffix)
+        return [duality(law), *ramp(law), *self._of_power(suffix, (), time, law.ramp, "the ramp factor")]
+
+    def retract(self, suffix: str) -> list[str]:
+        """F is F_el/E* at d = v t_1 times the factor of the way back, F_el being a power of d."""
+        law = self._law(suffix)
+        words = "the factor of the way back"
+        return [duality(law), *kept(law), *self._of_power(suffix, (t_1, t_m, time), t_1, law.kept, words)]
+
+    def _of_power(
+        self, suffix: str, chain: tuple[sp.Symbol, ...], until: sp.Symbol, factor: sp.Expr, words: str
+    ) -> list[str]:
+        (elastic,), case = closed(self.force).cases, self._case(suffix, chain)
         domain = self.domain(elastic)
-        steps = [duality(law), *ramp(law), self._linear(elastic)]
+        steps = [self._linear(elastic)]
         exponent = normal(d * sp.diff(elastic.expr, d) / elastic.expr, domain)
         require(
             not exponent.has(d) and sign(exponent, domain) > 0, "{} is not shown to be a power of d", self.force.key
         )
-        wanted = elastic.expr.subs(d, v * time) / E_star * law.ramp.subs(POWER, exponent)
-        statement = f"with d = v t, F = F_el/E* times the ramp factor for F_el ~ d^({exponent})"
-        return [*steps, require_zero(case.expr - wanted, domain, statement)]
+        wanted = elastic.expr.subs(d, v * until) / E_star * factor.subs(POWER, exponent)
+        statement = f"with d = v {until}, F = F_el/E* times {words} for F_el ~ d^({exponent})"
+        return [*steps, require_zero(case.expr - wanted, Domain(*domain.chains(), chain), statement)]
+
+    def radius(self, suffix: str) -> list[str]:
+        """a is that of the elastic contact at d = v t_1."""
+        case, (elastic,) = self._case(suffix, (t_1, t_m, time)), closed(self.normal.entries["ad"]).cases
+        domain = Domain(*self.domain(elastic).chains(), (t_1, t_m, time))
+        gap = case.expr - elastic.expr.subs(d, v * t_1)
+        return [require_zero(gap, domain, "a = a_el(d) at d = v t_1")]
+
+    def earlier(self, suffix: str) -> list[str]:
+        """t_1 is that of the equation of the way back."""
+        return solved(self._law(suffix), self._case(suffix, (t_m, time)).expr, t_1, time)
+
+    def end(self, suffix: str) -> list[str]:
+        """The contact ends as t_1 comes to the first touch."""
+        return solved(self._law(suffix), self._case(suffix, (t_m, t_c)).expr, sp.S.Zero, t_c)
+
+    def _case(self, suffix: str, chain: tuple[sp.Symbol, ...]) -> Case:
+        """The only case of an entry, which holds in this order."""
+        require_regions(self.entries[suffix], (chain,))
+        return self.entries[suffix].cases[0]
 
     def step(self, suffix: str) -> list[str]:
         """F after a step of depth, given or by an equation, is F_el/E* times the relaxation E(t)."""
@@ -145,10 +228,18 @@ def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[s
     force = "plain.Fd" if "Fd" in normal_entries else "plain.F"
     out: dict[str, Rule] = {}
     for suffix, entry in entries.items():
-        kind = suffix.split("_")[0]
+        kind, law = suffix.split("_")
         own = "plain.F" if kind == "step" and entry.status == "root" else force
-        out[suffix] = (("plain.aF" if kind == "load" else own,), KINDS[kind], suffix)
+        needs = {
+            "load": ("plain.aF",), "radius": ("plain.ad", f"earlier_{law}"), "retract": (force, f"earlier_{law}"),
+            "earlier": (), "end": (),
+        }  # fmt: skip
+        out[suffix] = (needs.get(kind, (own,)), KINDS[kind], suffix)
     return out
 
 
-KINDS = {"ramp": Viscoelastic.ramp, "step": Viscoelastic.step, "load": Viscoelastic.load}
+KINDS = {
+    "ramp": Viscoelastic.ramp, "step": Viscoelastic.step, "load": Viscoelastic.load,
+    "earlier": Viscoelastic.earlier, "radius": Viscoelastic.radius, "retract": Viscoelastic.retract,
+    "end": Viscoelastic.end,
+}  # fmt: skip
