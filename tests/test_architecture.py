@@ -30,7 +30,7 @@ LATER = (
     *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
 )
-"""What came since, and is counted by itself: the fields below the surface; torsion; a way back; load within a radius and
+"""What came since, and is counted by itself: fields below the surface; torsion; a way back; load within a radius and
 energy; other languages and calculators."""
 WHOLE = 62731
 """Lines with all of that."""

@@ -192,8 +192,8 @@ class _General:
                 lower = "inner" if low == 0 else f"np.maximum({low}, inner)"
             beyond_inner = "excess" if low == 0 else f"(excess + ({lower} - inner))"
             # what lies below is nothing beside the rest, and the places of its rule would underflow
-            own = depth.call("np.maximum(x, 1e-40 * a)")
-            weight = rules.weight.format(of_x=own).replace("from_inner", beyond_inner)
+            at_least = depth.call("np.maximum(x, 1e-40 * a)")
+            weight = rules.weight.format(of_x=at_least).replace("from_inner", beyond_inner)
             lines += [f"def weight_{low}(x: Array, z: Array, excess: Array, within: Array) -> Array:"]
             lines += [f"    return {weight} * z"]
             before = "whole + " if any(line.startswith("whole = ") for line in lines) else ""
