@@ -77,12 +77,20 @@ def test_the_surface_is_where_point_forces_move_it(name: str) -> None:
     c, depth = own.cohesive_radius(a, **material), own.depth(a, **material)
 
     def moved(r: float) -> float:
-        def ring(s: mp.mpf) -> mp.mpf:
-            share = 4 * r * s / (r + s) ** 2
-            pressure = own.pressure(float(s), a, **material) if s < a else -sigma
-            return 4 * s / (mp.pi * (r + s)) * mp.ellipk(min(share, 1 - mp.eps)) * pressure
-
-        return float(mp.quad(ring, sorted({0.0, 0.45, 0.5, 0.8, a, min(r, c), c}), maxdegree=5))
+        """By Gauss' rule in t, which crowds at both ends: at the ring at r the kernel is a logarithm."""
+        nodes, weights = np.polynomial.legendre.leggauss(200)
+        t, total = 0.5 * (nodes + 1.0), 0.0
+        up, down = t**4, (1.0 - t) ** 4
+        ends = sorted({0.0, 0.5, a, min(r, c), c})
+        for low, high in zip(ends, ends[1:], strict=False):
+            s = low + (high - low) * up / (up + down)
+            pressure = np.where(s < a, own.pressure(s, a, **material), -sigma)
+            mean, root = np.ones_like(s), np.abs(r - s) / (r + s)
+            for _ in range(8):
+                mean, root = 0.5 * (mean + root), np.sqrt(mean * root)
+            rate = 2.0 * s / (r + s) / mean * pressure * (high - low) * 4.0 * (t - t * t) ** 3 / (up + down) ** 2
+            total += float(np.sum(0.5 * weights * rate))
+        return total
 
     face = module(name, "normal").profile
     geometry = GEOMETRY[name]
@@ -152,8 +160,12 @@ def test_an_equation_for_anything_but_the_work_is_no_proof() -> None:
         assert not certify(profile, wrong, "c").proved
 
 
-@pytest.mark.parametrize("sigma", [0.01, 0.07, 1.0, 30.0])
-@pytest.mark.parametrize("name", GEOMETRY)
+OFTEN = ("paraboloid", "truncated_paraboloid")
+RARELY = [pytest.param(name, marks=pytest.mark.slow) for name in GEOMETRY if name not in OFTEN]
+
+
+@pytest.mark.parametrize("sigma", [0.01, 0.3, 30.0])
+@pytest.mark.parametrize("name", [*OFTEN, *RARELY])
 def test_pull_off_is_the_least_load(name: str, sigma: float) -> None:
     """Of all contact radii on a fine grid around it, and radii from loads lead back."""
     own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
@@ -163,7 +175,7 @@ def test_pull_off_is_the_least_load(name: str, sigma: float) -> None:
     ):
         state = own.pull_off(control, **material)
         least = getattr(state, control)
-        radii = max(state.radius, 1e-3) * np.geomspace(0.2, 1.8, 321)
+        radii = max(state.radius, 1e-3) * np.geomspace(0.2, 1.8, 81)
         assert np.nanmin(load_of(radii, **material)) >= least - 1e-12 * abs(least)
         assert np.isnan(inverse(least - 1e-6 * abs(least), **material))
         a = max(1.2 * state.radius, 0.3 if state.radius else 1e-2)

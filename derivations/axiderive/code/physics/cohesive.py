@@ -125,8 +125,8 @@ def _plain(writer: Writer, function: str, *fields: str) -> str:
 
 def _root(writer: Writer, opened: str) -> str:
     end = writer.profile.largest or _end(writer)
-    bound = "" if end is None else f", difference_root({python(end)}, a)"
-    return f"root_of_zone({opened}, a, E_star, dgamma, sigma_0{bound})"
+    given = f"{opened}, a, E_star, dgamma, sigma_0"
+    return f"root_of_zone({given})" if end is None else f"root_within({given}, difference_root({python(end)}, a))"
 
 
 def _end(writer: Writer) -> sp.Expr | None:

@@ -22,6 +22,8 @@ Slope = Callable[..., Array]
 NODES, TIP = 32, 64
 NARROW = 0.7
 """Of pi/2: how close images of the end of a profile come to the path."""
+WITHIN = 1.0 - 1e-6
+"""Of the largest q: a zone that comes closer to the end of a profile is not looked for."""
 DECAY = 40.0
 """exp(-40) of a gap is less than its rounding."""
 EXPONENTS = (0.5, 4.0)
@@ -168,10 +170,16 @@ def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Ar
     return sigma_0 * (gap + 4.0 / np.pi * (sigma_0 / E_star) * q * (angle - q / (c + a)))
 
 
+def root_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array) -> Array:
+    """The root of a profile that ends; not a number where the zone would reach beyond the largest q."""
+    reached = work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma
+    return root_of_zone(opened, a, E_star, np.where(reached, dgamma, np.nan), sigma_0, largest)
+
+
 def root_of_zone(
     opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array | float = np.inf
 ) -> Array:
-    """The q at which the gap at c is dgamma/sigma_0; not a number beyond the largest one."""
+    """The q at which the gap at c is dgamma/sigma_0."""
     wanted, load = dgamma / sigma_0, 4.0 / np.pi * (sigma_0 / E_star)
 
     def curve(q: Array) -> tuple[Array, Array]:
@@ -185,8 +193,7 @@ def root_of_zone(
     # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
     part = wanted / load
     start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
-    q = inverse(curve, wanted, np.minimum(start, 0.75 * largest), EXPONENTS, largest, smooth=True)
-    return np.where(q < largest, q, np.nan)
+    return inverse(curve, wanted, np.minimum(start, 0.75 * largest), EXPONENTS, largest, smooth=True)
 
 
 def sunk(q: Array, E_star: Array, sigma_0: Array) -> Array:
