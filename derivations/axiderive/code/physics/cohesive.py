@@ -110,7 +110,9 @@ def _radii(writer: Writer) -> str:
         return ""
     largest = "" if profile.largest is None else python(profile.largest)
     grid = radii(profile, largest, REACH)
-    return f", {grid.replace('radii_beyond', 'radii_around')}"
+    end = profile.largest or _end(writer)
+    bound = "" if end is None else f", largest={python(end)}"
+    return f", {grid.replace('radii_beyond', 'radii_around')}{bound}"
 
 
 def _bound_to_shape(writer: Writer, function: str) -> str:

@@ -12,7 +12,7 @@ from ...abel.form import Chain, insert
 from ...entry import FOUR, Case, Entry
 from ...notation import a, r
 from ...physics import DEPTH, DISPLACEMENT, FORCE, OWN, PRESSURE, SHAPE, Proof, Shown
-from ..algebra.domain import Domain, NotProvedError
+from ..algebra.domain import Domain
 from ..algebra.identity import at
 from ..statement import Rule, closed, require_regions, require_zero
 from .compact import Compact
@@ -45,16 +45,14 @@ class Superposed:
         return steps
 
     def _closed(self, suffix: str) -> Entry:
-        """The entry; of a root the equation, as what its left side has to be for the value on its right."""
+        """The entry; of a root what its equation says of the value that is given."""
         entry = self.entries[suffix]
         source = entry.quantity.inverts
         if entry.status != "root" or not source:
             return closed(entry)
         given = self.entries[source].quantity.symbol
-        if any(not isinstance(case.expr, sp.Equality) or case.expr.rhs != given for case in entry.cases):
-            message = f"{entry.key} is the root of no equation for {given}"
-            raise NotProvedError(message)
-        return replace(entry, cases=tuple(Case(case.chain, case.expr.lhs) for case in entry.cases))
+        cases = (Case(case.chain, case.expr.lhs - case.expr.rhs + given) for case in entry.cases)
+        return replace(entry, cases=tuple(cases))
 
     def _step(self, case: Case, shown: Shown, radii: set[sp.Symbol | None]) -> str:
         """That the expression of a statement vanishes in a region, or on the border that it names."""

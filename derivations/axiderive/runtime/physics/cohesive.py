@@ -270,10 +270,10 @@ STEPS, SETTLED, ROUNDING = 90, 2e-16, 1e-15
 Load = Callable[[Array], Array]
 
 
-def radii(first: Array, *others: Array) -> Array:
+def radii(first: Array, *others: Array, largest: Array | float = np.inf) -> Array:
     """Contact radii that separate the minima of the load, in ascending order: by the first zone, and by the profile."""
     every = [first * DECADES, *(np.broadcast_to(own, (len(own), np.size(first))) for own in others)]
-    return np.sort(np.concatenate(every), axis=0)
+    return np.minimum(np.sort(np.concatenate(every), axis=0), WITHIN * largest)
 
 
 def radius_of_pull_off(state: Callable[[Array], tuple[Array, Array]], grid: Array) -> Array:
