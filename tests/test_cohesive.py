@@ -120,7 +120,7 @@ def test_pressure_and_ring_add_up_to_the_force(name: str) -> None:
     assert own.pressure(1.01 * c, a, **material) == 0.0
 
 
-@pytest.mark.parametrize("name", COMPACT_NAMES)
+@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if not cohesive.refusal(load(name))])
 def test_one_zone_closes_around_a_contact(name: str) -> None:
     """The work of separation grows with c from 0 on, as both of its terms do: the root is the only one."""
     own, values = module(name), {str(s): float(x) for s, x in load(name).sketch.values}

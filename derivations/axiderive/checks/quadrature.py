@@ -163,7 +163,9 @@ def _superposed(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits
     assert own.physics.definitions is not None
     stated = own.physics.definitions(here.profile, here.medium)
     if not quantity.inverts:
-        return residual(formula_value(entry, here.values, digits), here.defined(stated[suffix]))
+        # an integral for the gap at the end of a zone is one for the displacement at that place
+        place = {nt.r: here.values[own.physics.solved]} if own.physics.solved else {}
+        return residual(formula_value(entry, {**place, **here.values}, digits), here.defined(stated[suffix]))
     given = own.entries[quantity.inverts].quantity.symbol
     known = {**here.values, given: here.defined(stated[quantity.inverts]), nt.F: here.force(a)}
     return residual(_radius(entry, quantity.symbol, known, digits), here.at(quantity.symbol))

@@ -16,7 +16,7 @@ import sympy as sp
 
 from ..abel.form import Chain, insert
 from ..entry import COMPACT, Case, Entry, Quantity, Status
-from ..notation import LENGTH, E_star, F, a, d, define, dgamma, p, r, sigma_0, t, w
+from ..notation import LENGTH, E_star, F, a, d, define, dgamma, p, r, sigma_0, t, w, wavelength
 from ..profiles.profile import Profile
 from . import (
     DEPTH,
@@ -105,6 +105,10 @@ def definitions(profile: Profile, medium: Medium) -> dict[str, sp.Expr]:
 
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no entries with a cohesive zone; empty if it has."""
+    if wavelength in profile.parameters:
+        return (
+            f"{profile.name} has waves, over which the definition of the gap is not compared in a minute; use adhesive"
+        )
     if profile.compact:
         return ""
     return f"{profile.name} is a complete contact, at whose edge no zone of attraction ends freely; use adhesive"
@@ -118,7 +122,7 @@ def derive(
     Raises
     ------
     ValueError
-        If the contact is complete.
+        If there are none.
     """
     if message := refusal(profile):
         raise ValueError(message)

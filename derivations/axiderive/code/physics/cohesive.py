@@ -35,8 +35,6 @@ PULL = "-np.pi * sigma_0 * c * c"
 PARTED = "depth"
 """The load that is held while the surfaces part without contact."""
 OPENED = "Gap of the normal contact at c, and its rate with c."
-REACH = "(np.sqrt(4.5 * np.pi * dgamma / E_star) * 2.0 * R) ** (2.0 / 3.0)"
-"""Radius beyond which no waves are looked through, that of adhesion of short range."""
 ORDER = "the zone surrounds the contact; exchange a and c"
 
 
@@ -106,10 +104,10 @@ def _states(writer: Writer, opened: str) -> None:
 def _radii(writer: Writer) -> str:
     """Those next to a break and up to the end of a profile, beside the ones by the zone."""
     profile = writer.profile
-    if not (profile.breaks or profile.chain or profile.largest or "wavelength" in writer.geometry):
+    if not (profile.breaks or profile.chain or profile.largest):
         return ""
     largest = "" if profile.largest is None else python(profile.largest)
-    grid = radii(profile, largest, REACH)
+    grid = radii(profile, largest, "")
     end = profile.largest or _end(writer)
     bound = "" if end is None else f", largest={python(end)}"
     return f", {grid.replace('radii_beyond', 'radii_around')}{bound}"
@@ -158,8 +156,6 @@ def _opened(writer: Writer) -> list[str]:
         return [f"return opening_below({slope}, q, a, {python(end)})"]
     slope = f"lambda t: normal._slope({', '.join(['t', *tip[1:]])})"
     (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
-    if "wavelength" in writer.geometry:
-        return [f"return opening_waves({slope}, q, a, wavelength)"]
     if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
         return [f"return opening({slope}, q, a)"]
     return [f"return opening_power({slope}, q, a, {1.0 if power is None else python(power)})"]

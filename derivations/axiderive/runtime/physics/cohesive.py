@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..integrals import WAVES, difference_root, integral, integral_in_strip
+from ..integrals import difference_root, integral, integral_in_strip
 from ..interface import Array, Result
 from ..inverse import inverse
 
@@ -56,16 +56,6 @@ def opening(slope: Slope, q: Array, a: Array) -> tuple[Array, Array]:
     c, end = np.hypot(a, q), np.arctan2(q, a)
     gap = integral(lambda u: slope(c * np.cos(u)) * u * np.sin(u), end, NODES)
     rate = integral(lambda u: slope(c * np.cos(u)) * np.cos(u), end, NODES)
-    return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
-
-
-def opening_waves(slope: Slope, q: Array, a: Array, wavelength: Array) -> tuple[Array, Array]:
-    """For g' that oscillates with a wavelength."""
-    c, end = np.hypot(a, q), np.arctan2(q, a)
-    # the angle itself counts half a wave per radian
-    width = wavelength / (c + 0.5 * wavelength)
-    gap = integral_in_strip(lambda u: slope(c * np.cos(u)) * u * np.sin(u), end, width, WAVES)
-    rate = integral_in_strip(lambda u: slope(c * np.cos(u)) * np.cos(u), end, width, WAVES)
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
