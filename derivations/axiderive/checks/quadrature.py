@@ -36,7 +36,7 @@ SUMMED = 14
 """Digits of an integral over pressures by the definition, each of which is an integral."""
 TWICE = 20
 """Digits of a consequence, or of a sum over depths, which are integrals of integrals too."""
-DEEP = 3
+DEEP = 2
 """Points of a sum over depths."""
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
