@@ -31,8 +31,8 @@ LATER = (
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
     *("physics/cohesive", "code/physics/cohesive", "runtime/physics/cohesive"),
 )
-"""What came since, and is counted by itself: fields below the surface; torsion; cohesive zones; a way back; load within a
-radius and energy; other languages and calculators."""
+"""What came since, counted by itself: fields below the surface; torsion; cohesive zones; a way back; load within a radius
+and energy; other languages and calculators."""
 WHOLE = 62731
 """Lines with all of that."""
 FULL = {"physics": 17}
