@@ -16,6 +16,8 @@ from ..entry import COMPACT, Case, Entry
 from ..letters import name_of
 from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
+from ..oracle.layer import layer
+from ..physics.layer import BASES
 from ..physics.systems import System
 from ..profiles.profile import Profile
 from .function import fit
@@ -148,7 +150,9 @@ class Example:
         if quantity.symbol in (nt.w, nt.slope):
             at[self.system.pool.place] = 2 * at[nt.a]
         if quantity.inverts:
-            at[quantity.arguments[0]] = rounded(self.number(self.entries[quantity.inverts], at))
+            # what is solved in numbers has no value at a rounded place
+            given = self.number(self.entries[quantity.inverts], at)
+            at[quantity.arguments[0]] = given if entry.status == "equation" else rounded(given)
         # a depth or a load that is held is a keyword beside the time
         held = entry.arguments[1:] if self.system.physics.laws else ()
         at |= self.loads if held else {}
@@ -182,6 +186,10 @@ class Example:
     def number(self, entry: Entry, at: Values) -> sp.Float:
         """The exact value; what an equation defines is its root near the drawn state."""
         symbol = entry.quantity.symbol
+        if entry.status == "equation":
+            with mp.workdps(SHOWN + DIGITS):
+                found = layer(HalfSpace(self.profile, at, 2 * SHOWN, graded=False), BASES[0])
+                return sp.Float(str(found.value(symbol)), DIGITS)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:
