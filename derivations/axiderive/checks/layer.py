@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
@@ -42,7 +43,8 @@ def check_profile(own: Comparison) -> list[Evidence]:
             here = HalfSpace(own.profile, values, DIGITS, graded=False)
             found = layer(here, base)
             # the same integrals and nodes come again
-            taken = {SPRING: cache(found.spring), RATE: found.rate, KERNEL: _kernel(values, base)}
+            taken: dict[Any, Callable[..., Number]] = {SPRING: cache(found.spring), RATE: found.rate}
+            taken[KERNEL] = _kernel(values, base)
             stated = replace(here, known=taken)
             value, wanted = cache(stated.defined), cache(found.value)
             for suffix, entry in own.entries.items():

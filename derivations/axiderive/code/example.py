@@ -16,7 +16,8 @@ from ..entry import COMPACT, Case, Entry
 from ..letters import name_of
 from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
-from ..oracle.layer import layer
+from ..oracle.layer import Layer, layer
+from ..oracle.shape import coefficient
 from ..physics.layer import BASES
 from ..physics.systems import System
 from ..profiles.profile import Profile
@@ -143,6 +144,12 @@ class Example:
         drawn = self.profile.sketch.d if self.profile.complete else None
         return {nt.d: sp.Rational(str(drawn)) if drawn else sp.Rational(1, 5), nt.F: sp.Rational(1, 5)}
 
+    @cached_property
+    def layered(self) -> Layer:
+        """The contact with a layer, by the displacement of its surface."""
+        terms = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
+        return layer(HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False), BASES[0])
+
     def lines(self, suffix: str) -> list[str]:
         """The doctest of the function behind one entry."""
         entry = self.entries[suffix]
@@ -188,8 +195,7 @@ class Example:
         symbol = entry.quantity.symbol
         if entry.status == "equation":
             with mp.workdps(SHOWN + DIGITS):
-                found = layer(HalfSpace(self.profile, at, 2 * SHOWN, graded=False), BASES[0])
-                return sp.Float(str(found.value(symbol)), DIGITS)
+                return sp.Float(str(self.layered.value(symbol)), DIGITS)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:

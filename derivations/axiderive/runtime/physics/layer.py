@@ -53,12 +53,12 @@ class State(NamedTuple):
     """Wave numbers k."""
     bent: Array
     """Amplitudes times k**2."""
-    count: int
+    across: int
     """Nodes across the contact."""
 
     def pressure(self, r: Array) -> Array:
         """What the layer adds to the pressure over E_star: -1/pi times the integral of x'(t)/sqrt(t**2 - r**2)."""
-        nodes, weights, _ = _half(self.count)
+        nodes, weights, _ = _half(self.across)
         out = np.empty_like(r)
         for part in in_parts(self.waves.size * nodes.size, r.size):
             near = r[part, None]
