@@ -6,6 +6,7 @@ import warnings
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
+from typing import Any
 
 import mpmath as mp
 import numpy as np
@@ -17,10 +18,11 @@ from axicontact.layer import cone, flat_punch, paraboloid
 from axicontact.normal import paraboloid as half_space
 from axiderive import notation as nt
 from axiderive.checks.checks import check_problem
-from axiderive.code.example import numbers
+from axiderive.code.example import POLYNOMIAL, numbers
 from axiderive.letters import name_of
 from axiderive.oracle.half_space import HalfSpace
 from axiderive.oracle.layer import Layer, layer, sinking
+from axiderive.oracle.shape import coefficient
 from axiderive.physics import layer as stated
 from axiderive.physics.systems import problem
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, load
@@ -33,17 +35,19 @@ DIGITS = 14
 
 
 @cache
-def solved(name: str, base: str, nu: float, ratio: float) -> tuple[Layer, dict[str, float]]:
+def solved(name: str, base: str, nu: float, ratio: float) -> tuple[Layer, dict[str, Any]]:
     """By the surface, and the geometry of its module."""
     profile = load(name)
     known = numbers(profile)
     known |= {symbol: expr.subs(known) for symbol, expr in profile.abbreviations}
+    known |= {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
     radius = known.get(nt.a, sp.Rational(str(profile.sketch.a)))
     at = {**known, nt.a: radius, stated.thickness: radius / sp.Rational(ratio), nt.nu: sp.Rational(nu)}
     at |= {nt.E_star: sp.Integer(1), nt.d: sp.Rational(1, 5), nt.r: radius * sp.Rational(3, 10)}
     with mp.workdps(DIGITS + 10):
         found = layer(HalfSpace(profile, at, DIGITS, graded=False), base)
-    geometry = {name_of(symbol): float(at[symbol]) for symbol in profile.parameters}
+    geometry = {name_of(symbol): float(at[symbol]) for symbol in profile.parameters if symbol in at}
+    geometry |= {"A": tuple(map(float, POLYNOMIAL))} if nt.coefficients in profile.parameters else {}
     return found, {**geometry, "nu": nu, "thickness": float(at[stated.thickness])}
 
 

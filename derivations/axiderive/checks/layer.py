@@ -77,8 +77,8 @@ def _regular(formula: sp.Expr) -> sp.Expr:
 
 def _kernel(values: Values, base: str) -> Callable[..., Number]:
     """The kernel by its integral, with the closed L."""
-    u, h = sp.Symbol("u", positive=True), number(values[thickness])
-    share = sp.lambdify(u, 1 - sinking(u, base).subs(nt.nu, values[nt.nu]), "mpmath")
+    h = number(values[thickness])
+    share = sp.lambdify(nt.u, 1 - sinking(nt.u, base).subs(nt.nu, values[nt.nu]), "mpmath")
     known = [
         (k / h, 2 * (high - low) * weight * share(k) / (mp.pi * h))
         for low, high in pairwise(STRETCHES)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sympy as sp
 
 from ... import notation as nt
-from ...entry import Entry
 from ...letters import name_of
 from ...physics.layer import BASES, EQUATION
 from .. import docstring
@@ -42,29 +41,12 @@ def _base() -> list[str]:
 def rules(writer: Writer) -> None:
     """Adds what the layer changes of one contact, and what follows from that."""
     geometry, layer = writer.geometry, ["nu", "thickness", "base"]
-    for name, (fields, lines) in (_punch if writer.profile.complete else _curved)(writer).items():
-        entry = _named(writer, name)
-        elastic = ["E_star"] if entry.quantity.elastic else []
-        writer.rule(f"_{name}", fields, [*geometry, *elastic, *layer], lines)
-
-
-def _named(writer: Writer, function: str) -> Entry:
-    return next(own for own in writer.entries.values() if own.quantity.function == function)
-
-
-Lines = dict[str, tuple[list[str], list[str]]]
-
-
-def _punch(writer: Writer) -> Lines:
-    """By the function, its fields and lines; only the stiffness is another one."""
-    _contact(writer, [], "")
-    state = "found = _contact(a, nu, thickness, base)"
-    pressure = f'{writer.call("_pressure", "r", "d")} * found.of("edge") + E_star * d * found.pressure(r)'
-    return {
-        "force": (["d"], [state, 'return E_star * d * found.of("stiffness")']),
-        "pressure": (["r", "d"], [state, f"return {pressure}"]),
-        "depth_from_force": (["F"], [state, 'return F / (E_star * found.of("stiffness"))']),
-    }
+    lines = _punch(writer) if writer.profile.complete else _curved(writer)
+    for entry in writer.entries.values():
+        quantity = entry.quantity
+        elastic = ["E_star"] if quantity.elastic else []
+        fields = list(map(name_of, entry.arguments))
+        writer.rule(f"_{quantity.function}", fields, [*geometry, *elastic, *layer], lines[quantity.function])
 
 
 def _contact(writer: Writer, geometry: list[str], shape: str) -> None:
@@ -72,45 +54,53 @@ def _contact(writer: Writer, geometry: list[str], shape: str) -> None:
     writer.rule("_contact", ["a"], [*geometry, "nu", "thickness", "base"], [line], doc, "State", "of_states")
 
 
-def _curved(writer: Writer) -> Lines:
+def _punch(writer: Writer) -> dict[str, list[str]]:
+    """By the function its lines; only the stiffness is another one."""
+    _contact(writer, [], "")
+    state, half = "found = _contact(a, nu, thickness, base)", writer.call("_pressure")
+    return {
+        "force": [state, 'return E_star * d * found.of("stiffness")'],
+        "pressure": [state, f'return {half} * found.of("edge") + E_star * d * found.pressure(r)'],
+        "depth_from_force": [state, 'return F / (E_star * found.of("stiffness"))'],
+    }
+
+
+def _curved(writer: Writer) -> dict[str, list[str]]:
+    """By the function its lines; what depth or force give is searched for from the radius on the half-space."""
     profile, own = writer.profile, [*writer.geometry, "nu", "thickness", "base"]
     depth, breaks = writer.call("_depth", "t"), [python(b) for b in profile.breaks]
     if profile.truncated:
         depth = f"np.where(t > {breaks[0]}, {depth}, 0.0)"
     kinks = f", ({', '.join(breaks)},)" if breaks else ""
     _contact(writer, writer.geometry, f", lambda t: {depth}{kinks}")
-    end = profile.largest or (profile.chain[-1] if nt.a in profile.chain else None)
+    state = f"found = _contact({', '.join(['a', *own])})"
+    last = profile.largest or (profile.chain[-1] if nt.a in profile.chain else None)
+    end = "np.inf" if last is None else python(last)
 
-    def state(place: str) -> str:
-        return f"found = _contact({', '.join([place, *own])})"
-
-    def searched(value: str) -> list[str]:
-        """By a curve and its logarithmic slope, from the radius on the half-space."""
-        elastic = value == "F"
-        curve = f'{writer.call("_force", "t")} + E_star * found.of("more")'
-        rate = 'E_star * found.of("stiffness") * found.of("rate")'
-        if not elastic:
-            curve, rate = f'{writer.call("_depth", "t")} - found.of("less")', 'found.of("rate")'
-        start = writer.call("_radius_from_force" if elastic else "_radius_from_depth", value)
-        return [
+    d, force = name_of(nt.d), name_of(nt.F)
+    growth = 'E_star * found.of("stiffness") * found.of("rate")'
+    curves = {
+        "radius_from_depth": (d, f'{writer.call("_depth", "t")} - found.of("less")', 'found.of("rate")'),
+        "radius_from_force": (force, f'{writer.call("_force", "t")} + E_star * found.of("more")', growth),
+    }
+    searched = {
+        name: [
             "def curve(t: Array) -> tuple[Array, Array]:",
-            f"    {state('t')}",
+            f"    found = _contact({', '.join(['t', *own])})",
             f"    value = {curve}",
             f"    return value, t * {rate} / value",
             "",
-            f"return radius_on_layer(curve, {value}, {start}, thickness, {'np.inf' if end is None else python(end)})",
+            f"return radius_on_layer(curve, {load}, {writer.call(f'_{name}')}, thickness, {end})",
         ]
-
-    by_depth = f"_radius_from_depth({', '.join(['d', *own])})"
+        for name, (load, curve, rate) in curves.items()
+    }
     elastic = ", ".join([*writer.geometry, "E_star", "nu", "thickness", "base"])
+    by_depth, by_force = f"_radius_from_depth({', '.join([d, *own])})", f"_radius_from_force({force}, {elastic})"
     return {
-        "depth": (["a"], [state("a"), f'return {writer.call("_depth", "a")} - found.of("less")']),
-        "force": (["a"], [state("a"), f'return {writer.call("_force", "a")} + E_star * found.of("more")']),
-        "pressure": (
-            ["r", "a"], [state("a"), f"return {writer.call('_pressure', 'r', 'a')} + E_star * found.pressure(r)"],
-        ),
-        "radius_from_depth": (["d"], searched("d")),
-        "radius_from_force": (["F"], searched("F")),
-        "force_from_depth": (["d"], [f"return _force({by_depth}, {elastic})"]),
-        "depth_from_force": (["F"], [f"return _depth(_radius_from_force(F, {elastic}), {', '.join(own)})"]),
-    }  # fmt: skip
+        "depth": [state, f'return {writer.call("_depth")} - found.of("less")'],
+        "force": [state, f'return {writer.call("_force")} + E_star * found.of("more")'],
+        "pressure": [state, f"return {writer.call('_pressure')} + E_star * found.pressure(r)"],
+        **searched,
+        "force_from_depth": [f"return _force({by_depth}, {elastic})"],
+        "depth_from_force": [f"return _depth({by_force}, {', '.join(own)})"],
+    }

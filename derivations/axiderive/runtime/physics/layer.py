@@ -29,6 +29,8 @@ STRETCHES = (0.0, 1.5, 4.0, 8.0, 13.0, 20.0)
 """Of wave numbers u = k h: from a half-space a layer differs by a share that falls as u**2 exp(-2 u)."""
 STEP, LEVELS, SETTLED = 0.125, 8, 1e-8
 """Of the double exponential rule: first step, halvings, and the change after which the next one is rounding."""
+TERMS = 2**18
+"""Values at a time of a sum over waves at nodes at radii."""
 BEHIND = 2.0**-24
 """Share of the radius over which the rate of g is a difference: it only steers the search for a root."""
 WIDE = (0.3, 12.0)
@@ -60,7 +62,7 @@ class State(NamedTuple):
         """What the layer adds to the pressure over E_star: -1/pi times the integral of x'(t)/sqrt(t**2 - r**2)."""
         nodes, weights, _ = _half(self.across)
         out = np.empty_like(r)
-        for part in in_parts(self.waves.size * nodes.size, r.size):
+        for part in in_parts(r.size, TERMS // (self.waves.size * nodes.size)):
             near = r[part, None]
             root = np.sqrt((self.radius - near) * (self.radius + near))
             t = np.hypot(near, root * nodes)
@@ -213,12 +215,16 @@ def on_layer(
 
 
 def radius_on_layer(curve: Curve, value: Array, start: Array, thickness: Array, largest: Array | float) -> Array:
-    """The contact radius at which a curve has the value, from that on the half-space."""
+    """The contact radius at which a curve has the value, from that on the half-space; NaN if the body ends before."""
     reach = np.minimum(THINNEST * thickness, largest)
-    found = inverse(curve, value, np.minimum(start, reach), WIDE, reach)
-    beyond = (found >= reach * (1.0 - SETTLED)) & (reach < largest)
-    if np.any(beyond) and np.any(beyond & (curve(np.broadcast_to(reach, found.shape))[0] < value)):
-        load = float(value[beyond].flat[0])
+    found = inverse(curve, value, np.fmin(start, reach), WIDE, reach)
+    last = found >= reach * (1.0 - SETTLED)
+    if not np.any(last):
+        return found
+    last = last & (curve(np.where(last, reach, found))[0] < value)
+    thin = last & (reach < largest)
+    if np.any(thin):
+        load = float(value[thin].flat[0])
         message = f"at {load!r} the contact radius is above {THINNEST:g} thickness; {THIN}"
         raise ValueError(message)
-    return found
+    return np.where(last, np.nan, found)
