@@ -3,7 +3,7 @@
 A wave of pressure moves the surface of a layer by the share L of a half-space.  Reduced to springs as the half-space
 is, the contact is one Fredholm equation of the second kind for what each spring is pressed in,
 
-    spring(t) = d - g(t) + int_0^a kernel(t, s) spring(s) ds,     kernel(t, s) = wave(t + s) + wave(t - s),
+    q(t) = d - g(t) + int_0^a K(t, s) q(s) ds,     K(t, s) = wave(t + s) + wave(t - s),
 
 with wave(x) = 1/(pi h) int_0^oo (1 - L(u)) cos(u x/h) du.  The depth g without the layer goes in as it is.
 """
@@ -23,9 +23,9 @@ from .medium import HOMOGENEOUS, Medium
 
 GROUP = "lay"
 thickness = define("thickness", "h_0", LENGTH, "m", "thickness > 0", "thickness of the layer")
-spring = define("spring", "q", LENGTH, "m", "", "how far the spring of a radius is pressed in, on a layer")
-kernel = define("kernel", "K", Dimension.of(-1, 0), "1/m", "", "what one spring of a layer takes off another")
-SPRING, KERNEL = sp.Function("spring"), sp.Function("kernel")
+define("q", "q", LENGTH, "m", "", "how far the spring of a radius is pressed in, on a layer")
+define("K", "K", Dimension.of(-1, 0), "1/m", "", "what one spring of a layer takes off another")
+SPRING, KERNEL = sp.Function("q"), sp.Function("K")
 """The solution of the equation, of a radius, and its kernel, of two."""
 EQUATION = d - DEPTH(t) + sp.Integral(KERNEL(t, s) * SPRING(s), (s, 0, a))
 """What the spring at t is pressed in."""

@@ -14,7 +14,7 @@ from ..writer import Writer
 
 BASE = f'base: str = "{BASES[0]}"'
 NOTES = (
-    "The springs below the surface are pressed in by spring(t) = {}, which is zero {}. Valid for {}; {}. One linear "
+    "The springs below the surface are pressed in by q(t) = {}, which is zero {}. Valid for {}; {}. One linear "
     "system for each contact, a <= 20 thickness. Negative or NaN field values give NaN."
 )
 
