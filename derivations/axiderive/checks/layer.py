@@ -12,6 +12,7 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
+from ..oracle.evaluate import decades
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
 from ..oracle.layer import layer
@@ -26,7 +27,7 @@ CASES = ((BASES[0], sp.Rational(1, 2), sp.S.One), (BASES[1], sp.Rational(3, 10),
 STRETCHES, NODES = (0, 2, 6, 12, 21), 24
 """Of the integral over wave numbers for the thickness 1, and nodes on each."""
 AMONG = 12
-"""Points of which the first without extreme ratios are taken."""
+"""Points of which those are taken whose lengths are nearest to each other."""
 PLACES = (sp.Rational(1, 5), sp.Rational(7, 10))
 """Over the contact radius, where the equation is asked for."""
 RATE = sp.Function("rate")
@@ -63,7 +64,9 @@ def check_profile(own: Comparison) -> list[Evidence]:
 
 
 def _drawn(own: Comparison) -> list[Values]:
-    return own.tame((*own.profile.breaks, nt.r, nt.a), AMONG, (nt.E_star, *own.profile.free_depth))
+    """Of a profile with kinks, whose every depth is a sum of integrals, one contact."""
+    drawn = own.tame((*own.profile.breaks, nt.r, nt.a), AMONG, (nt.E_star, *own.profile.free_depth))
+    return sorted(drawn, key=decades)[: 1 if own.profile.breaks else len(CASES)]
 
 
 def _regular(formula: sp.Expr) -> sp.Expr:

@@ -15,7 +15,9 @@ from ..writer import Writer
 BASE = f'base: str = "{BASES[0]}"'
 NOTES = (
     "The springs below the surface are pressed in by q(t) = {}, which is zero {}. Valid for {}; {}. One linear "
-    "system for each contact, a <= 20 thickness. Negative or NaN field values give NaN."
+    "system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the integral of (1 - L(u)) "
+    "cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. "
+    "Negative or NaN field values give NaN."
 )
 
 
@@ -90,7 +92,7 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
             f"    value = {curve}",
             f"    return value, t * {rate} / value",
             "",
-            f"return radius_on_layer(curve, {load}, {writer.call(f'_{name}')}, thickness, {end})",
+            f"return radius_on_layer(curve, {load}, {writer.call(f'_{name}')}, thickness, {end}, {not breaks})",
         ]
         for name, (load, curve, rate) in curves.items()
     }

@@ -214,10 +214,12 @@ def on_layer(
     return State(a, less, more, whole, float(rate), unit, waves, amplitude * waves * waves, count)
 
 
-def radius_on_layer(curve: Curve, value: Array, start: Array, thickness: Array, largest: Array | float) -> Array:
+def radius_on_layer(
+    curve: Curve, value: Array, start: Array, thickness: Array, largest: Array | float, smooth: bool
+) -> Array:
     """The contact radius at which a curve has the value, from that on the half-space; NaN if the body ends before."""
     reach = np.minimum(THINNEST * thickness, largest)
-    found = inverse(curve, value, np.fmin(start, reach), WIDE, reach)
+    found = inverse(curve, value, np.fmin(start, reach), WIDE, reach, smooth=smooth)
     last = found >= reach * (1.0 - SETTLED)
     if not np.any(last):
         return found
