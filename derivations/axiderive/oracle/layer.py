@@ -142,6 +142,8 @@ def _short(here: HalfSpace, t: Number) -> Number:
 def _weighted(here: HalfSpace, a: Number) -> Iterator[tuple[Number, Number]]:
     """Radii, and what the half-space is pressed in there times the weight of a rule that bears kinks at breaks."""
     ends = [mp.mpf(0), *(b for b in map(here.at, here.profile.breaks) if b < a), a]
+    if nt.wavelength in here.profile.parameters:
+        ends[1:1] = [here.at(nt.wavelength) * i for i in range(1, int(mp.ceil(a / here.at(nt.wavelength))))]
     step = mp.mpf(2) / (here.digits + 4)
     reach = int(mp.asinh(2.4 * here.digits / mp.pi) / step) + 1
     for low, high in pairwise(ends):
