@@ -64,10 +64,11 @@ def check_profile(own: Comparison) -> list[Evidence]:
 
 
 def _drawn(own: Comparison) -> list[Values]:
-    """Of a profile with kinks or waves, whose every depth is a sum of integrals, one contact."""
+    """Of a profile with kinks one contact, of which every depth is a sum of integrals; with waves that with fewest."""
     drawn = own.tame((*own.profile.breaks, nt.r, nt.a), AMONG, (nt.E_star, *own.profile.free_depth))
-    slow = own.profile.breaks or nt.wavelength in own.profile.parameters
-    return sorted(drawn, key=decades)[: 1 if slow else len(CASES)]
+    if nt.wavelength in own.profile.parameters:
+        return [max(drawn, key=lambda values: values[nt.wavelength] / values[nt.a])]
+    return sorted(drawn, key=decades)[: 1 if own.profile.breaks else len(CASES)]
 
 
 def _regular(formula: sp.Expr) -> sp.Expr:
