@@ -194,11 +194,10 @@ def test_refusals_say_what_to_use() -> None:
 @pytest.mark.slow
 def test_a_wrong_formula_fails() -> None:
     """With the sign of its integral turned: a layer that is softer than the half-space, a force that pulls."""
-    own = problem("paraboloid.lay")
     wrong = {}
-    for suffix, entry in own.derive().items():
+    for suffix, entry in stated.derive(load("paraboloid")).items():
         (case,) = entry.cases
         turned = case.expr.replace(sp.Integral, lambda *given: -sp.Integral(*given))
         wrong[suffix] = replace(entry, cases=(replace(case, expr=turned),))
-    found = check_problem(own, wrong, digits=50, points=8, seed=17)
+    found = check_problem(problem("paraboloid.lay"), wrong, digits=50, points=8, seed=17)
     assert {check.key for check in found if check.outcome == "failed"} == {entry.key for entry in wrong.values()}
