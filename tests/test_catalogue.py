@@ -50,6 +50,9 @@ RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
 FOLLOW = {"load_within", "energy"}
 """Of the homogeneous half-space, as the greatest pressure is."""
 TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
+LAYERED = {
+    "depth", "force", "pressure", "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
+}  # fmt: skip
 PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
 PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}
 
@@ -77,6 +80,8 @@ def interface(problem: Problem) -> set[str]:
         return {f"{kind}_{law}" for kind in kinds for law in LAWS}
     if family == "torsion":
         return TURNING if compact else {"torque", "displacement", "stress"}
+    if family == "layer":
+        return LAYERED if compact else {"force", "pressure", "depth_from_force"}
     if family == "subsurface":
         return {"stress", "displacement"} | BELOW - (set() if compact else {"partial_slip_stress"})
     if family == "loads":

@@ -18,7 +18,7 @@ from . import notation as nt
 if TYPE_CHECKING:
     from .profiles.profile import Profile
 
-Status = Literal["closed", "integral", "root"]
+Status = Literal["closed", "integral", "root", "equation"]
 
 
 @dataclass(frozen=True)

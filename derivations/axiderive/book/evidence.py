@@ -16,12 +16,13 @@ LEGEND = {
     "✓": "certified: an exact proof of the formula, or of the equation and its one root",
     "○": "closed form without a certificate, compared with its definition to the digits behind it",
     "∫": "one integral without a closed form, compared with its definition to the digits behind it",
+    "=": "by an integral equation, solved in numbers and compared with its definition to the digits behind it",
     "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
     "–": "not meaningful; the module says why",
 }
 LEFT_OUT = "left out"
 NOT_VERIFIED = "not verified"
-SIGNS = {"closed": "○", "integral": "∫", "root": "√"}
+SIGNS = {"closed": "○", "integral": "∫", "root": "√", "equation": "="}
 
 
 def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:

@@ -6,13 +6,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from ..entry import Entry
+from ..physics import layer as layered
 from ..physics import materials, normal, plane
 from ..physics import subsurface as deep
 from ..physics.medium import HOMOGENEOUS
 from ..physics.systems import Problem, System, on
 from ..profiles.loads import Load
 from ..proof.certificate import homogeneous_statements
-from . import enclosure, identities, quadrature, strips, subsurface, superposed, units
+from . import enclosure, identities, layer, quadrature, strips, subsurface, superposed, units
 from . import materials as constants
 from .comparison import Comparison, Evidence
 
@@ -49,6 +50,7 @@ OWN: dict[System | None, Callable[[Comparison], list[Evidence]]] = {
     on(plane.PHYSICS, HOMOGENEOUS): strips.check_profile,
     on(materials.PHYSICS, HOMOGENEOUS): _constants,
     on(deep.PHYSICS, HOMOGENEOUS): subsurface.check_profile,
+    on(layered.PHYSICS, HOMOGENEOUS): layer.check_profile,
 }
 """The checks of a system, where they are others than of most."""
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from .. import notation as nt
 from ..abel.masters import C0, CapMoment, Eta, Xi
@@ -96,6 +97,10 @@ class Units:
             return nt.LENGTH**exponent
         if isinstance(expr, Xi | Eta):
             return self._common(expr)
+        if isinstance(expr, sp.Derivative):
+            return self.dimension(expr.expr) * self.dimension(expr.variables[0]) ** -1
+        if isinstance(expr, AppliedUndef):
+            return nt.describe(expr.func.__name__).dimension
         if isinstance(expr, sp.Function):
             for argument in expr.args:
                 self._number(argument, expr)

@@ -114,13 +114,18 @@ def sources_of(entry: Entry) -> list[str]:
     return [*(f"chapter 11, equation {reference}" for reference in entry.references), *entry.profile.sources]
 
 
-def of_entry(entry: Entry, keywords: Sequence[sp.Symbol], notes: str, example: Sequence[str]) -> str:
-    """The docstring of a function that one entry backs; the arguments that are no keywords are its fields."""
+def of_entry(
+    entry: Entry, keywords: Sequence[sp.Symbol], notes: str, example: Sequence[str], words: Sequence[str] = ()
+) -> str:
+    """The docstring of a function that one entry backs; the arguments that are no keywords are its fields.
+
+    `words` are the rows of arguments that are no numbers.
+    """
     quantity = entry.quantity
     fields = [symbol for symbol in entry.arguments if symbol not in keywords]
     result = f"{measured(in_words(quantity.symbol), quantity.symbol)}. {SHAPE}"
     return document(
-        quantity.summary, stated(entry), parameters(fields, keywords),
+        quantity.summary, stated(entry), [*parameters(fields, keywords), *words],
         (NUMBERS, result), f"{notes} Handbook: {entry.key}.", sources_of(entry), example,
     )  # fmt: skip
 

@@ -16,6 +16,9 @@ from ..entry import COMPACT, Case, Entry
 from ..letters import name_of
 from ..oracle.definitions import least
 from ..oracle.half_space import HalfSpace
+from ..oracle.layer import Layer, layer
+from ..oracle.shape import coefficient
+from ..physics.layer import BASES
 from ..physics.systems import System
 from ..profiles.profile import Profile
 from .function import fit
@@ -151,6 +154,12 @@ class Example:
         drawn = self.profile.sketch.d if self.profile.complete else None
         return {nt.d: sp.Rational(str(drawn)) if drawn else sp.Rational(1, 5), nt.F: sp.Rational(1, 5)}
 
+    @cached_property
+    def layered(self) -> Layer:
+        """The contact with a layer, by the displacement of its surface."""
+        terms = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
+        return layer(HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False), BASES[0])
+
     def lines(self, suffix: str) -> list[str]:
         """The doctest of the function behind one entry."""
         entry = self.entries[suffix]
@@ -158,7 +167,9 @@ class Example:
         if quantity.symbol in (nt.w, nt.slope):
             at[self.system.pool.place] = 2 * at[nt.a]
         if quantity.inverts and quantity.symbol != self.system.physics.solved:
-            at[quantity.arguments[0]] = rounded(self.number(self.entries[quantity.inverts], at))
+            # what is solved in numbers has no value at a rounded place
+            given = self.number(self.entries[quantity.inverts], at)
+            at[quantity.arguments[0]] = given if entry.status == "equation" else rounded(given)
         # a depth or a load that is held is a keyword beside the time
         held = entry.arguments[1:] if self.system.physics.laws else ()
         at |= self.loads if held else {}
@@ -192,6 +203,9 @@ class Example:
     def number(self, entry: Entry, at: Values) -> sp.Float:
         """The exact value; what an equation defines is its root near the drawn state."""
         symbol = entry.quantity.symbol
+        if entry.status == "equation":
+            with mp.workdps(SHOWN + DIGITS):
+                return sp.Float(str(self.layered.value(symbol)), DIGITS)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-TYPES = {"control": "str"}
+TYPES = {"control": "str", "base": "str"}
 """Of parameters that are neither numbers nor arrays."""
 
 

@@ -114,13 +114,19 @@ class Writer:
         return [f"require_reach(a, {self.profile.breaks[0]}{punch})"] if self.profile.truncated else []
 
     def evaluated(
-        self, name: str, fields: Sequence[str], keywords: Sequence[str], wrapper: str = "elementwise", **given: str
+        self,
+        name: str,
+        fields: Sequence[str],
+        keywords: Sequence[str],
+        wrapper: str = "elementwise",
+        words: Sequence[str] = (),
+        **given: str,
     ) -> str:
         """The evaluation of a private function, or of one of the run time, over arrays.
 
         Keywords that the function does not take have a say in the shape alone; for some of those it takes, or for
-        fields that may be negative and go by name, other values are `given`.  Coefficients that are summed are no
-        array.
+        fields that may be negative and go by name, other values are `given`.  Coefficients that are summed, and
+        `words`, are no arrays.
         """
         private = next((own for own in self.private if own.name == name), None)
         taken = [*(word for word in given if word not in keywords), *keywords]
@@ -128,7 +134,8 @@ class Writer:
         summed = self.summed and "A" in used
         passed = [f"{word}={given.get(word, word)}" for word in used if not (summed and word == "A")]
         apart = [word for word in keywords if word not in used and not (self.summed and word == "A")]
-        called = f"partial({name}, A=A)" if summed else name
+        bound = [f"{word}={word}" for word in (*(["A"] if summed else []), *words)]
+        called = f"partial({', '.join([name, *bound])})" if bound else name
         return f"{wrapper}({', '.join([called, *fields, *passed, *unused(apart)])})"
 
     def add(

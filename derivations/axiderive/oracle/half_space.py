@@ -18,7 +18,7 @@ force (11.33) is the integral of such pressures over all wave numbers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -48,6 +48,8 @@ class HalfSpace:
     graded: bool
     pressed: tuple[Face, Number] | None = field(default=None, kw_only=True)
     """The profile up to the radius a of a contact and its free depth, in a definition by `SHORT`."""
+    known: Mapping[sp.FunctionClass, Callable[..., Number]] = field(default_factory=dict, kw_only=True)
+    """What else a definition may be in."""
 
     @property
     def k(self) -> Number:
@@ -168,7 +170,7 @@ class HalfSpace:
             (expr, _), *_ = (own for own in expr.args if own.cond.xreplace(self.values) == sp.true)
         integrals = {own: sp.Dummy() for own in expr.atoms(sp.Integral)}
         known = {stand_in: self._integrated(own) for own, stand_in in integrals.items()}
-        rest, called = _apart(expr.xreplace(integrals))
+        rest, called = self._apart(expr.xreplace(integrals))
         return evaluated(rest, {**self.values, **known, **self._values_of(called)})
 
     def _integrated(self, integral: sp.Integral) -> Number:
@@ -177,7 +179,7 @@ class HalfSpace:
         low, high = map(self.defined, ends)
         known = [*map(self.at, self.profile.breaks), *self._crossed(integral)]
         breaks = sorted(x for x in known if isinstance(x, mp.mpf) and low < x < high)
-        rest, called = _apart(integral.function)
+        rest, called = self._apart(integral.function)
 
         def integrand(x: Number) -> Number:
             there = replace(self, values={**self.values, variable: x})
@@ -206,6 +208,8 @@ class HalfSpace:
     def _called(self, called: sp.Expr) -> Number:
         """The depth, the force or a pressure; a contact no greater than the flat face has no depth, none is outside."""
         *places, radius = (evaluated(x, self.values) for x in called.args)
+        if called.func in self.known:
+            return self.known[called.func](*places, radius)
         if called.func == SHORT:
             return self._short(radius)
         if called.func == DEPTH:
@@ -223,15 +227,15 @@ class HalfSpace:
         below = tuple(replace(piece, hi=min(piece.hi, radius)) for piece in face.shape.stretches if piece.lo < radius)
         return depth - replace(face, shape=replace(face.shape, stretches=below)).depth(radius)
 
+    def _apart(self, expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
+        """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
+        names = (DEPTH, FORCE, PRESSURE, SHORT, *self.known)
+        called = {own: sp.Dummy() for name in names for own in expr.atoms(name)}
+        return expr.xreplace(called), called
+
 
 MORE = 4
 """Digits of an integral over pressures beyond those asked for."""
-
-
-def _apart(expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
-    """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
-    called = {own: sp.Dummy() for name in (DEPTH, FORCE, PRESSURE, SHORT) for own in expr.atoms(name)}
-    return expr.xreplace(called), called
 
 
 FAR = 1.5

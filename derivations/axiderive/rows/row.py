@@ -171,10 +171,11 @@ def _root_or_formula(entry: Entry) -> Row:
 
 def _unbroken(entry: Entry) -> Row:
     """The formulas as they stand, each on one line: of an entry that no page shows."""
-    found = []
+    found, left = [], entry.quantity.left.partition("=")[0]
     for pairs, expr in regions(entry):
         printer = Printer(chain := chain_of(entry, expr))
-        found.append(Region(condition(entry, pairs, chain, printer), (f"{entry.quantity.left}={printer(expr)}",)))
+        formula = printer(expr) if isinstance(expr, sp.Equality) else f"{left}={printer(expr)}"
+        found.append(Region(condition(entry, pairs, chain, printer), (formula,)))
     return Row(entry, "formula", tuple(found))
 
 

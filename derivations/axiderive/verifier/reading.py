@@ -70,6 +70,10 @@ def _tree(node: Any) -> Tree:
             return (f"[{ast.unparse(name)}]", *map(_tree, arguments))
         case ast.Subscript(value=name, slice=argument):
             return (f"[{ast.unparse(name)}]", _tree(argument))
+        case ast.Call(
+            func=ast.Call(func=ast.Name(id="Function"), args=[ast.Constant(value=str(head))]), args=arguments
+        ):
+            return (head, *map(_tree, arguments))
         case ast.Call(func=ast.Name(id="elliptic_e"), args=[inner]):
             return ("complete_e", _tree(inner))
         case ast.Call(func=ast.Name(id=head), args=arguments):

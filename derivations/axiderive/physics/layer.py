@@ -1,0 +1,135 @@
+"""Contact with an elastic layer on a rigid base: springs that feel each other (Lebedev, Ufliand).
+
+A wave of pressure moves the surface of a layer by the share L of a half-space.  Reduced to springs as the half-space
+is, the contact is one Fredholm equation of the second kind for what each spring is pressed in,
+
+    q(t) = d - g(t) + int_0^a K(t, s) q(s) ds,     K(t, s) = wave(t + s) + wave(t - s),
+
+with wave(x) = 1/(pi h) int_0^oo (1 - L(u)) cos(u x/h) du.  The depth g without the layer goes in as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+
+import sympy as sp
+
+from ..entry import COMPACT, COMPLETE, Case, Entry
+from ..notation import LENGTH, Dimension, E_star, F, a, d, define, nu, r, s, t
+from ..profiles.profile import Profile
+from . import DEPTH, Physics, Wording, normal
+from .medium import HOMOGENEOUS, Medium
+
+GROUP = "lay"
+thickness = define("thickness", "h_0", LENGTH, "m", "thickness > 0", "thickness of the layer")
+define("q", "q", LENGTH, "m", "", "how far the spring of a radius is pressed in, on a layer")
+define("K", "K", Dimension.of(-1, 0), "1/m", "", "what one spring of a layer takes off another")
+SPRING, KERNEL = sp.Function("q"), sp.Function("K")
+"""The solution of the equation, of a radius, and its kernel, of two."""
+EQUATION = d - DEPTH(t) + sp.Integral(KERNEL(t, s) * SPRING(s), (s, 0, a))
+"""What the spring at t is pressed in."""
+BASES = ("bonded", "frictionless")
+"""How the layer lies on what is below it."""
+PUNCH = {suffix: COMPLETE[suffix] for suffix in ("F", "p", "dF")}
+CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")}
+
+
+@cache
+def sinking(u: sp.Expr, base: str) -> sp.Expr:
+    """L(u), u = k h: how far a pressure cos(k x) moves the surface of the layer, over the same of a half-space."""
+    sine, cosine = sp.symbols("sine cosine", positive=True)
+    # Navier's equations into the layer, of U sin x, W cos x, shear and stress over the shear modulus
+    rates = sp.Matrix(
+        [
+            [0, 1, 1, 0],
+            [-nu / (1 - nu), 0, 0, (1 - 2 * nu) / (2 * (1 - nu))],
+            [2 / (1 - nu), 0, 0, nu / (1 - nu)],
+            [0, 0, -1, 0],
+        ]
+    )
+    # the square of rates**2 - 1 vanishes: exp(u rates) is linear in it
+    more = (rates**2 - sp.eye(4)).applyfunc(sp.cancel)
+    even = cosine * sp.eye(4) + u * sine / 2 * more
+    below = even + rates * (sine * sp.eye(4) + (u * cosine - sine) / 2 * more)
+    # what vanishes at the base: U and W, or W and the shear
+    first = BASES.index(base)
+    held = below[first : first + 2, :]
+    pressed = held[0, 0] * held[1, 3] - held[1, 0] * held[0, 3]
+    share = sp.fraction(sp.cancel(pressed / (held[:, :2].det() * (1 - nu))))
+    above, under = (sp.reduced(own, [cosine**2 - sine**2 - 1], cosine)[1] for own in share)
+    return sp.cancel(above / under).subs({sine: sp.sinh(u), cosine: sp.cosh(u)})
+
+
+def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
+    """Why a profile has no entries on a layer; empty if it has."""
+    if profile.compact or profile.pieces[0].expr == 0:
+        return ""
+    return f"{profile.name} has a face that is not flat, which no function on a layer knows: use flat_punch"
+
+
+def definitions(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
+    """By the springs, of a contact that grows and of a flat punch."""
+    carried = 2 * E_star * sp.Integral(SPRING(t), (t, 0, a))
+    rate = sp.Integral(sp.Derivative(SPRING(t), t) / sp.sqrt(t**2 - r**2), (t, r, a))
+    if profile.complete:
+        pressure = E_star / sp.pi * (SPRING(a) / sp.sqrt(a**2 - r**2) - rate)
+        return {"F": carried, "p": pressure, "dF": sp.Eq(carried, F)}
+    depth = DEPTH(a) - sp.Integral(KERNEL(a, t) * SPRING(t), (t, 0, a))
+    given = {"ad": sp.Eq(depth, d), "aF": sp.Eq(carried, F), "Fd": carried, "dF": depth}
+    return {"d": depth, "F": carried, "p": -E_star / sp.pi * rate, **given}
+
+
+def derive(
+    profile: Profile, medium: Medium = HOMOGENEOUS, plain: Mapping[str, Entry] | None = None
+) -> dict[str, Entry]:
+    """All entries of a profile on a layer, keyed by suffix.
+
+    Raises
+    ------
+    ValueError
+        If the profile has none.
+    """
+    if message := refusal(profile):
+        raise ValueError(message)
+    quantities, found = PHYSICS.table(profile), dict[str, Entry]()
+    for suffix, definition in definitions(profile, medium).items():
+        quantity = quantities[suffix]
+        material = (E_star, nu, thickness) if quantity.elastic else (nu, thickness)
+        found[suffix] = Entry(
+            key=medium.key(profile.name, medium.group, GROUP, suffix),
+            profile=profile,
+            quantity=quantity,
+            status="equation",
+            cases=(Case(((r, a) if quantity.place else (a,)), definition),),
+            definition=definition,
+            parameters=(*profile.parameters, *material),
+        )
+    return found
+
+
+PHYSICS = Physics(
+    "layer",
+    {
+        HOMOGENEOUS: Wording(
+            place=14,
+            title="Layer on a rigid base",
+            package="Contact with an elastic layer that is bonded to a rigid base, or slides on it",
+            searched="layer thin film coating substrate bonded thickness Dimitriadis Garcia Lebedev Ufliand",
+        )
+    },
+    derive,
+    group=GROUP,
+    over=normal.PHYSICS,
+    refusal=refusal,
+    material=(nu, thickness),
+    contact="on a layer",
+    runtime=("physics.layer",),
+    quantities={"layer": CURVED, "layer below a punch": PUNCH},
+    assumed="the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of the layer",
+    definitions=definitions,
+    compared="collocation of the displacement of the surface",
+    proofs=lambda *_: {},
+    shown={nu: "3/10", thickness: "2"},
+    printed=False,
+)
