@@ -35,6 +35,7 @@ PULL = "-np.pi * sigma_0 * c * c"
 PARTED = "depth"
 """The load that is held while the surfaces part without contact."""
 OPENED = "Gap of the normal contact at c, and its rate with c."
+ZONE = name_of(cohesive)
 ORDER = "the zone surrounds the contact; exchange a and c"
 
 
@@ -47,7 +48,7 @@ def rules(writer: Writer) -> None:
     opened = _bound_to_shape(writer, "_opened")
     writer.rule("_zone", ["a"], needs, [f"return {_root(writer, opened)}"], "sqrt(c**2 - a**2) of the zone.")
     work = f"work_of_zone({opened}, difference_root(c, a), a, E_star, sigma_0)"
-    writer.rule("_work_of_separation", ["a", "c"], [*writer.geometry, "E_star", "sigma_0"], [f"return {work}"])
+    writer.rule("_work_of_separation", ["a", ZONE], [*writer.geometry, "E_star", "sigma_0"], [f"return {work}"])
     writer.rule("_cohesive_radius", ["a"], needs, [f"return outer_radius({zone}, a)"])
     for function, loss in LOSSES.items():
         fields = ["r", "a"] if loss.partition("(")[2].startswith("r") else ["a"]
@@ -83,7 +84,7 @@ def _states(writer: Writer, opened: str) -> None:
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
     for member, value in (("depth", "depth"), ("force", PULL)):
         lines = [f"depth = {apart}", f"return {closed.format(value)}"]
-        writer.rule(f"_without_contact_{member}", ["c"], needs, lines)
+        writer.rule(f"_without_contact_{member}", [ZONE], needs, lines)
     writer.rule("_pull_off_depth", ["a"], needs, [*zone, f"return {depth}"])
     writer.rule("_pull_off_force", ["a"], needs, [*zone, f"return {force}"])
     for inverse in INVERSES:
@@ -171,7 +172,7 @@ def interface(writer: Writer) -> None:
     for entry in writer.entries.values():
         checks = writer.checks(entry.parameters)
         if cohesive in entry.arguments:
-            checks += ordered('np.all(~(numbers("a", a) > numbers("c", c)))', "a <= c", ORDER, ("a", "c"))
+            checks += ordered('np.all(~(numbers("a", a) > numbers("c", c)))', "a <= c", ORDER, ("a", ZONE))
         writer.add(entry, notes, checks)
     _without_contact(writer)
     _pull_off(writer)
@@ -202,7 +203,7 @@ def _symbols(writer: Writer) -> list[sp.Symbol]:
 def _without_contact(writer: Writer) -> None:
     """Adds the function of the states in which the surfaces attract each other and do not touch."""
     names = [name_of(symbol) for symbol in _symbols(writer)]
-    evaluated = (writer.evaluated(f"_without_contact_{member}", ["c"], names) for member in ("depth", "force"))
+    evaluated = (writer.evaluated(f"_without_contact_{member}", [ZONE], names) for member in ("depth", "force"))
     doc = docstring.document(
         "Depth and force of surfaces that attract each other up to the radius c and do not touch.",
         ["d = f(c) - dgamma/sigma_0 - 4*c*sigma_0/(pi*E_star)", "F = -pi*sigma_0*c**2"],
@@ -213,7 +214,7 @@ def _without_contact(writer: Writer) -> None:
         [],
     )
     body = [*writer.checks(_symbols(writer)), f"return Separated({', '.join(evaluated)})"]
-    writer.public.append(Function("without_contact", ["c"], names, body, doc, "Separated"))
+    writer.public.append(Function("without_contact", [ZONE], names, body, doc, "Separated"))
 
 
 def _pull_off(writer: Writer) -> None:
