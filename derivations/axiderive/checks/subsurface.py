@@ -118,7 +118,7 @@ def _beside(own: Comparison, case: int, values: Values) -> tuple[Values, Number]
 
 def _carried(own: Comparison, case: int, values: Values) -> tuple[Values, Number]:
     """The load of a plane at the depth a, in v = z/hypot(r, z), in which what it carries has no singular point."""
-    with mp.workdps(2 * SUMMED):
+    with mp.workdps(3 * SUMMED):  # far away the sums of a high power cancel, ten digits of a sextic
         deep, total = {**values, nt.z: values[nt.a]}, mp.mpf(0)
         z = evaluated(nt.z, deep)
         for x, weight in gauss_rule(NODES, int(mp.mp.prec)):
