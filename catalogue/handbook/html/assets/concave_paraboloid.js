@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,104 +159,308 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const energy = (d, a, h, E_star) => {
-  if ((((2.0 * h) * 0.999999999999999) <= d)) {
-    return (E_star * ((((d * d) * a) + ((((4.0 * h) / 3.0) * d) * a)) + (((4.0 * (h * h)) / 5.0) * a)));
-  }
-  return NaN;
+const _minimum_depth = (h) => {
+  return (2 * h);
 };
 
-const load_within = (r, d, a, h, E_star) => {
-  let v12, v23, v25, v31, v8, value;
-  v25 = (2.0 * h);
-  v31 = ((v25 * 0.999999999999999) <= d);
-  if (v31) {
-    v23 = (2.0 * E_star);
-    if ((r < a)) {
-      v8 = Math.sqrt(((a - r) * (a + r)));
-      v12 = ((r * r) / (a + v8));
-      value = ((v23 * v12) * ((d - v25) + ((((4.0 * h) * v12) * (v8 + (2.0 * a))) / (3.0 * (a * a)))));
-      return value;
-    }
-    if (v31) {
-      return ((v23 * a) * (d + (v25 / 3.0)));
+const _energy_of_concave_paraboloid = (d, a, h, E_star) => {
+  let complete, result;
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = (E_star * (((Math.pow(d, 2) * a) + ((((4 * h) / 3) * d) * a)) + (((4 * Math.pow(h, 2)) / 5) * a)));
+  return math.where(complete, result, NaN);
+};
+
+const _energy = (d, a, h, E_star) => {
+  if (((d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((((2.0 * h) * 0.999999999999999) <= d)) {
+      return (E_star * ((((d * d) * a) + ((((4.0 * h) / 3.0) * d) * a)) + (((4.0 * (h * h)) / 5.0) * a)));
     }
     return NaN;
   }
-  return NaN;
+  return _energy_of_concave_paraboloid(d, a, h, E_star);
+};
+
+const energy = (d, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _energy(d, a, h, E_star) : NaN);
+};
+
+const _force = (d, a, h, E_star) => {
+  let complete, result;
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = (((2 * E_star) * a) * (d + ((2 * h) / 3)));
+  return math.where(complete, result, NaN);
+};
+
+const _load_within_of_concave_paraboloid = (r, d, a, h, E_star) => {
+  let complete, face, result, rise, root, within;
+  root = Math.sqrt(((a - r) * (a + r)));
+  rise = (Math.pow(r, 2) / (a + root));
+  face = ((((4 * h) * rise) * (root + (2 * a))) / (3 * Math.pow(a, 2)));
+  within = (((2 * E_star) * rise) * ((d - _minimum_depth(h)) + face));
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = math.where((r < a), within, _force(d, a, h, E_star));
+  return math.where(complete, result, NaN);
+};
+
+const _load_within = (r, d, a, h, E_star) => {
+  let v12, v23, v25, v31, v8;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v25 = (2.0 * h);
+    v31 = ((v25 * 0.999999999999999) <= d);
+    if (v31) {
+      v23 = (2.0 * E_star);
+      if ((r < a)) {
+        v8 = Math.sqrt(((a - r) * (a + r)));
+        v12 = ((r * r) / (a + v8));
+        return ((v23 * v12) * ((d - v25) + ((((4.0 * h) * v12) * (v8 + (2.0 * a))) / (3.0 * (a * a)))));
+      }
+      if (v31) {
+        return ((v23 * a) * (d + (v25 / 3.0)));
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _load_within_of_concave_paraboloid(r, d, a, h, E_star);
+};
+
+const load_within = (r, d, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _load_within(r, d, a, h, E_star) : 0.0) : NaN);
+};
+
+const _force_of_concave_paraboloid = (d, a, h, E_star) => {
+  let v5;
+  if (((d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v5 = (2.0 * h);
+    if (((v5 * 0.999999999999999) <= d)) {
+      return (((2.0 * E_star) * a) * (d + (v5 / 3.0)));
+    }
+    return NaN;
+  }
+  return _force(d, a, h, E_star);
 };
 
 const force = (d, a, h, E_star) => {
-  let v5;
-  v5 = (2.0 * h);
-  if (((v5 * 0.999999999999999) <= d)) {
-    return (((2.0 * E_star) * a) * (d + (v5 / 3.0)));
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  return ((d >= 0.0) ? _force_of_concave_paraboloid(d, a, h, E_star) : NaN);
+};
+
+const _pressure_of_concave_paraboloid = (r, d, a, h, E_star) => {
+  let complete, face, result, root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  face = (((4 * h) * Math.pow(r, 2)) / Math.pow(a, 2));
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = math.where(((r <= a) & (d > 0.0)), (((E_star / Math.PI) * ((d - _minimum_depth(h)) + face)) / root), 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const _pressure = (r, d, a, h, E_star) => {
+  let v16;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v16 = (2.0 * h);
+    if (((v16 * 0.999999999999999) <= d)) {
+      if (((r <= a) && (d > 0.0))) {
+        return (((E_star / 3.141592653589793) * ((d - v16) + (((4.0 * h) * (r * r)) / (a * a)))) / Math.sqrt(((a - r) * (a + r))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _pressure_of_concave_paraboloid(r, d, a, h, E_star);
 };
 
 const pressure = (r, d, a, h, E_star) => {
-  let v16;
-  v16 = (2.0 * h);
-  if (((v16 * 0.999999999999999) <= d)) {
-    if (((r <= a) && (d > 0.0))) {
-      return (((E_star / 3.141592653589793) * ((d - v16) + (((4.0 * h) * (r * r)) / (a * a)))) / Math.sqrt(((a - r) * (a + r))));
-    }
-    return 0.0;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure(r, d, a, h, E_star) : 0.0) : NaN);
 };
 
 const RULE_0 = math.rule([[Infinity, 64]]);
 
-const displacement = (r, d, a, h) => {
-  let node, v11, v12, v19, v25, v28, v29, v32, v4, v44, v45, value, weight;
-  v11 = (2.0 * h);
-  if (((v11 * 0.999999999999999) <= d)) {
-    if ((r > a)) {
-      v4 = (r - a);
-      v12 = (v4 / a);
-      v19 = Math.sqrt((Number.isFinite(v12) ? Math.log1p(v12) : (Math.log(r) - Math.log(a))));
-      v25 = (14.0 / (Math.sqrt(((v19 * v19) + 14.0)) + v19));
-      v32 = (2.0 * v19);
-      v45 = [];
-      for ([node, weight] of RULE_0((v25 / 1.0))) {
-        v28 = (node * v25);
-        v29 = (v19 + v28);
-        v44 = (Math.exp((((-3.0) * v28) * (v32 + v28))) * ((2.0 * v29) / Math.sqrt((-Math.expm1((((-2.0) * v29) * v29))))));
-        v45.push((weight * v44));
-      }
-      v45 = (math.fsum(v45) * v25);
-      value = (0.6366197723675814 * ((d * Math.atan2(a, Math.sqrt((v4 * (r + a))))) + (v11 * ((a / r) * v45))));
-      return value;
-    }
-    value = (d - ((r <= a) ? (((-h) * (r * r)) / (a * a)) : NaN));
-    return value;
-  }
-  return NaN;
+const _log_ratio = (x, y) => {
+  let excess;
+  excess = ((x - y) / y);
+  return math.where(Number.isFinite(excess), Math.log1p(excess), (Math.log(x) - Math.log(y)));
 };
 
-const stiffness = (a, E_star, h = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _DECAY = 42.0;
+
+const _span = (r, a, n) => {
+  let fall, start;
+  start = Math.sqrt(_log_ratio(r, a));
+  fall = (_DECAY / (n + 1.0));
+  return [start, (fall / (Math.sqrt(((start * start) + fall)) + start))];
+};
+
+const _weight = (s) => {
+  return ((2.0 * s) / Math.sqrt((-Math.expm1((((-2.0) * s) * s)))));
+};
+
+const NODES = 64;
+
+const power_punches = (r, a, n) => {
+  let integrand, reach, start;
+  [start, reach] = _span(r, a, n);
+  integrand = (step) => {
+    let s;
+    s = (start + step);
+    return (Math.exp((((-(n + 1.0)) * step) * ((2.0 * start) + step))) * _weight(s));
+  };
+  return ((a / r) * math.integral(integrand, reach, NODES));
+};
+
+const _profile = (r, a, h) => {
+  return math.where((r <= a), (((-h) * Math.pow(r, 2)) / Math.pow(a, 2)), NaN);
+};
+
+const _displacement_of_concave_paraboloid = (r, d, a, h) => {
+  let angle, complete, inside, outside, result;
+  angle = Math.atan2(a, Math.sqrt(((r - a) * (r + a))));
+  outside = ((2 / Math.PI) * ((d * angle) + ((2 * h) * power_punches(r, a, 2))));
+  inside = (d - _profile(r, a, h));
+  complete = ((_minimum_depth(h) * (1.0 - 1e-15)) <= d);
+  result = math.where((r > a), outside, inside);
+  return math.where(complete, result, NaN);
+};
+
+const _displacement = (r, d, a, h) => {
+  let node, v11, v12, v19, v25, v28, v29, v32, v4, v44, v45, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
+    v11 = (2.0 * h);
+    if (((v11 * 0.999999999999999) <= d)) {
+      if ((r > a)) {
+        v4 = (r - a);
+        v12 = (v4 / a);
+        v19 = Math.sqrt((Number.isFinite(v12) ? Math.log1p(v12) : (Math.log(r) - Math.log(a))));
+        v25 = (14.0 / (Math.sqrt(((v19 * v19) + 14.0)) + v19));
+        v32 = (2.0 * v19);
+        v45 = [];
+        for ([node, weight] of RULE_0((v25 / 1.0))) {
+          v28 = (node * v25);
+          v29 = (v19 + v28);
+          v44 = (Math.exp((((-3.0) * v28) * (v32 + v28))) * ((2.0 * v29) / Math.sqrt((-Math.expm1((((-2.0) * v29) * v29))))));
+          v45.push((weight * v44));
+        }
+        v45 = (math.fsum(v45) * v25);
+        return (0.6366197723675814 * ((d * Math.atan2(a, Math.sqrt((v4 * (r + a))))) + (v11 * ((a / r) * v45))));
+      }
+      return (d - ((r <= a) ? (((-h) * (r * r)) / (a * a)) : NaN));
+    }
+    return NaN;
+  }
+  return _displacement_of_concave_paraboloid(r, d, a, h);
+};
+
+const displacement = (r, d, a, h) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement(r, d, a, h) : 0.0) : NaN);
+};
+
+const _stiffness_of_concave_paraboloid = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, h = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_concave_paraboloid(a, E_star);
+};
+
+const stiffness = (a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return _stiffness(a, E_star);
+};
+
+const _minimum_force = (a, h, E_star) => {
+  return ((((16 * E_star) * h) / 3) * a);
+};
+
+const _depth_from_force_of_concave_paraboloid = (F, a, h, E_star) => {
+  let complete, result;
+  complete = ((_minimum_force(a, h, E_star) * (1.0 - 1e-15)) <= F);
+  result = ((F / ((2 * E_star) * a)) - ((2 * h) / 3));
+  return math.where(complete, result, NaN);
+};
+
+const _depth_from_force = (F, a, h, E_star) => {
+  if (((F > 1e-30) && (F < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if (((((((16.0 * E_star) * h) / 3.0) * a) * 0.999999999999999) <= F)) {
+      return ((F / ((2.0 * E_star) * a)) - ((2.0 * h) / 3.0));
+    }
+    return NaN;
+  }
+  return _depth_from_force_of_concave_paraboloid(F, a, h, E_star);
 };
 
 const depth_from_force = (F, a, h, E_star) => {
-  if (((((((16.0 * E_star) * h) / 3.0) * a) * 0.999999999999999) <= F)) {
-    return ((F / ((2.0 * E_star) * a)) - ((2.0 * h) / 3.0));
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  return ((F >= 0.0) ? _depth_from_force(F, a, h, E_star) : NaN);
 };
 
-const zero_radius = (a = 1.0, h = 1.0) => {
+const _zero_radius = () => {
   return 0.0;
 };
 
-const minimum_depth = (h, a = 1.0) => {
-  return (2.0 * h);
+const zero_radius = (a, h) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity)))) {
+    return NaN;
+  }
+  return _zero_radius();
+};
+
+const _minimum_depth_of_concave_paraboloid = (h, a = 1.0) => {
+  if (((h > 1e-30) && (h < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
+    return (2.0 * h);
+  }
+  return _minimum_depth(h);
+};
+
+const minimum_depth = (a, h) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity)))) {
+    return NaN;
+  }
+  return _minimum_depth_of_concave_paraboloid(h);
+};
+
+const _minimum_force_of_concave_paraboloid = (a, h, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return ((((16.0 * E_star) * h) / 3.0) * a);
+  }
+  return _minimum_force(a, h, E_star);
 };
 
 const minimum_force = (a, h, E_star) => {
-  return ((((16.0 * E_star) * h) / 3.0) * a);
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return _minimum_force_of_concave_paraboloid(a, h, E_star);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return hess_retraction(a, E_star, dgamma);
 };
 
 const formulas = {
@@ -241,11 +469,12 @@ const formulas = {
   "F": (v) => force(v.d, v.a, v.h, v.E_star),
   "p": (v) => pressure(v.r, v.d, v.a, v.h, v.E_star),
   "w": (v) => displacement(v.r, v.d, v.a, v.h),
-  "k": (v) => stiffness(v.a, v.E_star, v.h),
+  "k": (v) => stiffness(v.a, v.h, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.a, v.h, v.E_star),
   "rz": (v) => zero_radius(v.a, v.h),
-  "dmin": (v) => minimum_depth(v.h, v.a),
+  "dmin": (v) => minimum_depth(v.a, v.h),
   "Fmin": (v) => minimum_force(v.a, v.h, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
 };
 window.calculator = { ...{
  "fields": [
@@ -303,6 +532,17 @@ window.calculator = { ...{
    "high": 0.5,
    "closed": "high",
    "value": 0.3
+  },
+  {
+   "name": "dgamma",
+   "tex": "\\Delta\\gamma",
+   "meaning": "work of separation per unit area",
+   "unit": "N/m",
+   "rule": "dgamma >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 0.05
   },
   {
    "name": "r",
@@ -407,8 +647,8 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
-    "h"
+    "h",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -439,8 +679,8 @@ window.calculator = { ...{
   "dmin": {
    "gives": "d",
    "needs": [
-    "h",
-    "a"
+    "a",
+    "h"
    ],
    "unit": "m",
    "place": "",
@@ -456,6 +696,17 @@ window.calculator = { ...{
    "unit": "N",
    "place": "",
    "suffix": "Fmin"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   }
  },
  "place": "r"

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -137,1449 +161,1780 @@ const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.101666761293
 
 const RULE_0 = math.rule([[3.0, 32], [20.0, 64], [Infinity, 128]]);
 
-const energy = (d, a, h, n, E_star) => {
-  let node, v10, v105, v107, v109, v111, v118, v120, v121, v122, v124, v125, v127, v129, v132, v135, v136, v14, v140, v142, v143, v158, v159, v160, v165, v174, v175, v177, v182, v183, v185, v186, v188, v190, v192, v195, v196, v200, v202, v216, v217, v218, v231, v232, v234, v239, v240, v242, v243, v245, v247, v249, v252, v253, v257, v259, v273, v274, v275, v28, v288, v289, v291, v296, v297, v299, v300, v302, v304, v306, v309, v310, v314, v316, v330, v331, v332, v345, v346, v348, v353, v354, v356, v357, v359, v361, v363, v366, v367, v371, v373, v387, v388, v389, v406, v69, v8, v87, v89, v90, v99, value, weight;
-  v8 = ((n / 2.0) + 0.5);
-  v10 = (v8 + 1.75);
-  v14 = ((v8 + 0.5) * (v8 + 1.5));
-  v28 = (1.0 / (v10 * v10));
-  v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
-  v87 = (n > 2.0);
-  if (v87) {
-    v89 = (v87 ? n : 3.0);
-    v90 = (v89 - 2.0);
-    v99 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v90) / (v90 + 0.72))) / v90));
-    if ((v90 < 2.0)) {
-      v105 = (Math.log(((v90 * (v90 + 2.0)) / 2.0)) / v90);
-      v107 = (((v99 > v105) || (v99 !== v99)) ? v99 : v105);
+const gamma_ratio = (x) => {
+  let v2, v21, v7;
+  v2 = (x + 1.75);
+  v7 = ((x + 0.5) * (x + 1.5));
+  v21 = (1.0 / (v2 * v2));
+  return ((((x < 1.0) ? ((x * (x + 1.0)) / v7) : (1.0 - ((x + 0.75) / v7))) * math.sqrt(v2)) * (1.0 + (v21 * (((((((((((((0.01524698625788054 * v21) + 0.5334320651111477) * v21) + 2.250488865813539) * v21) + 2.8612106440066865) * v21) + 1.3794681629043655) * v21) + 0.2596058532893223) * v21) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v21) + 49.328555418276075) * v21) + 167.28648538571198) * v21) + 195.37226190335065) * v21) + 90.69722535867314) * v21) + 16.763212110504565) * v21) + 1.0)))));
+};
+
+const _start = (m, k) => {
+  let bend, c, length, middle, small;
+  small = (((4.0 / Math.PI) * Math.sin(((Math.PI / 2.0) * (1.0 - k)))) / (1.0 + k));
+  middle = (2.0 * Math.expm1((((-0.5) * (1.0 - k)) * Math.log(((1.0 - k) / 4.0)))));
+  bend = (0.36 + (0.4 * k));
+  c = (small + ((((middle - small) * (1.0 + bend)) * m) / (m + (2.0 * math.maximum(bend, 0.0)))));
+  length = (Math.log1p((c / m)) / (1.0 - k));
+  return math.where((m < 2.0), math.maximum(length, (Math.log(((m * (m + 2.0)) / (2.0 * (1.0 - k)))) / m)), length);
+};
+
+const STEPS = 5;
+
+const GONE = 300.0;
+
+const LENGTHS = [[3.0, 32], [20.0, 64], [Infinity, 128]];
+
+const _integral = (integrand, length) => {
+  let rooted;
+  rooted = (x) => {
+    let power;
+    power = (Math.pow(x, 2) * x);
+    power = ((power * power) * x);
+    return ((8.0 * power) * integrand((power * x)));
+  };
+  return math.integral_by_length(rooted, math.ones_like(length), (1.0 / length), LENGTHS);
+};
+
+const _balance = (length, m, k) => {
+  let integrand, z;
+  z = (-Math.expm1(((-2.0) * length)));
+  integrand = (y) => {
+    let inner, outer, rest, risen;
+    [inner, outer] = [(-Math.expm1((((-2.0) * length) * y))), (-Math.expm1((((-2.0) * length) * (1.0 - y))))];
+    risen = Math.expm1(((m * length) * y));
+    rest = (risen - ((((0.5 * m) * (risen + 1.0)) * inner) * (outer / z)));
+    return (((Math.exp((((1.0 - k) * length) * (1.0 - y))) * Math.pow((inner / z), ((k - 1.0) / 2.0))) * rest) / inner);
+  };
+  return (((1.0 - k) * length) * _integral(integrand, ((m + 1.0) * length)));
+};
+
+const _log_ratio = (n, k) => {
+  let _, length, lifted, slope, square, value, z;
+  n = math.where((n > 2.0), n, 3.0);
+  length = _start((n - 2.0), k);
+  for (_ of math.range(STEPS)) {
+    [z, square] = [(-Math.expm1(((-2.0) * length))), Math.exp(((-2.0) * math.minimum(length, GONE)))];
+    lifted = math.maximum((((n - 1.0) + k) - (n * square)), (1.0 + k));
+    value = _balance(length, (n - 2.0), k);
+    slope = ((((1.0 - k) * (1.0 + k)) * Math.exp(((n - 2.0) * length))) / (z * lifted));
+    slope = (slope + ((value - 1.0) * (((2.0 * ((n - 1.0) + k)) / lifted) - ((1.0 + k) / z))));
+    length = (length - ((Math.log(value) * value) / slope));
+  }
+  return length;
+};
+
+const outside_zero_pressure = (n, k = 0.0) => {
+  return math.where((n > 2.0), (-Math.expm1(((-2.0) * _log_ratio(n, k)))), 1.0);
+};
+
+const _minimum_depth = (h, n) => {
+  let drop, kappa, zeta;
+  zeta = outside_zero_pressure(n);
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  drop = ((n * zeta) - 1);
+  return (((Math.sqrt(Math.PI) * h) * kappa) / drop);
+};
+
+const _energy_of_concave_power = (d, a, h, n, E_star) => {
+  let complete, kappa, plus, result;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  plus = ((Math.pow(d, 2) + (((((2 * Math.sqrt(Math.PI)) * h) / (n + 1)) * d) * kappa)) + (((Math.PI * Math.pow(h, 2)) / ((2 * n) + 1)) * Math.pow(kappa, 2)));
+  complete = ((_minimum_depth(h, n) * (1.0 - 1e-15)) <= d);
+  result = ((E_star * a) * plus);
+  return math.where(complete, result, NaN);
+};
+
+const _energy = (d, a, h, n, E_star) => {
+  let node, v10, v105, v107, v109, v111, v118, v120, v121, v122, v124, v125, v127, v129, v132, v135, v136, v14, v140, v142, v143, v158, v159, v160, v165, v174, v175, v177, v182, v183, v185, v186, v188, v190, v192, v195, v196, v200, v202, v216, v217, v218, v231, v232, v234, v239, v240, v242, v243, v245, v247, v249, v252, v253, v257, v259, v273, v274, v275, v28, v288, v289, v291, v296, v297, v299, v300, v302, v304, v306, v309, v310, v314, v316, v330, v331, v332, v345, v346, v348, v353, v354, v356, v357, v359, v361, v363, v366, v367, v371, v373, v387, v388, v389, v406, v69, v8, v87, v89, v90, v99, weight;
+  if (((d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
+    v87 = (n > 2.0);
+    if (v87) {
+      v89 = (v87 ? n : 3.0);
+      v90 = (v89 - 2.0);
+      v99 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v90) / (v90 + 0.72))) / v90));
+      if ((v90 < 2.0)) {
+        v105 = (Math.log(((v90 * (v90 + 2.0)) / 2.0)) / v90);
+        v107 = (((v99 > v105) || (v99 !== v99)) ? v99 : v105);
+      } else {
+        v107 = v99;
+      }
+      v109 = ((-2.0) * v107);
+      v111 = (-Math.expm1(v109));
+      v118 = ((v89 - 1.0) + 0.0);
+      v120 = (v118 - (v89 * Math.exp(((-2.0) * (((v107 < 300.0) || (v107 !== v107)) ? v107 : 300.0)))));
+      v121 = (((v120 > 1.0) || (v120 !== v120)) ? v120 : 1.0);
+      v122 = (v90 + 1.0);
+      v124 = (1.0 / (v122 * v107));
+      v140 = (v90 * v107);
+      v143 = (0.5 * v90);
+      v159 = [];
+      for ([node, weight] of RULE_0((1.0 / v124))) {
+        v125 = (node * 1.0);
+        v127 = ((v125 * v125) * v125);
+        v129 = ((v127 * v127) * v125);
+        v132 = (v129 * v125);
+        v135 = (-Math.expm1((v109 * v132)));
+        v136 = (1.0 - v132);
+        v142 = Math.expm1((v140 * v132));
+        v158 = ((8.0 * v129) * (((Math.exp((v107 * v136)) * Math.pow((v135 / v111), (-0.5))) * (v142 - (((v143 * (v142 + 1.0)) * v135) * ((-Math.expm1((v109 * v136))) / v111)))) / v135));
+        v159.push((weight * v158));
+      }
+      v159 = (math.fsum(v159) * 1.0);
+      v160 = (v107 * v159);
+      v165 = (2.0 * v118);
+      v174 = (v107 - ((Math.log(v160) * v160) / ((Math.exp(v140) / (v111 * v121)) + ((v160 - 1.0) * ((v165 / v121) - (1.0 / v111))))));
+      v175 = ((-2.0) * v174);
+      v177 = (-Math.expm1(v175));
+      v182 = (v118 - (v89 * Math.exp(((-2.0) * (((v174 < 300.0) || (v174 !== v174)) ? v174 : 300.0)))));
+      v183 = (((v182 > 1.0) || (v182 !== v182)) ? v182 : 1.0);
+      v185 = (1.0 / (v122 * v174));
+      v200 = (v90 * v174);
+      v217 = [];
+      for ([node, weight] of RULE_0((1.0 / v185))) {
+        v186 = (node * 1.0);
+        v188 = ((v186 * v186) * v186);
+        v190 = ((v188 * v188) * v186);
+        v192 = (v190 * v186);
+        v195 = (-Math.expm1((v175 * v192)));
+        v196 = (1.0 - v192);
+        v202 = Math.expm1((v200 * v192));
+        v216 = ((8.0 * v190) * (((Math.exp((v174 * v196)) * Math.pow((v195 / v177), (-0.5))) * (v202 - (((v143 * (v202 + 1.0)) * v195) * ((-Math.expm1((v175 * v196))) / v177)))) / v195));
+        v217.push((weight * v216));
+      }
+      v217 = (math.fsum(v217) * 1.0);
+      v218 = (v174 * v217);
+      v231 = (v174 - ((Math.log(v218) * v218) / ((Math.exp(v200) / (v177 * v183)) + ((v218 - 1.0) * ((v165 / v183) - (1.0 / v177))))));
+      v232 = ((-2.0) * v231);
+      v234 = (-Math.expm1(v232));
+      v239 = (v118 - (v89 * Math.exp(((-2.0) * (((v231 < 300.0) || (v231 !== v231)) ? v231 : 300.0)))));
+      v240 = (((v239 > 1.0) || (v239 !== v239)) ? v239 : 1.0);
+      v242 = (1.0 / (v122 * v231));
+      v257 = (v90 * v231);
+      v274 = [];
+      for ([node, weight] of RULE_0((1.0 / v242))) {
+        v243 = (node * 1.0);
+        v245 = ((v243 * v243) * v243);
+        v247 = ((v245 * v245) * v243);
+        v249 = (v247 * v243);
+        v252 = (-Math.expm1((v232 * v249)));
+        v253 = (1.0 - v249);
+        v259 = Math.expm1((v257 * v249));
+        v273 = ((8.0 * v247) * (((Math.exp((v231 * v253)) * Math.pow((v252 / v234), (-0.5))) * (v259 - (((v143 * (v259 + 1.0)) * v252) * ((-Math.expm1((v232 * v253))) / v234)))) / v252));
+        v274.push((weight * v273));
+      }
+      v274 = (math.fsum(v274) * 1.0);
+      v275 = (v231 * v274);
+      v288 = (v231 - ((Math.log(v275) * v275) / ((Math.exp(v257) / (v234 * v240)) + ((v275 - 1.0) * ((v165 / v240) - (1.0 / v234))))));
+      v289 = ((-2.0) * v288);
+      v291 = (-Math.expm1(v289));
+      v296 = (v118 - (v89 * Math.exp(((-2.0) * (((v288 < 300.0) || (v288 !== v288)) ? v288 : 300.0)))));
+      v297 = (((v296 > 1.0) || (v296 !== v296)) ? v296 : 1.0);
+      v299 = (1.0 / (v122 * v288));
+      v314 = (v90 * v288);
+      v331 = [];
+      for ([node, weight] of RULE_0((1.0 / v299))) {
+        v300 = (node * 1.0);
+        v302 = ((v300 * v300) * v300);
+        v304 = ((v302 * v302) * v300);
+        v306 = (v304 * v300);
+        v309 = (-Math.expm1((v289 * v306)));
+        v310 = (1.0 - v306);
+        v316 = Math.expm1((v314 * v306));
+        v330 = ((8.0 * v304) * (((Math.exp((v288 * v310)) * Math.pow((v309 / v291), (-0.5))) * (v316 - (((v143 * (v316 + 1.0)) * v309) * ((-Math.expm1((v289 * v310))) / v291)))) / v309));
+        v331.push((weight * v330));
+      }
+      v331 = (math.fsum(v331) * 1.0);
+      v332 = (v288 * v331);
+      v345 = (v288 - ((Math.log(v332) * v332) / ((Math.exp(v314) / (v291 * v297)) + ((v332 - 1.0) * ((v165 / v297) - (1.0 / v291))))));
+      v346 = ((-2.0) * v345);
+      v348 = (-Math.expm1(v346));
+      v353 = (v118 - (v89 * Math.exp(((-2.0) * (((v345 < 300.0) || (v345 !== v345)) ? v345 : 300.0)))));
+      v354 = (((v353 > 1.0) || (v353 !== v353)) ? v353 : 1.0);
+      v356 = (1.0 / (v122 * v345));
+      v371 = (v90 * v345);
+      v388 = [];
+      for ([node, weight] of RULE_0((1.0 / v356))) {
+        v357 = (node * 1.0);
+        v359 = ((v357 * v357) * v357);
+        v361 = ((v359 * v359) * v357);
+        v363 = (v361 * v357);
+        v366 = (-Math.expm1((v346 * v363)));
+        v367 = (1.0 - v363);
+        v373 = Math.expm1((v371 * v363));
+        v387 = ((8.0 * v361) * (((Math.exp((v345 * v367)) * Math.pow((v366 / v348), (-0.5))) * (v373 - (((v143 * (v373 + 1.0)) * v366) * ((-Math.expm1((v346 * v367))) / v348)))) / v366));
+        v388.push((weight * v387));
+      }
+      v388 = (math.fsum(v388) * 1.0);
+      v389 = (v345 * v388);
+      v406 = (-Math.expm1(((-2.0) * (v345 - ((Math.log(v389) * v389) / ((Math.exp(v371) / (v348 * v354)) + ((v389 - 1.0) * ((v165 / v354) - (1.0 / v348)))))))));
     } else {
-      v107 = v99;
+      v406 = 1.0;
     }
-    v109 = ((-2.0) * v107);
-    v111 = (-Math.expm1(v109));
-    v118 = ((v89 - 1.0) + 0.0);
-    v120 = (v118 - (v89 * Math.exp(((-2.0) * (((v107 < 300.0) || (v107 !== v107)) ? v107 : 300.0)))));
-    v121 = (((v120 > 1.0) || (v120 !== v120)) ? v120 : 1.0);
-    v122 = (v90 + 1.0);
-    v124 = (1.0 / (v122 * v107));
-    v140 = (v90 * v107);
-    v143 = (0.5 * v90);
-    v159 = [];
-    for ([node, weight] of RULE_0((1.0 / v124))) {
-      v125 = (node * 1.0);
-      v127 = ((v125 * v125) * v125);
-      v129 = ((v127 * v127) * v125);
-      v132 = (v129 * v125);
-      v135 = (-Math.expm1((v109 * v132)));
-      v136 = (1.0 - v132);
-      v142 = Math.expm1((v140 * v132));
-      v158 = ((8.0 * v129) * (((Math.exp((v107 * v136)) * Math.pow((v135 / v111), (-0.5))) * (v142 - (((v143 * (v142 + 1.0)) * v135) * ((-Math.expm1((v109 * v136))) / v111)))) / v135));
-      v159.push((weight * v158));
+    if ((((((1.7724538509055159 * h) * v69) / ((n * v406) - 1.0)) * 0.999999999999999) <= d)) {
+      return ((E_star * a) * (((d * d) + ((((3.5449077018110318 * h) / (n + 1.0)) * d) * v69)) + (((3.141592653589793 * (h * h)) / ((2.0 * n) + 1.0)) * (v69 * v69))));
     }
-    v159 = (math.fsum(v159) * 1.0);
-    v160 = (v107 * v159);
-    v165 = (2.0 * v118);
-    v174 = (v107 - ((Math.log(v160) * v160) / ((Math.exp(v140) / (v111 * v121)) + ((v160 - 1.0) * ((v165 / v121) - (1.0 / v111))))));
-    v175 = ((-2.0) * v174);
-    v177 = (-Math.expm1(v175));
-    v182 = (v118 - (v89 * Math.exp(((-2.0) * (((v174 < 300.0) || (v174 !== v174)) ? v174 : 300.0)))));
-    v183 = (((v182 > 1.0) || (v182 !== v182)) ? v182 : 1.0);
-    v185 = (1.0 / (v122 * v174));
-    v200 = (v90 * v174);
-    v217 = [];
-    for ([node, weight] of RULE_0((1.0 / v185))) {
-      v186 = (node * 1.0);
-      v188 = ((v186 * v186) * v186);
-      v190 = ((v188 * v188) * v186);
-      v192 = (v190 * v186);
-      v195 = (-Math.expm1((v175 * v192)));
-      v196 = (1.0 - v192);
-      v202 = Math.expm1((v200 * v192));
-      v216 = ((8.0 * v190) * (((Math.exp((v174 * v196)) * Math.pow((v195 / v177), (-0.5))) * (v202 - (((v143 * (v202 + 1.0)) * v195) * ((-Math.expm1((v175 * v196))) / v177)))) / v195));
-      v217.push((weight * v216));
-    }
-    v217 = (math.fsum(v217) * 1.0);
-    v218 = (v174 * v217);
-    v231 = (v174 - ((Math.log(v218) * v218) / ((Math.exp(v200) / (v177 * v183)) + ((v218 - 1.0) * ((v165 / v183) - (1.0 / v177))))));
-    v232 = ((-2.0) * v231);
-    v234 = (-Math.expm1(v232));
-    v239 = (v118 - (v89 * Math.exp(((-2.0) * (((v231 < 300.0) || (v231 !== v231)) ? v231 : 300.0)))));
-    v240 = (((v239 > 1.0) || (v239 !== v239)) ? v239 : 1.0);
-    v242 = (1.0 / (v122 * v231));
-    v257 = (v90 * v231);
-    v274 = [];
-    for ([node, weight] of RULE_0((1.0 / v242))) {
-      v243 = (node * 1.0);
-      v245 = ((v243 * v243) * v243);
-      v247 = ((v245 * v245) * v243);
-      v249 = (v247 * v243);
-      v252 = (-Math.expm1((v232 * v249)));
-      v253 = (1.0 - v249);
-      v259 = Math.expm1((v257 * v249));
-      v273 = ((8.0 * v247) * (((Math.exp((v231 * v253)) * Math.pow((v252 / v234), (-0.5))) * (v259 - (((v143 * (v259 + 1.0)) * v252) * ((-Math.expm1((v232 * v253))) / v234)))) / v252));
-      v274.push((weight * v273));
-    }
-    v274 = (math.fsum(v274) * 1.0);
-    v275 = (v231 * v274);
-    v288 = (v231 - ((Math.log(v275) * v275) / ((Math.exp(v257) / (v234 * v240)) + ((v275 - 1.0) * ((v165 / v240) - (1.0 / v234))))));
-    v289 = ((-2.0) * v288);
-    v291 = (-Math.expm1(v289));
-    v296 = (v118 - (v89 * Math.exp(((-2.0) * (((v288 < 300.0) || (v288 !== v288)) ? v288 : 300.0)))));
-    v297 = (((v296 > 1.0) || (v296 !== v296)) ? v296 : 1.0);
-    v299 = (1.0 / (v122 * v288));
-    v314 = (v90 * v288);
-    v331 = [];
-    for ([node, weight] of RULE_0((1.0 / v299))) {
-      v300 = (node * 1.0);
-      v302 = ((v300 * v300) * v300);
-      v304 = ((v302 * v302) * v300);
-      v306 = (v304 * v300);
-      v309 = (-Math.expm1((v289 * v306)));
-      v310 = (1.0 - v306);
-      v316 = Math.expm1((v314 * v306));
-      v330 = ((8.0 * v304) * (((Math.exp((v288 * v310)) * Math.pow((v309 / v291), (-0.5))) * (v316 - (((v143 * (v316 + 1.0)) * v309) * ((-Math.expm1((v289 * v310))) / v291)))) / v309));
-      v331.push((weight * v330));
-    }
-    v331 = (math.fsum(v331) * 1.0);
-    v332 = (v288 * v331);
-    v345 = (v288 - ((Math.log(v332) * v332) / ((Math.exp(v314) / (v291 * v297)) + ((v332 - 1.0) * ((v165 / v297) - (1.0 / v291))))));
-    v346 = ((-2.0) * v345);
-    v348 = (-Math.expm1(v346));
-    v353 = (v118 - (v89 * Math.exp(((-2.0) * (((v345 < 300.0) || (v345 !== v345)) ? v345 : 300.0)))));
-    v354 = (((v353 > 1.0) || (v353 !== v353)) ? v353 : 1.0);
-    v356 = (1.0 / (v122 * v345));
-    v371 = (v90 * v345);
-    v388 = [];
-    for ([node, weight] of RULE_0((1.0 / v356))) {
-      v357 = (node * 1.0);
-      v359 = ((v357 * v357) * v357);
-      v361 = ((v359 * v359) * v357);
-      v363 = (v361 * v357);
-      v366 = (-Math.expm1((v346 * v363)));
-      v367 = (1.0 - v363);
-      v373 = Math.expm1((v371 * v363));
-      v387 = ((8.0 * v361) * (((Math.exp((v345 * v367)) * Math.pow((v366 / v348), (-0.5))) * (v373 - (((v143 * (v373 + 1.0)) * v366) * ((-Math.expm1((v346 * v367))) / v348)))) / v366));
-      v388.push((weight * v387));
-    }
-    v388 = (math.fsum(v388) * 1.0);
-    v389 = (v345 * v388);
-    v406 = (-Math.expm1(((-2.0) * (v345 - ((Math.log(v389) * v389) / ((Math.exp(v371) / (v348 * v354)) + ((v389 - 1.0) * ((v165 / v354) - (1.0 / v348)))))))));
-  } else {
-    v406 = 1.0;
+    return NaN;
   }
-  if ((((((1.7724538509055159 * h) * v69) / ((n * v406) - 1.0)) * 0.999999999999999) <= d)) {
-    value = ((E_star * a) * (((d * d) + ((((3.5449077018110318 * h) / (n + 1.0)) * d) * v69)) + (((3.141592653589793 * (h * h)) / ((2.0 * n) + 1.0)) * (v69 * v69))));
-    return value;
+  return _energy_of_concave_power(d, a, h, n, E_star);
+};
+
+const energy = (d, a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  value = NaN;
-  return value;
+  return ((d >= 0.0) ? _energy(d, a, h, n, E_star) : NaN);
 };
 
 const RULE_2 = math.rule([[16.0, 64], [Infinity, 128]]);
 
-const load_within = (r, d, a, h, n, E_star) => {
-  let node, v100, v101, v106, v108, v109, v11, v114, v117, v119, v128, v129, v130, v132, v134, v136, v142, v15, v153, v154, v158, v160, v161, v170, v176, v178, v179, v181, v187, v189, v190, v191, v193, v194, v196, v198, v201, v204, v205, v209, v211, v212, v227, v228, v229, v232, v234, v237, v243, v244, v246, v251, v252, v254, v255, v257, v259, v261, v264, v265, v269, v271, v285, v286, v287, v29, v300, v301, v303, v308, v309, v311, v312, v314, v316, v318, v321, v322, v326, v328, v342, v343, v344, v357, v358, v360, v365, v366, v368, v369, v371, v373, v375, v378, v379, v383, v385, v399, v400, v401, v414, v415, v417, v422, v423, v425, v426, v428, v430, v432, v435, v436, v440, v442, v456, v457, v458, v475, v478, v484, v486, v488, v490, v493, v494, v499, v513, v514, v515, v522, v523, v525, v530, v531, v533, v534, v536, v538, v540, v543, v544, v548, v550, v564, v565, v566, v579, v580, v582, v587, v588, v590, v591, v593, v595, v597, v600, v601, v605, v607, v621, v622, v623, v636, v637, v639, v644, v645, v647, v648, v650, v652, v654, v657, v658, v662, v664, v678, v679, v680, v693, v694, v696, v70, v701, v702, v704, v705, v707, v709, v71, v711, v714, v715, v719, v721, v735, v736, v737, v75, v754, v77, v88, v9, v94, v99, value, weight;
-  v9 = ((n / 2.0) + 0.5);
-  v11 = (v9 + 1.75);
-  v15 = ((v9 + 0.5) * (v9 + 1.5));
-  v29 = (1.0 / (v11 * v11));
-  v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
-  v142 = (1.7724538509055159 * h);
-  v158 = (n > 2.0);
-  v160 = (v158 ? n : 3.0);
-  v161 = (v160 - 2.0);
-  v170 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v161) / (v161 + 0.72))) / v161));
-  if ((v161 < 2.0)) {
-    v176 = (Math.log(((v161 * (v161 + 2.0)) / 2.0)) / v161);
-    v178 = (((v170 > v176) || (v170 !== v170)) ? v170 : v176);
-  } else {
-    v178 = v170;
+const _log_ratio_of_powers = (x, y) => {
+  let v3;
+  v3 = ((x - y) / y);
+  if (Number.isFinite(v3)) {
+    return math.log1p(v3);
   }
-  v179 = ((-2.0) * v178);
-  v181 = (-Math.expm1(v179));
-  v187 = ((v160 - 1.0) + 0.0);
-  v189 = (v187 - (v160 * Math.exp(((-2.0) * (((v178 < 300.0) || (v178 !== v178)) ? v178 : 300.0)))));
-  v190 = (((v189 > 1.0) || (v189 !== v189)) ? v189 : 1.0);
-  v191 = (v161 + 1.0);
-  v193 = (1.0 / (v191 * v178));
-  v209 = (v161 * v178);
-  v212 = (0.5 * v161);
-  v232 = (Math.exp(v209) / (v181 * v190));
-  v234 = (2.0 * v187);
-  v237 = ((v234 / v190) - (1.0 / v181));
-  if (v158) {
-    v228 = [];
-    for ([node, weight] of RULE_0((1.0 / v193))) {
-      v194 = (node * 1.0);
-      v196 = ((v194 * v194) * v194);
-      v198 = ((v196 * v196) * v194);
-      v201 = (v198 * v194);
-      v204 = (-Math.expm1((v179 * v201)));
-      v205 = (1.0 - v201);
-      v211 = Math.expm1((v209 * v201));
-      v227 = ((8.0 * v198) * (((Math.exp((v178 * v205)) * Math.pow((v204 / v181), (-0.5))) * (v211 - (((v212 * (v211 + 1.0)) * v204) * ((-Math.expm1((v179 * v205))) / v181)))) / v204));
-      v228.push((weight * v227));
-    }
-    v228 = (math.fsum(v228) * 1.0);
-    v229 = (v178 * v228);
-    v243 = (v178 - ((Math.log(v229) * v229) / (v232 + ((v229 - 1.0) * v237))));
-    v244 = ((-2.0) * v243);
-    v246 = (-Math.expm1(v244));
-    v251 = (v187 - (v160 * Math.exp(((-2.0) * (((v243 < 300.0) || (v243 !== v243)) ? v243 : 300.0)))));
-    v252 = (((v251 > 1.0) || (v251 !== v251)) ? v251 : 1.0);
-    v254 = (1.0 / (v191 * v243));
-    v269 = (v161 * v243);
-    v286 = [];
-    for ([node, weight] of RULE_0((1.0 / v254))) {
-      v255 = (node * 1.0);
-      v257 = ((v255 * v255) * v255);
-      v259 = ((v257 * v257) * v255);
-      v261 = (v259 * v255);
-      v264 = (-Math.expm1((v244 * v261)));
-      v265 = (1.0 - v261);
-      v271 = Math.expm1((v269 * v261));
-      v285 = ((8.0 * v259) * (((Math.exp((v243 * v265)) * Math.pow((v264 / v246), (-0.5))) * (v271 - (((v212 * (v271 + 1.0)) * v264) * ((-Math.expm1((v244 * v265))) / v246)))) / v264));
-      v286.push((weight * v285));
-    }
-    v286 = (math.fsum(v286) * 1.0);
-    v287 = (v243 * v286);
-    v300 = (v243 - ((Math.log(v287) * v287) / ((Math.exp(v269) / (v246 * v252)) + ((v287 - 1.0) * ((v234 / v252) - (1.0 / v246))))));
-    v301 = ((-2.0) * v300);
-    v303 = (-Math.expm1(v301));
-    v308 = (v187 - (v160 * Math.exp(((-2.0) * (((v300 < 300.0) || (v300 !== v300)) ? v300 : 300.0)))));
-    v309 = (((v308 > 1.0) || (v308 !== v308)) ? v308 : 1.0);
-    v311 = (1.0 / (v191 * v300));
-    v326 = (v161 * v300);
-    v343 = [];
-    for ([node, weight] of RULE_0((1.0 / v311))) {
-      v312 = (node * 1.0);
-      v314 = ((v312 * v312) * v312);
-      v316 = ((v314 * v314) * v312);
-      v318 = (v316 * v312);
-      v321 = (-Math.expm1((v301 * v318)));
-      v322 = (1.0 - v318);
-      v328 = Math.expm1((v326 * v318));
-      v342 = ((8.0 * v316) * (((Math.exp((v300 * v322)) * Math.pow((v321 / v303), (-0.5))) * (v328 - (((v212 * (v328 + 1.0)) * v321) * ((-Math.expm1((v301 * v322))) / v303)))) / v321));
-      v343.push((weight * v342));
-    }
-    v343 = (math.fsum(v343) * 1.0);
-    v344 = (v300 * v343);
-    v357 = (v300 - ((Math.log(v344) * v344) / ((Math.exp(v326) / (v303 * v309)) + ((v344 - 1.0) * ((v234 / v309) - (1.0 / v303))))));
-    v358 = ((-2.0) * v357);
-    v360 = (-Math.expm1(v358));
-    v365 = (v187 - (v160 * Math.exp(((-2.0) * (((v357 < 300.0) || (v357 !== v357)) ? v357 : 300.0)))));
-    v366 = (((v365 > 1.0) || (v365 !== v365)) ? v365 : 1.0);
-    v368 = (1.0 / (v191 * v357));
-    v383 = (v161 * v357);
-    v400 = [];
-    for ([node, weight] of RULE_0((1.0 / v368))) {
-      v369 = (node * 1.0);
-      v371 = ((v369 * v369) * v369);
-      v373 = ((v371 * v371) * v369);
-      v375 = (v373 * v369);
-      v378 = (-Math.expm1((v358 * v375)));
-      v379 = (1.0 - v375);
-      v385 = Math.expm1((v383 * v375));
-      v399 = ((8.0 * v373) * (((Math.exp((v357 * v379)) * Math.pow((v378 / v360), (-0.5))) * (v385 - (((v212 * (v385 + 1.0)) * v378) * ((-Math.expm1((v358 * v379))) / v360)))) / v378));
-      v400.push((weight * v399));
-    }
-    v400 = (math.fsum(v400) * 1.0);
-    v401 = (v357 * v400);
-    v414 = (v357 - ((Math.log(v401) * v401) / ((Math.exp(v383) / (v360 * v366)) + ((v401 - 1.0) * ((v234 / v366) - (1.0 / v360))))));
-    v415 = ((-2.0) * v414);
-    v417 = (-Math.expm1(v415));
-    v422 = (v187 - (v160 * Math.exp(((-2.0) * (((v414 < 300.0) || (v414 !== v414)) ? v414 : 300.0)))));
-    v423 = (((v422 > 1.0) || (v422 !== v422)) ? v422 : 1.0);
-    v425 = (1.0 / (v191 * v414));
-    v440 = (v161 * v414);
-    v457 = [];
-    for ([node, weight] of RULE_0((1.0 / v425))) {
-      v426 = (node * 1.0);
-      v428 = ((v426 * v426) * v426);
-      v430 = ((v428 * v428) * v426);
-      v432 = (v430 * v426);
-      v435 = (-Math.expm1((v415 * v432)));
-      v436 = (1.0 - v432);
-      v442 = Math.expm1((v440 * v432));
-      v456 = ((8.0 * v430) * (((Math.exp((v414 * v436)) * Math.pow((v435 / v417), (-0.5))) * (v442 - (((v212 * (v442 + 1.0)) * v435) * ((-Math.expm1((v415 * v436))) / v417)))) / v435));
-      v457.push((weight * v456));
-    }
-    v457 = (math.fsum(v457) * 1.0);
-    v458 = (v414 * v457);
-    v475 = (-Math.expm1(((-2.0) * (v414 - ((Math.log(v458) * v458) / ((Math.exp(v440) / (v417 * v423)) + ((v458 - 1.0) * ((v234 / v423) - (1.0 / v417)))))))));
-  } else {
-    v475 = 1.0;
-  }
-  v478 = (v142 * v70);
-  if ((((v478 / ((n * v475) - 1.0)) * 0.999999999999999) <= d)) {
-    v153 = (2.0 * E_star);
-    v154 = (n + 1.0);
-    if ((r < a)) {
-      v71 = (a - r);
-      v75 = (n > 1.0);
-      v77 = Math.abs((n - 1.0));
-      if ((r > 0.0)) {
-        v88 = (v71 / r);
-        v94 = (Number.isFinite(v88) ? Math.log1p(v88) : (Math.log(a) - Math.log(r)));
-        if ((v94 > 0.0)) {
-          v99 = (v94 - (42.0 / (((v77 > 0.001) || (v77 !== v77)) ? v77 : 0.001)));
-          v100 = (((v99 > 0.0) || (v99 !== v99)) ? v99 : 0.0);
-          v101 = Math.sqrt(v94);
-          v106 = (v75 ? (v101 - Math.sqrt(v100)) : Math.sqrt((v94 - v100)));
-          v109 = (2.0 * v101);
-          v114 = (-v77);
-          v129 = [];
-          for ([node, weight] of RULE_2((v106 / 1.0))) {
-            v108 = (node * v106);
-            if (v75) {
-              v117 = (v101 - v108);
-              v119 = (((v117 > 0.0) || (v117 !== v117)) ? v117 : 0.0);
-            } else {
-              v119 = v108;
-            }
-            v128 = (Math.exp((v114 * (v75 ? (v108 * (v109 - v108)) : (v108 * v108)))) * ((2.0 * v119) / Math.sqrt((-Math.expm1((((-2.0) * v119) * v119))))));
-            v129.push((weight * v128));
-          }
-          v129 = (math.fsum(v129) * v106);
-          v130 = v129;
-        } else {
-          v130 = 0.0;
-        }
-        v132 = ((v75 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v130);
+  return (math.log(x) - math.log(y));
+};
+
+const RULE_0_of_powers = math.rule([[16.0, 64], [Infinity, 128]]);
+
+const _fallen_pressure = (depth, n) => {
+  let node, v10, v12, v13, v18, v20, v22, v27, v3, v30, v32, v41, v42, v5, weight;
+  if ((depth > 0.0)) {
+    v3 = (n > 1.0);
+    v5 = Math.abs((n - 1.0));
+    v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
+    v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
+    v13 = math.sqrt(depth);
+    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v22 = (2.0 * v13);
+    v27 = (-v5);
+    v42 = [];
+    for ([node, weight] of RULE_0_of_powers((v18 / 1.0))) {
+      v20 = (node * v18);
+      if (v3) {
+        v30 = (v13 - v20);
+        v32 = (((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0);
       } else {
-        v132 = (v75 ? (1.0 / v77) : Infinity);
+        v32 = v20;
       }
-      v134 = (r * r);
-      v136 = (Math.sqrt((v71 * (a + r))) + a);
-      value = ((v153 / v154) * (((((n * d) * v134) / v136) + ((d * v134) / v136)) + ((((v142 * v134) * v70) / v136) - ((((((1.7724538509055159 * n) * h) * v132) * v134) * v70) / a))));
-      return value;
+      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v42.push((weight * v41));
     }
-    if (v158) {
-      v514 = [];
-      for ([node, weight] of RULE_0((1.0 / v193))) {
-        v484 = (node * 1.0);
-        v486 = ((v484 * v484) * v484);
-        v488 = ((v486 * v486) * v484);
-        v490 = (v488 * v484);
-        v493 = (-Math.expm1((v179 * v490)));
-        v494 = (1.0 - v490);
-        v499 = Math.expm1((v209 * v490));
-        v513 = ((8.0 * v488) * (((Math.exp((v178 * v494)) * Math.pow((v493 / v181), (-0.5))) * (v499 - (((v212 * (v499 + 1.0)) * v493) * ((-Math.expm1((v179 * v494))) / v181)))) / v493));
-        v514.push((weight * v513));
-      }
-      v514 = (math.fsum(v514) * 1.0);
-      v515 = (v178 * v514);
-      v522 = (v178 - ((Math.log(v515) * v515) / (v232 + ((v515 - 1.0) * v237))));
-      v523 = ((-2.0) * v522);
-      v525 = (-Math.expm1(v523));
-      v530 = (v187 - (v160 * Math.exp(((-2.0) * (((v522 < 300.0) || (v522 !== v522)) ? v522 : 300.0)))));
-      v531 = (((v530 > 1.0) || (v530 !== v530)) ? v530 : 1.0);
-      v533 = (1.0 / (v191 * v522));
-      v548 = (v161 * v522);
-      v565 = [];
-      for ([node, weight] of RULE_0((1.0 / v533))) {
-        v534 = (node * 1.0);
-        v536 = ((v534 * v534) * v534);
-        v538 = ((v536 * v536) * v534);
-        v540 = (v538 * v534);
-        v543 = (-Math.expm1((v523 * v540)));
-        v544 = (1.0 - v540);
-        v550 = Math.expm1((v548 * v540));
-        v564 = ((8.0 * v538) * (((Math.exp((v522 * v544)) * Math.pow((v543 / v525), (-0.5))) * (v550 - (((v212 * (v550 + 1.0)) * v543) * ((-Math.expm1((v523 * v544))) / v525)))) / v543));
-        v565.push((weight * v564));
-      }
-      v565 = (math.fsum(v565) * 1.0);
-      v566 = (v522 * v565);
-      v579 = (v522 - ((Math.log(v566) * v566) / ((Math.exp(v548) / (v525 * v531)) + ((v566 - 1.0) * ((v234 / v531) - (1.0 / v525))))));
-      v580 = ((-2.0) * v579);
-      v582 = (-Math.expm1(v580));
-      v587 = (v187 - (v160 * Math.exp(((-2.0) * (((v579 < 300.0) || (v579 !== v579)) ? v579 : 300.0)))));
-      v588 = (((v587 > 1.0) || (v587 !== v587)) ? v587 : 1.0);
-      v590 = (1.0 / (v191 * v579));
-      v605 = (v161 * v579);
-      v622 = [];
-      for ([node, weight] of RULE_0((1.0 / v590))) {
-        v591 = (node * 1.0);
-        v593 = ((v591 * v591) * v591);
-        v595 = ((v593 * v593) * v591);
-        v597 = (v595 * v591);
-        v600 = (-Math.expm1((v580 * v597)));
-        v601 = (1.0 - v597);
-        v607 = Math.expm1((v605 * v597));
-        v621 = ((8.0 * v595) * (((Math.exp((v579 * v601)) * Math.pow((v600 / v582), (-0.5))) * (v607 - (((v212 * (v607 + 1.0)) * v600) * ((-Math.expm1((v580 * v601))) / v582)))) / v600));
-        v622.push((weight * v621));
-      }
-      v622 = (math.fsum(v622) * 1.0);
-      v623 = (v579 * v622);
-      v636 = (v579 - ((Math.log(v623) * v623) / ((Math.exp(v605) / (v582 * v588)) + ((v623 - 1.0) * ((v234 / v588) - (1.0 / v582))))));
-      v637 = ((-2.0) * v636);
-      v639 = (-Math.expm1(v637));
-      v644 = (v187 - (v160 * Math.exp(((-2.0) * (((v636 < 300.0) || (v636 !== v636)) ? v636 : 300.0)))));
-      v645 = (((v644 > 1.0) || (v644 !== v644)) ? v644 : 1.0);
-      v647 = (1.0 / (v191 * v636));
-      v662 = (v161 * v636);
-      v679 = [];
-      for ([node, weight] of RULE_0((1.0 / v647))) {
-        v648 = (node * 1.0);
-        v650 = ((v648 * v648) * v648);
-        v652 = ((v650 * v650) * v648);
-        v654 = (v652 * v648);
-        v657 = (-Math.expm1((v637 * v654)));
-        v658 = (1.0 - v654);
-        v664 = Math.expm1((v662 * v654));
-        v678 = ((8.0 * v652) * (((Math.exp((v636 * v658)) * Math.pow((v657 / v639), (-0.5))) * (v664 - (((v212 * (v664 + 1.0)) * v657) * ((-Math.expm1((v637 * v658))) / v639)))) / v657));
-        v679.push((weight * v678));
-      }
-      v679 = (math.fsum(v679) * 1.0);
-      v680 = (v636 * v679);
-      v693 = (v636 - ((Math.log(v680) * v680) / ((Math.exp(v662) / (v639 * v645)) + ((v680 - 1.0) * ((v234 / v645) - (1.0 / v639))))));
-      v694 = ((-2.0) * v693);
-      v696 = (-Math.expm1(v694));
-      v701 = (v187 - (v160 * Math.exp(((-2.0) * (((v693 < 300.0) || (v693 !== v693)) ? v693 : 300.0)))));
-      v702 = (((v701 > 1.0) || (v701 !== v701)) ? v701 : 1.0);
-      v704 = (1.0 / (v191 * v693));
-      v719 = (v161 * v693);
-      v736 = [];
-      for ([node, weight] of RULE_0((1.0 / v704))) {
-        v705 = (node * 1.0);
-        v707 = ((v705 * v705) * v705);
-        v709 = ((v707 * v707) * v705);
-        v711 = (v709 * v705);
-        v714 = (-Math.expm1((v694 * v711)));
-        v715 = (1.0 - v711);
-        v721 = Math.expm1((v719 * v711));
-        v735 = ((8.0 * v709) * (((Math.exp((v693 * v715)) * Math.pow((v714 / v696), (-0.5))) * (v721 - (((v212 * (v721 + 1.0)) * v714) * ((-Math.expm1((v694 * v715))) / v696)))) / v714));
-        v736.push((weight * v735));
-      }
-      v736 = (math.fsum(v736) * 1.0);
-      v737 = (v693 * v736);
-      v754 = (-Math.expm1(((-2.0) * (v693 - ((Math.log(v737) * v737) / ((Math.exp(v719) / (v696 * v702)) + ((v737 - 1.0) * ((v234 / v702) - (1.0 / v696)))))))));
-    } else {
-      v754 = 1.0;
-    }
-    if ((((v478 / ((n * v754) - 1.0)) * 0.999999999999999) <= d)) {
-      value = ((v153 * a) * (d + ((v142 / v154) * v70)));
-      return value;
-    }
-    value = NaN;
-    return value;
+    v42 = (math.fsum(v42) * v18);
+    return v42;
   }
-  value = NaN;
-  return value;
+  return 0.0;
+};
+
+const power_pressure = (r, a, n) => {
+  let centre, largest;
+  centre = ((n > 1.0) ? (1.0 / Math.abs((n - 1.0))) : Infinity);
+  largest = ((n > 1.0) ? 1.0 : (Math.pow((r / a), n) * (a / r)));
+  return ((r > 0.0) ? (largest * _fallen_pressure(_log_ratio_of_powers(a, r), n)) : centre);
+};
+
+const _force = (d, a, h, n, E_star) => {
+  let complete, kappa, result;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  complete = ((_minimum_depth(h, n) * (1.0 - 1e-15)) <= d);
+  result = (((2 * E_star) * a) * (d + (((Math.sqrt(Math.PI) * h) / (n + 1)) * kappa)));
+  return math.where(complete, result, NaN);
+};
+
+const _load_within_of_concave_power = (r, d, a, h, n, E_star) => {
+  let complete, face, kappa, punch, result, root, share, within;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  root = Math.sqrt(((a - r) * (a + r)));
+  share = power_pressure(r, a, n);
+  punch = ((((n * d) * Math.pow(r, 2)) / (root + a)) + ((d * Math.pow(r, 2)) / (root + a)));
+  face = (((((Math.sqrt(Math.PI) * h) * Math.pow(r, 2)) * kappa) / (root + a)) - ((((((Math.sqrt(Math.PI) * n) * h) * share) * Math.pow(r, 2)) * kappa) / a));
+  within = (((2 * E_star) / (n + 1)) * (punch + face));
+  complete = ((_minimum_depth(h, n) * (1.0 - 1e-15)) <= d);
+  result = math.where((r < a), within, _force(d, a, h, n, E_star));
+  return math.where(complete, result, NaN);
+};
+
+const _load_within = (r, d, a, h, n, E_star) => {
+  let node, v100, v101, v106, v108, v109, v11, v114, v117, v119, v128, v129, v130, v132, v134, v136, v142, v15, v153, v154, v158, v160, v161, v170, v176, v178, v179, v181, v187, v189, v190, v191, v193, v194, v196, v198, v201, v204, v205, v209, v211, v212, v227, v228, v229, v232, v234, v237, v243, v244, v246, v251, v252, v254, v255, v257, v259, v261, v264, v265, v269, v271, v285, v286, v287, v29, v300, v301, v303, v308, v309, v311, v312, v314, v316, v318, v321, v322, v326, v328, v342, v343, v344, v357, v358, v360, v365, v366, v368, v369, v371, v373, v375, v378, v379, v383, v385, v399, v400, v401, v414, v415, v417, v422, v423, v425, v426, v428, v430, v432, v435, v436, v440, v442, v456, v457, v458, v475, v478, v484, v486, v488, v490, v493, v494, v499, v513, v514, v515, v522, v523, v525, v530, v531, v533, v534, v536, v538, v540, v543, v544, v548, v550, v564, v565, v566, v579, v580, v582, v587, v588, v590, v591, v593, v595, v597, v600, v601, v605, v607, v621, v622, v623, v636, v637, v639, v644, v645, v647, v648, v650, v652, v654, v657, v658, v662, v664, v678, v679, v680, v693, v694, v696, v70, v701, v702, v704, v705, v707, v709, v71, v711, v714, v715, v719, v721, v735, v736, v737, v75, v754, v77, v88, v9, v94, v99, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v9 = ((n / 2.0) + 0.5);
+    v11 = (v9 + 1.75);
+    v15 = ((v9 + 0.5) * (v9 + 1.5));
+    v29 = (1.0 / (v11 * v11));
+    v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
+    v142 = (1.7724538509055159 * h);
+    v158 = (n > 2.0);
+    v160 = (v158 ? n : 3.0);
+    v161 = (v160 - 2.0);
+    v170 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v161) / (v161 + 0.72))) / v161));
+    if ((v161 < 2.0)) {
+      v176 = (Math.log(((v161 * (v161 + 2.0)) / 2.0)) / v161);
+      v178 = (((v170 > v176) || (v170 !== v170)) ? v170 : v176);
+    } else {
+      v178 = v170;
+    }
+    v179 = ((-2.0) * v178);
+    v181 = (-Math.expm1(v179));
+    v187 = ((v160 - 1.0) + 0.0);
+    v189 = (v187 - (v160 * Math.exp(((-2.0) * (((v178 < 300.0) || (v178 !== v178)) ? v178 : 300.0)))));
+    v190 = (((v189 > 1.0) || (v189 !== v189)) ? v189 : 1.0);
+    v191 = (v161 + 1.0);
+    v193 = (1.0 / (v191 * v178));
+    v209 = (v161 * v178);
+    v212 = (0.5 * v161);
+    v232 = (Math.exp(v209) / (v181 * v190));
+    v234 = (2.0 * v187);
+    v237 = ((v234 / v190) - (1.0 / v181));
+    if (v158) {
+      v228 = [];
+      for ([node, weight] of RULE_0((1.0 / v193))) {
+        v194 = (node * 1.0);
+        v196 = ((v194 * v194) * v194);
+        v198 = ((v196 * v196) * v194);
+        v201 = (v198 * v194);
+        v204 = (-Math.expm1((v179 * v201)));
+        v205 = (1.0 - v201);
+        v211 = Math.expm1((v209 * v201));
+        v227 = ((8.0 * v198) * (((Math.exp((v178 * v205)) * Math.pow((v204 / v181), (-0.5))) * (v211 - (((v212 * (v211 + 1.0)) * v204) * ((-Math.expm1((v179 * v205))) / v181)))) / v204));
+        v228.push((weight * v227));
+      }
+      v228 = (math.fsum(v228) * 1.0);
+      v229 = (v178 * v228);
+      v243 = (v178 - ((Math.log(v229) * v229) / (v232 + ((v229 - 1.0) * v237))));
+      v244 = ((-2.0) * v243);
+      v246 = (-Math.expm1(v244));
+      v251 = (v187 - (v160 * Math.exp(((-2.0) * (((v243 < 300.0) || (v243 !== v243)) ? v243 : 300.0)))));
+      v252 = (((v251 > 1.0) || (v251 !== v251)) ? v251 : 1.0);
+      v254 = (1.0 / (v191 * v243));
+      v269 = (v161 * v243);
+      v286 = [];
+      for ([node, weight] of RULE_0((1.0 / v254))) {
+        v255 = (node * 1.0);
+        v257 = ((v255 * v255) * v255);
+        v259 = ((v257 * v257) * v255);
+        v261 = (v259 * v255);
+        v264 = (-Math.expm1((v244 * v261)));
+        v265 = (1.0 - v261);
+        v271 = Math.expm1((v269 * v261));
+        v285 = ((8.0 * v259) * (((Math.exp((v243 * v265)) * Math.pow((v264 / v246), (-0.5))) * (v271 - (((v212 * (v271 + 1.0)) * v264) * ((-Math.expm1((v244 * v265))) / v246)))) / v264));
+        v286.push((weight * v285));
+      }
+      v286 = (math.fsum(v286) * 1.0);
+      v287 = (v243 * v286);
+      v300 = (v243 - ((Math.log(v287) * v287) / ((Math.exp(v269) / (v246 * v252)) + ((v287 - 1.0) * ((v234 / v252) - (1.0 / v246))))));
+      v301 = ((-2.0) * v300);
+      v303 = (-Math.expm1(v301));
+      v308 = (v187 - (v160 * Math.exp(((-2.0) * (((v300 < 300.0) || (v300 !== v300)) ? v300 : 300.0)))));
+      v309 = (((v308 > 1.0) || (v308 !== v308)) ? v308 : 1.0);
+      v311 = (1.0 / (v191 * v300));
+      v326 = (v161 * v300);
+      v343 = [];
+      for ([node, weight] of RULE_0((1.0 / v311))) {
+        v312 = (node * 1.0);
+        v314 = ((v312 * v312) * v312);
+        v316 = ((v314 * v314) * v312);
+        v318 = (v316 * v312);
+        v321 = (-Math.expm1((v301 * v318)));
+        v322 = (1.0 - v318);
+        v328 = Math.expm1((v326 * v318));
+        v342 = ((8.0 * v316) * (((Math.exp((v300 * v322)) * Math.pow((v321 / v303), (-0.5))) * (v328 - (((v212 * (v328 + 1.0)) * v321) * ((-Math.expm1((v301 * v322))) / v303)))) / v321));
+        v343.push((weight * v342));
+      }
+      v343 = (math.fsum(v343) * 1.0);
+      v344 = (v300 * v343);
+      v357 = (v300 - ((Math.log(v344) * v344) / ((Math.exp(v326) / (v303 * v309)) + ((v344 - 1.0) * ((v234 / v309) - (1.0 / v303))))));
+      v358 = ((-2.0) * v357);
+      v360 = (-Math.expm1(v358));
+      v365 = (v187 - (v160 * Math.exp(((-2.0) * (((v357 < 300.0) || (v357 !== v357)) ? v357 : 300.0)))));
+      v366 = (((v365 > 1.0) || (v365 !== v365)) ? v365 : 1.0);
+      v368 = (1.0 / (v191 * v357));
+      v383 = (v161 * v357);
+      v400 = [];
+      for ([node, weight] of RULE_0((1.0 / v368))) {
+        v369 = (node * 1.0);
+        v371 = ((v369 * v369) * v369);
+        v373 = ((v371 * v371) * v369);
+        v375 = (v373 * v369);
+        v378 = (-Math.expm1((v358 * v375)));
+        v379 = (1.0 - v375);
+        v385 = Math.expm1((v383 * v375));
+        v399 = ((8.0 * v373) * (((Math.exp((v357 * v379)) * Math.pow((v378 / v360), (-0.5))) * (v385 - (((v212 * (v385 + 1.0)) * v378) * ((-Math.expm1((v358 * v379))) / v360)))) / v378));
+        v400.push((weight * v399));
+      }
+      v400 = (math.fsum(v400) * 1.0);
+      v401 = (v357 * v400);
+      v414 = (v357 - ((Math.log(v401) * v401) / ((Math.exp(v383) / (v360 * v366)) + ((v401 - 1.0) * ((v234 / v366) - (1.0 / v360))))));
+      v415 = ((-2.0) * v414);
+      v417 = (-Math.expm1(v415));
+      v422 = (v187 - (v160 * Math.exp(((-2.0) * (((v414 < 300.0) || (v414 !== v414)) ? v414 : 300.0)))));
+      v423 = (((v422 > 1.0) || (v422 !== v422)) ? v422 : 1.0);
+      v425 = (1.0 / (v191 * v414));
+      v440 = (v161 * v414);
+      v457 = [];
+      for ([node, weight] of RULE_0((1.0 / v425))) {
+        v426 = (node * 1.0);
+        v428 = ((v426 * v426) * v426);
+        v430 = ((v428 * v428) * v426);
+        v432 = (v430 * v426);
+        v435 = (-Math.expm1((v415 * v432)));
+        v436 = (1.0 - v432);
+        v442 = Math.expm1((v440 * v432));
+        v456 = ((8.0 * v430) * (((Math.exp((v414 * v436)) * Math.pow((v435 / v417), (-0.5))) * (v442 - (((v212 * (v442 + 1.0)) * v435) * ((-Math.expm1((v415 * v436))) / v417)))) / v435));
+        v457.push((weight * v456));
+      }
+      v457 = (math.fsum(v457) * 1.0);
+      v458 = (v414 * v457);
+      v475 = (-Math.expm1(((-2.0) * (v414 - ((Math.log(v458) * v458) / ((Math.exp(v440) / (v417 * v423)) + ((v458 - 1.0) * ((v234 / v423) - (1.0 / v417)))))))));
+    } else {
+      v475 = 1.0;
+    }
+    v478 = (v142 * v70);
+    if ((((v478 / ((n * v475) - 1.0)) * 0.999999999999999) <= d)) {
+      v153 = (2.0 * E_star);
+      v154 = (n + 1.0);
+      if ((r < a)) {
+        v71 = (a - r);
+        v75 = (n > 1.0);
+        v77 = Math.abs((n - 1.0));
+        if ((r > 0.0)) {
+          v88 = (v71 / r);
+          v94 = (Number.isFinite(v88) ? Math.log1p(v88) : (Math.log(a) - Math.log(r)));
+          if ((v94 > 0.0)) {
+            v99 = (v94 - (42.0 / (((v77 > 0.001) || (v77 !== v77)) ? v77 : 0.001)));
+            v100 = (((v99 > 0.0) || (v99 !== v99)) ? v99 : 0.0);
+            v101 = Math.sqrt(v94);
+            v106 = (v75 ? (v101 - Math.sqrt(v100)) : Math.sqrt((v94 - v100)));
+            v109 = (2.0 * v101);
+            v114 = (-v77);
+            v129 = [];
+            for ([node, weight] of RULE_2((v106 / 1.0))) {
+              v108 = (node * v106);
+              if (v75) {
+                v117 = (v101 - v108);
+                v119 = (((v117 > 0.0) || (v117 !== v117)) ? v117 : 0.0);
+              } else {
+                v119 = v108;
+              }
+              v128 = (Math.exp((v114 * (v75 ? (v108 * (v109 - v108)) : (v108 * v108)))) * ((2.0 * v119) / Math.sqrt((-Math.expm1((((-2.0) * v119) * v119))))));
+              v129.push((weight * v128));
+            }
+            v129 = (math.fsum(v129) * v106);
+            v130 = v129;
+          } else {
+            v130 = 0.0;
+          }
+          v132 = ((v75 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v130);
+        } else {
+          v132 = (v75 ? (1.0 / v77) : Infinity);
+        }
+        v134 = (r * r);
+        v136 = (Math.sqrt((v71 * (a + r))) + a);
+        return ((v153 / v154) * (((((n * d) * v134) / v136) + ((d * v134) / v136)) + ((((v142 * v134) * v70) / v136) - ((((((1.7724538509055159 * n) * h) * v132) * v134) * v70) / a))));
+      }
+      if (v158) {
+        v514 = [];
+        for ([node, weight] of RULE_0((1.0 / v193))) {
+          v484 = (node * 1.0);
+          v486 = ((v484 * v484) * v484);
+          v488 = ((v486 * v486) * v484);
+          v490 = (v488 * v484);
+          v493 = (-Math.expm1((v179 * v490)));
+          v494 = (1.0 - v490);
+          v499 = Math.expm1((v209 * v490));
+          v513 = ((8.0 * v488) * (((Math.exp((v178 * v494)) * Math.pow((v493 / v181), (-0.5))) * (v499 - (((v212 * (v499 + 1.0)) * v493) * ((-Math.expm1((v179 * v494))) / v181)))) / v493));
+          v514.push((weight * v513));
+        }
+        v514 = (math.fsum(v514) * 1.0);
+        v515 = (v178 * v514);
+        v522 = (v178 - ((Math.log(v515) * v515) / (v232 + ((v515 - 1.0) * v237))));
+        v523 = ((-2.0) * v522);
+        v525 = (-Math.expm1(v523));
+        v530 = (v187 - (v160 * Math.exp(((-2.0) * (((v522 < 300.0) || (v522 !== v522)) ? v522 : 300.0)))));
+        v531 = (((v530 > 1.0) || (v530 !== v530)) ? v530 : 1.0);
+        v533 = (1.0 / (v191 * v522));
+        v548 = (v161 * v522);
+        v565 = [];
+        for ([node, weight] of RULE_0((1.0 / v533))) {
+          v534 = (node * 1.0);
+          v536 = ((v534 * v534) * v534);
+          v538 = ((v536 * v536) * v534);
+          v540 = (v538 * v534);
+          v543 = (-Math.expm1((v523 * v540)));
+          v544 = (1.0 - v540);
+          v550 = Math.expm1((v548 * v540));
+          v564 = ((8.0 * v538) * (((Math.exp((v522 * v544)) * Math.pow((v543 / v525), (-0.5))) * (v550 - (((v212 * (v550 + 1.0)) * v543) * ((-Math.expm1((v523 * v544))) / v525)))) / v543));
+          v565.push((weight * v564));
+        }
+        v565 = (math.fsum(v565) * 1.0);
+        v566 = (v522 * v565);
+        v579 = (v522 - ((Math.log(v566) * v566) / ((Math.exp(v548) / (v525 * v531)) + ((v566 - 1.0) * ((v234 / v531) - (1.0 / v525))))));
+        v580 = ((-2.0) * v579);
+        v582 = (-Math.expm1(v580));
+        v587 = (v187 - (v160 * Math.exp(((-2.0) * (((v579 < 300.0) || (v579 !== v579)) ? v579 : 300.0)))));
+        v588 = (((v587 > 1.0) || (v587 !== v587)) ? v587 : 1.0);
+        v590 = (1.0 / (v191 * v579));
+        v605 = (v161 * v579);
+        v622 = [];
+        for ([node, weight] of RULE_0((1.0 / v590))) {
+          v591 = (node * 1.0);
+          v593 = ((v591 * v591) * v591);
+          v595 = ((v593 * v593) * v591);
+          v597 = (v595 * v591);
+          v600 = (-Math.expm1((v580 * v597)));
+          v601 = (1.0 - v597);
+          v607 = Math.expm1((v605 * v597));
+          v621 = ((8.0 * v595) * (((Math.exp((v579 * v601)) * Math.pow((v600 / v582), (-0.5))) * (v607 - (((v212 * (v607 + 1.0)) * v600) * ((-Math.expm1((v580 * v601))) / v582)))) / v600));
+          v622.push((weight * v621));
+        }
+        v622 = (math.fsum(v622) * 1.0);
+        v623 = (v579 * v622);
+        v636 = (v579 - ((Math.log(v623) * v623) / ((Math.exp(v605) / (v582 * v588)) + ((v623 - 1.0) * ((v234 / v588) - (1.0 / v582))))));
+        v637 = ((-2.0) * v636);
+        v639 = (-Math.expm1(v637));
+        v644 = (v187 - (v160 * Math.exp(((-2.0) * (((v636 < 300.0) || (v636 !== v636)) ? v636 : 300.0)))));
+        v645 = (((v644 > 1.0) || (v644 !== v644)) ? v644 : 1.0);
+        v647 = (1.0 / (v191 * v636));
+        v662 = (v161 * v636);
+        v679 = [];
+        for ([node, weight] of RULE_0((1.0 / v647))) {
+          v648 = (node * 1.0);
+          v650 = ((v648 * v648) * v648);
+          v652 = ((v650 * v650) * v648);
+          v654 = (v652 * v648);
+          v657 = (-Math.expm1((v637 * v654)));
+          v658 = (1.0 - v654);
+          v664 = Math.expm1((v662 * v654));
+          v678 = ((8.0 * v652) * (((Math.exp((v636 * v658)) * Math.pow((v657 / v639), (-0.5))) * (v664 - (((v212 * (v664 + 1.0)) * v657) * ((-Math.expm1((v637 * v658))) / v639)))) / v657));
+          v679.push((weight * v678));
+        }
+        v679 = (math.fsum(v679) * 1.0);
+        v680 = (v636 * v679);
+        v693 = (v636 - ((Math.log(v680) * v680) / ((Math.exp(v662) / (v639 * v645)) + ((v680 - 1.0) * ((v234 / v645) - (1.0 / v639))))));
+        v694 = ((-2.0) * v693);
+        v696 = (-Math.expm1(v694));
+        v701 = (v187 - (v160 * Math.exp(((-2.0) * (((v693 < 300.0) || (v693 !== v693)) ? v693 : 300.0)))));
+        v702 = (((v701 > 1.0) || (v701 !== v701)) ? v701 : 1.0);
+        v704 = (1.0 / (v191 * v693));
+        v719 = (v161 * v693);
+        v736 = [];
+        for ([node, weight] of RULE_0((1.0 / v704))) {
+          v705 = (node * 1.0);
+          v707 = ((v705 * v705) * v705);
+          v709 = ((v707 * v707) * v705);
+          v711 = (v709 * v705);
+          v714 = (-Math.expm1((v694 * v711)));
+          v715 = (1.0 - v711);
+          v721 = Math.expm1((v719 * v711));
+          v735 = ((8.0 * v709) * (((Math.exp((v693 * v715)) * Math.pow((v714 / v696), (-0.5))) * (v721 - (((v212 * (v721 + 1.0)) * v714) * ((-Math.expm1((v694 * v715))) / v696)))) / v714));
+          v736.push((weight * v735));
+        }
+        v736 = (math.fsum(v736) * 1.0);
+        v737 = (v693 * v736);
+        v754 = (-Math.expm1(((-2.0) * (v693 - ((Math.log(v737) * v737) / ((Math.exp(v719) / (v696 * v702)) + ((v737 - 1.0) * ((v234 / v702) - (1.0 / v696)))))))));
+      } else {
+        v754 = 1.0;
+      }
+      if ((((v478 / ((n * v754) - 1.0)) * 0.999999999999999) <= d)) {
+        return ((v153 * a) * (d + ((v142 / v154) * v70)));
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _load_within_of_concave_power(r, d, a, h, n, E_star);
+};
+
+const load_within = (r, d, a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _load_within(r, d, a, h, n, E_star) : 0.0) : NaN);
+};
+
+const _force_of_concave_power = (d, a, h, n, E_star) => {
+  let node, v10, v101, v103, v104, v105, v107, v108, v110, v112, v115, v118, v119, v123, v125, v126, v14, v141, v142, v143, v148, v157, v158, v160, v165, v166, v168, v169, v171, v173, v175, v178, v179, v183, v185, v199, v200, v201, v214, v215, v217, v222, v223, v225, v226, v228, v230, v232, v235, v236, v240, v242, v256, v257, v258, v271, v272, v274, v279, v28, v280, v282, v283, v285, v287, v289, v292, v293, v297, v299, v313, v314, v315, v328, v329, v331, v336, v337, v339, v340, v342, v344, v346, v349, v350, v354, v356, v370, v371, v372, v389, v393, v69, v70, v72, v73, v8, v82, v88, v90, v92, v94, weight;
+  if (((d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
+    v70 = (n > 2.0);
+    if (v70) {
+      v72 = (v70 ? n : 3.0);
+      v73 = (v72 - 2.0);
+      v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
+      if ((v73 < 2.0)) {
+        v88 = (Math.log(((v73 * (v73 + 2.0)) / 2.0)) / v73);
+        v90 = (((v82 > v88) || (v82 !== v82)) ? v82 : v88);
+      } else {
+        v90 = v82;
+      }
+      v92 = ((-2.0) * v90);
+      v94 = (-Math.expm1(v92));
+      v101 = ((v72 - 1.0) + 0.0);
+      v103 = (v101 - (v72 * Math.exp(((-2.0) * (((v90 < 300.0) || (v90 !== v90)) ? v90 : 300.0)))));
+      v104 = (((v103 > 1.0) || (v103 !== v103)) ? v103 : 1.0);
+      v105 = (v73 + 1.0);
+      v107 = (1.0 / (v105 * v90));
+      v123 = (v73 * v90);
+      v126 = (0.5 * v73);
+      v142 = [];
+      for ([node, weight] of RULE_0((1.0 / v107))) {
+        v108 = (node * 1.0);
+        v110 = ((v108 * v108) * v108);
+        v112 = ((v110 * v110) * v108);
+        v115 = (v112 * v108);
+        v118 = (-Math.expm1((v92 * v115)));
+        v119 = (1.0 - v115);
+        v125 = Math.expm1((v123 * v115));
+        v141 = ((8.0 * v112) * (((Math.exp((v90 * v119)) * Math.pow((v118 / v94), (-0.5))) * (v125 - (((v126 * (v125 + 1.0)) * v118) * ((-Math.expm1((v92 * v119))) / v94)))) / v118));
+        v142.push((weight * v141));
+      }
+      v142 = (math.fsum(v142) * 1.0);
+      v143 = (v90 * v142);
+      v148 = (2.0 * v101);
+      v157 = (v90 - ((Math.log(v143) * v143) / ((Math.exp(v123) / (v94 * v104)) + ((v143 - 1.0) * ((v148 / v104) - (1.0 / v94))))));
+      v158 = ((-2.0) * v157);
+      v160 = (-Math.expm1(v158));
+      v165 = (v101 - (v72 * Math.exp(((-2.0) * (((v157 < 300.0) || (v157 !== v157)) ? v157 : 300.0)))));
+      v166 = (((v165 > 1.0) || (v165 !== v165)) ? v165 : 1.0);
+      v168 = (1.0 / (v105 * v157));
+      v183 = (v73 * v157);
+      v200 = [];
+      for ([node, weight] of RULE_0((1.0 / v168))) {
+        v169 = (node * 1.0);
+        v171 = ((v169 * v169) * v169);
+        v173 = ((v171 * v171) * v169);
+        v175 = (v173 * v169);
+        v178 = (-Math.expm1((v158 * v175)));
+        v179 = (1.0 - v175);
+        v185 = Math.expm1((v183 * v175));
+        v199 = ((8.0 * v173) * (((Math.exp((v157 * v179)) * Math.pow((v178 / v160), (-0.5))) * (v185 - (((v126 * (v185 + 1.0)) * v178) * ((-Math.expm1((v158 * v179))) / v160)))) / v178));
+        v200.push((weight * v199));
+      }
+      v200 = (math.fsum(v200) * 1.0);
+      v201 = (v157 * v200);
+      v214 = (v157 - ((Math.log(v201) * v201) / ((Math.exp(v183) / (v160 * v166)) + ((v201 - 1.0) * ((v148 / v166) - (1.0 / v160))))));
+      v215 = ((-2.0) * v214);
+      v217 = (-Math.expm1(v215));
+      v222 = (v101 - (v72 * Math.exp(((-2.0) * (((v214 < 300.0) || (v214 !== v214)) ? v214 : 300.0)))));
+      v223 = (((v222 > 1.0) || (v222 !== v222)) ? v222 : 1.0);
+      v225 = (1.0 / (v105 * v214));
+      v240 = (v73 * v214);
+      v257 = [];
+      for ([node, weight] of RULE_0((1.0 / v225))) {
+        v226 = (node * 1.0);
+        v228 = ((v226 * v226) * v226);
+        v230 = ((v228 * v228) * v226);
+        v232 = (v230 * v226);
+        v235 = (-Math.expm1((v215 * v232)));
+        v236 = (1.0 - v232);
+        v242 = Math.expm1((v240 * v232));
+        v256 = ((8.0 * v230) * (((Math.exp((v214 * v236)) * Math.pow((v235 / v217), (-0.5))) * (v242 - (((v126 * (v242 + 1.0)) * v235) * ((-Math.expm1((v215 * v236))) / v217)))) / v235));
+        v257.push((weight * v256));
+      }
+      v257 = (math.fsum(v257) * 1.0);
+      v258 = (v214 * v257);
+      v271 = (v214 - ((Math.log(v258) * v258) / ((Math.exp(v240) / (v217 * v223)) + ((v258 - 1.0) * ((v148 / v223) - (1.0 / v217))))));
+      v272 = ((-2.0) * v271);
+      v274 = (-Math.expm1(v272));
+      v279 = (v101 - (v72 * Math.exp(((-2.0) * (((v271 < 300.0) || (v271 !== v271)) ? v271 : 300.0)))));
+      v280 = (((v279 > 1.0) || (v279 !== v279)) ? v279 : 1.0);
+      v282 = (1.0 / (v105 * v271));
+      v297 = (v73 * v271);
+      v314 = [];
+      for ([node, weight] of RULE_0((1.0 / v282))) {
+        v283 = (node * 1.0);
+        v285 = ((v283 * v283) * v283);
+        v287 = ((v285 * v285) * v283);
+        v289 = (v287 * v283);
+        v292 = (-Math.expm1((v272 * v289)));
+        v293 = (1.0 - v289);
+        v299 = Math.expm1((v297 * v289));
+        v313 = ((8.0 * v287) * (((Math.exp((v271 * v293)) * Math.pow((v292 / v274), (-0.5))) * (v299 - (((v126 * (v299 + 1.0)) * v292) * ((-Math.expm1((v272 * v293))) / v274)))) / v292));
+        v314.push((weight * v313));
+      }
+      v314 = (math.fsum(v314) * 1.0);
+      v315 = (v271 * v314);
+      v328 = (v271 - ((Math.log(v315) * v315) / ((Math.exp(v297) / (v274 * v280)) + ((v315 - 1.0) * ((v148 / v280) - (1.0 / v274))))));
+      v329 = ((-2.0) * v328);
+      v331 = (-Math.expm1(v329));
+      v336 = (v101 - (v72 * Math.exp(((-2.0) * (((v328 < 300.0) || (v328 !== v328)) ? v328 : 300.0)))));
+      v337 = (((v336 > 1.0) || (v336 !== v336)) ? v336 : 1.0);
+      v339 = (1.0 / (v105 * v328));
+      v354 = (v73 * v328);
+      v371 = [];
+      for ([node, weight] of RULE_0((1.0 / v339))) {
+        v340 = (node * 1.0);
+        v342 = ((v340 * v340) * v340);
+        v344 = ((v342 * v342) * v340);
+        v346 = (v344 * v340);
+        v349 = (-Math.expm1((v329 * v346)));
+        v350 = (1.0 - v346);
+        v356 = Math.expm1((v354 * v346));
+        v370 = ((8.0 * v344) * (((Math.exp((v328 * v350)) * Math.pow((v349 / v331), (-0.5))) * (v356 - (((v126 * (v356 + 1.0)) * v349) * ((-Math.expm1((v329 * v350))) / v331)))) / v349));
+        v371.push((weight * v370));
+      }
+      v371 = (math.fsum(v371) * 1.0);
+      v372 = (v328 * v371);
+      v389 = (-Math.expm1(((-2.0) * (v328 - ((Math.log(v372) * v372) / ((Math.exp(v354) / (v331 * v337)) + ((v372 - 1.0) * ((v148 / v337) - (1.0 / v331)))))))));
+    } else {
+      v389 = 1.0;
+    }
+    v393 = (1.7724538509055159 * h);
+    if (((((v393 * v69) / ((n * v389) - 1.0)) * 0.999999999999999) <= d)) {
+      return (((2.0 * E_star) * a) * (d + ((v393 / (n + 1.0)) * v69)));
+    }
+    return NaN;
+  }
+  return _force(d, a, h, n, E_star);
 };
 
 const force = (d, a, h, n, E_star) => {
-  let node, v10, v101, v103, v104, v105, v107, v108, v110, v112, v115, v118, v119, v123, v125, v126, v14, v141, v142, v143, v148, v157, v158, v160, v165, v166, v168, v169, v171, v173, v175, v178, v179, v183, v185, v199, v200, v201, v214, v215, v217, v222, v223, v225, v226, v228, v230, v232, v235, v236, v240, v242, v256, v257, v258, v271, v272, v274, v279, v28, v280, v282, v283, v285, v287, v289, v292, v293, v297, v299, v313, v314, v315, v328, v329, v331, v336, v337, v339, v340, v342, v344, v346, v349, v350, v354, v356, v370, v371, v372, v389, v393, v69, v70, v72, v73, v8, v82, v88, v90, v92, v94, value, weight;
-  v8 = ((n / 2.0) + 0.5);
-  v10 = (v8 + 1.75);
-  v14 = ((v8 + 0.5) * (v8 + 1.5));
-  v28 = (1.0 / (v10 * v10));
-  v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
-  v70 = (n > 2.0);
-  if (v70) {
-    v72 = (v70 ? n : 3.0);
-    v73 = (v72 - 2.0);
-    v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
-    if ((v73 < 2.0)) {
-      v88 = (Math.log(((v73 * (v73 + 2.0)) / 2.0)) / v73);
-      v90 = (((v82 > v88) || (v82 !== v82)) ? v82 : v88);
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_of_concave_power(d, a, h, n, E_star) : NaN);
+};
+
+const _pressure_of_concave_power = (r, d, a, h, n, E_star) => {
+  let complete, kappa, minus, plus, result, root;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  root = Math.sqrt(((a - r) * (a + r)));
+  plus = ((d / (Math.PI * root)) + ((h * kappa) / (Math.sqrt(Math.PI) * root)));
+  minus = ((((n * h) * power_pressure(r, a, n)) * kappa) / (Math.sqrt(Math.PI) * a));
+  complete = ((_minimum_depth(h, n) * (1.0 - 1e-15)) <= d);
+  result = math.where(((r <= a) & (d > 0.0)), (E_star * (plus - minus)), 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const _pressure = (r, d, a, h, n, E_star) => {
+  let node, v103, v108, v109, v11, v110, v115, v117, v118, v123, v126, v128, v137, v138, v139, v141, v146, v148, v149, v15, v158, v164, v166, v167, v169, v175, v177, v178, v179, v181, v182, v184, v186, v189, v192, v193, v197, v199, v200, v215, v216, v217, v222, v231, v232, v234, v239, v240, v242, v243, v245, v247, v249, v252, v253, v257, v259, v273, v274, v275, v288, v289, v29, v291, v296, v297, v299, v300, v302, v304, v306, v309, v310, v314, v316, v330, v331, v332, v345, v346, v348, v353, v354, v356, v357, v359, v361, v363, v366, v367, v371, v373, v387, v388, v389, v402, v403, v405, v410, v411, v413, v414, v416, v418, v420, v423, v424, v428, v430, v444, v445, v446, v463, v70, v71, v74, v84, v86, v9, v97, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v9 = ((n / 2.0) + 0.5);
+    v11 = (v9 + 1.75);
+    v15 = ((v9 + 0.5) * (v9 + 1.5));
+    v29 = (1.0 / (v11 * v11));
+    v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
+    v146 = (n > 2.0);
+    if (v146) {
+      v148 = (v146 ? n : 3.0);
+      v149 = (v148 - 2.0);
+      v158 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v149) / (v149 + 0.72))) / v149));
+      if ((v149 < 2.0)) {
+        v164 = (Math.log(((v149 * (v149 + 2.0)) / 2.0)) / v149);
+        v166 = (((v158 > v164) || (v158 !== v158)) ? v158 : v164);
+      } else {
+        v166 = v158;
+      }
+      v167 = ((-2.0) * v166);
+      v169 = (-Math.expm1(v167));
+      v175 = ((v148 - 1.0) + 0.0);
+      v177 = (v175 - (v148 * Math.exp(((-2.0) * (((v166 < 300.0) || (v166 !== v166)) ? v166 : 300.0)))));
+      v178 = (((v177 > 1.0) || (v177 !== v177)) ? v177 : 1.0);
+      v179 = (v149 + 1.0);
+      v181 = (1.0 / (v179 * v166));
+      v197 = (v149 * v166);
+      v200 = (0.5 * v149);
+      v216 = [];
+      for ([node, weight] of RULE_0((1.0 / v181))) {
+        v182 = (node * 1.0);
+        v184 = ((v182 * v182) * v182);
+        v186 = ((v184 * v184) * v182);
+        v189 = (v186 * v182);
+        v192 = (-Math.expm1((v167 * v189)));
+        v193 = (1.0 - v189);
+        v199 = Math.expm1((v197 * v189));
+        v215 = ((8.0 * v186) * (((Math.exp((v166 * v193)) * Math.pow((v192 / v169), (-0.5))) * (v199 - (((v200 * (v199 + 1.0)) * v192) * ((-Math.expm1((v167 * v193))) / v169)))) / v192));
+        v216.push((weight * v215));
+      }
+      v216 = (math.fsum(v216) * 1.0);
+      v217 = (v166 * v216);
+      v222 = (2.0 * v175);
+      v231 = (v166 - ((Math.log(v217) * v217) / ((Math.exp(v197) / (v169 * v178)) + ((v217 - 1.0) * ((v222 / v178) - (1.0 / v169))))));
+      v232 = ((-2.0) * v231);
+      v234 = (-Math.expm1(v232));
+      v239 = (v175 - (v148 * Math.exp(((-2.0) * (((v231 < 300.0) || (v231 !== v231)) ? v231 : 300.0)))));
+      v240 = (((v239 > 1.0) || (v239 !== v239)) ? v239 : 1.0);
+      v242 = (1.0 / (v179 * v231));
+      v257 = (v149 * v231);
+      v274 = [];
+      for ([node, weight] of RULE_0((1.0 / v242))) {
+        v243 = (node * 1.0);
+        v245 = ((v243 * v243) * v243);
+        v247 = ((v245 * v245) * v243);
+        v249 = (v247 * v243);
+        v252 = (-Math.expm1((v232 * v249)));
+        v253 = (1.0 - v249);
+        v259 = Math.expm1((v257 * v249));
+        v273 = ((8.0 * v247) * (((Math.exp((v231 * v253)) * Math.pow((v252 / v234), (-0.5))) * (v259 - (((v200 * (v259 + 1.0)) * v252) * ((-Math.expm1((v232 * v253))) / v234)))) / v252));
+        v274.push((weight * v273));
+      }
+      v274 = (math.fsum(v274) * 1.0);
+      v275 = (v231 * v274);
+      v288 = (v231 - ((Math.log(v275) * v275) / ((Math.exp(v257) / (v234 * v240)) + ((v275 - 1.0) * ((v222 / v240) - (1.0 / v234))))));
+      v289 = ((-2.0) * v288);
+      v291 = (-Math.expm1(v289));
+      v296 = (v175 - (v148 * Math.exp(((-2.0) * (((v288 < 300.0) || (v288 !== v288)) ? v288 : 300.0)))));
+      v297 = (((v296 > 1.0) || (v296 !== v296)) ? v296 : 1.0);
+      v299 = (1.0 / (v179 * v288));
+      v314 = (v149 * v288);
+      v331 = [];
+      for ([node, weight] of RULE_0((1.0 / v299))) {
+        v300 = (node * 1.0);
+        v302 = ((v300 * v300) * v300);
+        v304 = ((v302 * v302) * v300);
+        v306 = (v304 * v300);
+        v309 = (-Math.expm1((v289 * v306)));
+        v310 = (1.0 - v306);
+        v316 = Math.expm1((v314 * v306));
+        v330 = ((8.0 * v304) * (((Math.exp((v288 * v310)) * Math.pow((v309 / v291), (-0.5))) * (v316 - (((v200 * (v316 + 1.0)) * v309) * ((-Math.expm1((v289 * v310))) / v291)))) / v309));
+        v331.push((weight * v330));
+      }
+      v331 = (math.fsum(v331) * 1.0);
+      v332 = (v288 * v331);
+      v345 = (v288 - ((Math.log(v332) * v332) / ((Math.exp(v314) / (v291 * v297)) + ((v332 - 1.0) * ((v222 / v297) - (1.0 / v291))))));
+      v346 = ((-2.0) * v345);
+      v348 = (-Math.expm1(v346));
+      v353 = (v175 - (v148 * Math.exp(((-2.0) * (((v345 < 300.0) || (v345 !== v345)) ? v345 : 300.0)))));
+      v354 = (((v353 > 1.0) || (v353 !== v353)) ? v353 : 1.0);
+      v356 = (1.0 / (v179 * v345));
+      v371 = (v149 * v345);
+      v388 = [];
+      for ([node, weight] of RULE_0((1.0 / v356))) {
+        v357 = (node * 1.0);
+        v359 = ((v357 * v357) * v357);
+        v361 = ((v359 * v359) * v357);
+        v363 = (v361 * v357);
+        v366 = (-Math.expm1((v346 * v363)));
+        v367 = (1.0 - v363);
+        v373 = Math.expm1((v371 * v363));
+        v387 = ((8.0 * v361) * (((Math.exp((v345 * v367)) * Math.pow((v366 / v348), (-0.5))) * (v373 - (((v200 * (v373 + 1.0)) * v366) * ((-Math.expm1((v346 * v367))) / v348)))) / v366));
+        v388.push((weight * v387));
+      }
+      v388 = (math.fsum(v388) * 1.0);
+      v389 = (v345 * v388);
+      v402 = (v345 - ((Math.log(v389) * v389) / ((Math.exp(v371) / (v348 * v354)) + ((v389 - 1.0) * ((v222 / v354) - (1.0 / v348))))));
+      v403 = ((-2.0) * v402);
+      v405 = (-Math.expm1(v403));
+      v410 = (v175 - (v148 * Math.exp(((-2.0) * (((v402 < 300.0) || (v402 !== v402)) ? v402 : 300.0)))));
+      v411 = (((v410 > 1.0) || (v410 !== v410)) ? v410 : 1.0);
+      v413 = (1.0 / (v179 * v402));
+      v428 = (v149 * v402);
+      v445 = [];
+      for ([node, weight] of RULE_0((1.0 / v413))) {
+        v414 = (node * 1.0);
+        v416 = ((v414 * v414) * v414);
+        v418 = ((v416 * v416) * v414);
+        v420 = (v418 * v414);
+        v423 = (-Math.expm1((v403 * v420)));
+        v424 = (1.0 - v420);
+        v430 = Math.expm1((v428 * v420));
+        v444 = ((8.0 * v418) * (((Math.exp((v402 * v424)) * Math.pow((v423 / v405), (-0.5))) * (v430 - (((v200 * (v430 + 1.0)) * v423) * ((-Math.expm1((v403 * v424))) / v405)))) / v423));
+        v445.push((weight * v444));
+      }
+      v445 = (math.fsum(v445) * 1.0);
+      v446 = (v402 * v445);
+      v463 = (-Math.expm1(((-2.0) * (v402 - ((Math.log(v446) * v446) / ((Math.exp(v428) / (v405 * v411)) + ((v446 - 1.0) * ((v222 / v411) - (1.0 / v405)))))))));
     } else {
-      v90 = v82;
+      v463 = 1.0;
     }
-    v92 = ((-2.0) * v90);
-    v94 = (-Math.expm1(v92));
-    v101 = ((v72 - 1.0) + 0.0);
-    v103 = (v101 - (v72 * Math.exp(((-2.0) * (((v90 < 300.0) || (v90 !== v90)) ? v90 : 300.0)))));
-    v104 = (((v103 > 1.0) || (v103 !== v103)) ? v103 : 1.0);
-    v105 = (v73 + 1.0);
-    v107 = (1.0 / (v105 * v90));
-    v123 = (v73 * v90);
-    v126 = (0.5 * v73);
-    v142 = [];
-    for ([node, weight] of RULE_0((1.0 / v107))) {
-      v108 = (node * 1.0);
-      v110 = ((v108 * v108) * v108);
-      v112 = ((v110 * v110) * v108);
-      v115 = (v112 * v108);
-      v118 = (-Math.expm1((v92 * v115)));
-      v119 = (1.0 - v115);
-      v125 = Math.expm1((v123 * v115));
-      v141 = ((8.0 * v112) * (((Math.exp((v90 * v119)) * Math.pow((v118 / v94), (-0.5))) * (v125 - (((v126 * (v125 + 1.0)) * v118) * ((-Math.expm1((v92 * v119))) / v94)))) / v118));
-      v142.push((weight * v141));
+    if ((((((1.7724538509055159 * h) * v70) / ((n * v463) - 1.0)) * 0.999999999999999) <= d)) {
+      if (((r <= a) && (d > 0.0))) {
+        v71 = (a - r);
+        v74 = Math.sqrt((v71 * (a + r)));
+        v84 = (n > 1.0);
+        v86 = Math.abs((n - 1.0));
+        if ((r > 0.0)) {
+          v97 = (v71 / r);
+          v103 = (Number.isFinite(v97) ? Math.log1p(v97) : (Math.log(a) - Math.log(r)));
+          if ((v103 > 0.0)) {
+            v108 = (v103 - (42.0 / (((v86 > 0.001) || (v86 !== v86)) ? v86 : 0.001)));
+            v109 = (((v108 > 0.0) || (v108 !== v108)) ? v108 : 0.0);
+            v110 = Math.sqrt(v103);
+            v115 = (v84 ? (v110 - Math.sqrt(v109)) : Math.sqrt((v103 - v109)));
+            v118 = (2.0 * v110);
+            v123 = (-v86);
+            v138 = [];
+            for ([node, weight] of RULE_2((v115 / 1.0))) {
+              v117 = (node * v115);
+              if (v84) {
+                v126 = (v110 - v117);
+                v128 = (((v126 > 0.0) || (v126 !== v126)) ? v126 : 0.0);
+              } else {
+                v128 = v117;
+              }
+              v137 = (Math.exp((v123 * (v84 ? (v117 * (v118 - v117)) : (v117 * v117)))) * ((2.0 * v128) / Math.sqrt((-Math.expm1((((-2.0) * v128) * v128))))));
+              v138.push((weight * v137));
+            }
+            v138 = (math.fsum(v138) * v115);
+            v139 = v138;
+          } else {
+            v139 = 0.0;
+          }
+          v141 = ((v84 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v139);
+        } else {
+          v141 = (v84 ? (1.0 / v86) : Infinity);
+        }
+        return (E_star * (((d / (3.141592653589793 * v74)) + ((h * v70) / (1.7724538509055159 * v74))) - ((((n * h) * v141) * v70) / (1.7724538509055159 * a))));
+      }
+      return 0.0;
     }
-    v142 = (math.fsum(v142) * 1.0);
-    v143 = (v90 * v142);
-    v148 = (2.0 * v101);
-    v157 = (v90 - ((Math.log(v143) * v143) / ((Math.exp(v123) / (v94 * v104)) + ((v143 - 1.0) * ((v148 / v104) - (1.0 / v94))))));
-    v158 = ((-2.0) * v157);
-    v160 = (-Math.expm1(v158));
-    v165 = (v101 - (v72 * Math.exp(((-2.0) * (((v157 < 300.0) || (v157 !== v157)) ? v157 : 300.0)))));
-    v166 = (((v165 > 1.0) || (v165 !== v165)) ? v165 : 1.0);
-    v168 = (1.0 / (v105 * v157));
-    v183 = (v73 * v157);
-    v200 = [];
-    for ([node, weight] of RULE_0((1.0 / v168))) {
-      v169 = (node * 1.0);
-      v171 = ((v169 * v169) * v169);
-      v173 = ((v171 * v171) * v169);
-      v175 = (v173 * v169);
-      v178 = (-Math.expm1((v158 * v175)));
-      v179 = (1.0 - v175);
-      v185 = Math.expm1((v183 * v175));
-      v199 = ((8.0 * v173) * (((Math.exp((v157 * v179)) * Math.pow((v178 / v160), (-0.5))) * (v185 - (((v126 * (v185 + 1.0)) * v178) * ((-Math.expm1((v158 * v179))) / v160)))) / v178));
-      v200.push((weight * v199));
-    }
-    v200 = (math.fsum(v200) * 1.0);
-    v201 = (v157 * v200);
-    v214 = (v157 - ((Math.log(v201) * v201) / ((Math.exp(v183) / (v160 * v166)) + ((v201 - 1.0) * ((v148 / v166) - (1.0 / v160))))));
-    v215 = ((-2.0) * v214);
-    v217 = (-Math.expm1(v215));
-    v222 = (v101 - (v72 * Math.exp(((-2.0) * (((v214 < 300.0) || (v214 !== v214)) ? v214 : 300.0)))));
-    v223 = (((v222 > 1.0) || (v222 !== v222)) ? v222 : 1.0);
-    v225 = (1.0 / (v105 * v214));
-    v240 = (v73 * v214);
-    v257 = [];
-    for ([node, weight] of RULE_0((1.0 / v225))) {
-      v226 = (node * 1.0);
-      v228 = ((v226 * v226) * v226);
-      v230 = ((v228 * v228) * v226);
-      v232 = (v230 * v226);
-      v235 = (-Math.expm1((v215 * v232)));
-      v236 = (1.0 - v232);
-      v242 = Math.expm1((v240 * v232));
-      v256 = ((8.0 * v230) * (((Math.exp((v214 * v236)) * Math.pow((v235 / v217), (-0.5))) * (v242 - (((v126 * (v242 + 1.0)) * v235) * ((-Math.expm1((v215 * v236))) / v217)))) / v235));
-      v257.push((weight * v256));
-    }
-    v257 = (math.fsum(v257) * 1.0);
-    v258 = (v214 * v257);
-    v271 = (v214 - ((Math.log(v258) * v258) / ((Math.exp(v240) / (v217 * v223)) + ((v258 - 1.0) * ((v148 / v223) - (1.0 / v217))))));
-    v272 = ((-2.0) * v271);
-    v274 = (-Math.expm1(v272));
-    v279 = (v101 - (v72 * Math.exp(((-2.0) * (((v271 < 300.0) || (v271 !== v271)) ? v271 : 300.0)))));
-    v280 = (((v279 > 1.0) || (v279 !== v279)) ? v279 : 1.0);
-    v282 = (1.0 / (v105 * v271));
-    v297 = (v73 * v271);
-    v314 = [];
-    for ([node, weight] of RULE_0((1.0 / v282))) {
-      v283 = (node * 1.0);
-      v285 = ((v283 * v283) * v283);
-      v287 = ((v285 * v285) * v283);
-      v289 = (v287 * v283);
-      v292 = (-Math.expm1((v272 * v289)));
-      v293 = (1.0 - v289);
-      v299 = Math.expm1((v297 * v289));
-      v313 = ((8.0 * v287) * (((Math.exp((v271 * v293)) * Math.pow((v292 / v274), (-0.5))) * (v299 - (((v126 * (v299 + 1.0)) * v292) * ((-Math.expm1((v272 * v293))) / v274)))) / v292));
-      v314.push((weight * v313));
-    }
-    v314 = (math.fsum(v314) * 1.0);
-    v315 = (v271 * v314);
-    v328 = (v271 - ((Math.log(v315) * v315) / ((Math.exp(v297) / (v274 * v280)) + ((v315 - 1.0) * ((v148 / v280) - (1.0 / v274))))));
-    v329 = ((-2.0) * v328);
-    v331 = (-Math.expm1(v329));
-    v336 = (v101 - (v72 * Math.exp(((-2.0) * (((v328 < 300.0) || (v328 !== v328)) ? v328 : 300.0)))));
-    v337 = (((v336 > 1.0) || (v336 !== v336)) ? v336 : 1.0);
-    v339 = (1.0 / (v105 * v328));
-    v354 = (v73 * v328);
-    v371 = [];
-    for ([node, weight] of RULE_0((1.0 / v339))) {
-      v340 = (node * 1.0);
-      v342 = ((v340 * v340) * v340);
-      v344 = ((v342 * v342) * v340);
-      v346 = (v344 * v340);
-      v349 = (-Math.expm1((v329 * v346)));
-      v350 = (1.0 - v346);
-      v356 = Math.expm1((v354 * v346));
-      v370 = ((8.0 * v344) * (((Math.exp((v328 * v350)) * Math.pow((v349 / v331), (-0.5))) * (v356 - (((v126 * (v356 + 1.0)) * v349) * ((-Math.expm1((v329 * v350))) / v331)))) / v349));
-      v371.push((weight * v370));
-    }
-    v371 = (math.fsum(v371) * 1.0);
-    v372 = (v328 * v371);
-    v389 = (-Math.expm1(((-2.0) * (v328 - ((Math.log(v372) * v372) / ((Math.exp(v354) / (v331 * v337)) + ((v372 - 1.0) * ((v148 / v337) - (1.0 / v331)))))))));
-  } else {
-    v389 = 1.0;
+    return NaN;
   }
-  v393 = (1.7724538509055159 * h);
-  if (((((v393 * v69) / ((n * v389) - 1.0)) * 0.999999999999999) <= d)) {
-    value = (((2.0 * E_star) * a) * (d + ((v393 / (n + 1.0)) * v69)));
-    return value;
-  }
-  value = NaN;
-  return value;
+  return _pressure_of_concave_power(r, d, a, h, n, E_star);
 };
 
 const pressure = (r, d, a, h, n, E_star) => {
-  let node, v103, v108, v109, v11, v110, v115, v117, v118, v123, v126, v128, v137, v138, v139, v141, v146, v148, v149, v15, v158, v164, v166, v167, v169, v175, v177, v178, v179, v181, v182, v184, v186, v189, v192, v193, v197, v199, v200, v215, v216, v217, v222, v231, v232, v234, v239, v240, v242, v243, v245, v247, v249, v252, v253, v257, v259, v273, v274, v275, v288, v289, v29, v291, v296, v297, v299, v300, v302, v304, v306, v309, v310, v314, v316, v330, v331, v332, v345, v346, v348, v353, v354, v356, v357, v359, v361, v363, v366, v367, v371, v373, v387, v388, v389, v402, v403, v405, v410, v411, v413, v414, v416, v418, v420, v423, v424, v428, v430, v444, v445, v446, v463, v70, v71, v74, v84, v86, v9, v97, value, weight;
-  v9 = ((n / 2.0) + 0.5);
-  v11 = (v9 + 1.75);
-  v15 = ((v9 + 0.5) * (v9 + 1.5));
-  v29 = (1.0 / (v11 * v11));
-  v70 = ((((v9 < 1.0) ? ((v9 * (v9 + 1.0)) / v15) : (1.0 - ((v9 + 0.75) / v15))) * Math.sqrt(v11)) * (1.0 + (v29 * (((((((((((((0.01524698625788054 * v29) + 0.5334320651111477) * v29) + 2.250488865813539) * v29) + 2.8612106440066865) * v29) + 1.3794681629043655) * v29) + 0.2596058532893223) * v29) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v29) + 49.328555418276075) * v29) + 167.28648538571198) * v29) + 195.37226190335065) * v29) + 90.69722535867314) * v29) + 16.763212110504565) * v29) + 1.0)))));
-  v146 = (n > 2.0);
-  if (v146) {
-    v148 = (v146 ? n : 3.0);
-    v149 = (v148 - 2.0);
-    v158 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v149) / (v149 + 0.72))) / v149));
-    if ((v149 < 2.0)) {
-      v164 = (Math.log(((v149 * (v149 + 2.0)) / 2.0)) / v149);
-      v166 = (((v158 > v164) || (v158 !== v158)) ? v158 : v164);
-    } else {
-      v166 = v158;
-    }
-    v167 = ((-2.0) * v166);
-    v169 = (-Math.expm1(v167));
-    v175 = ((v148 - 1.0) + 0.0);
-    v177 = (v175 - (v148 * Math.exp(((-2.0) * (((v166 < 300.0) || (v166 !== v166)) ? v166 : 300.0)))));
-    v178 = (((v177 > 1.0) || (v177 !== v177)) ? v177 : 1.0);
-    v179 = (v149 + 1.0);
-    v181 = (1.0 / (v179 * v166));
-    v197 = (v149 * v166);
-    v200 = (0.5 * v149);
-    v216 = [];
-    for ([node, weight] of RULE_0((1.0 / v181))) {
-      v182 = (node * 1.0);
-      v184 = ((v182 * v182) * v182);
-      v186 = ((v184 * v184) * v182);
-      v189 = (v186 * v182);
-      v192 = (-Math.expm1((v167 * v189)));
-      v193 = (1.0 - v189);
-      v199 = Math.expm1((v197 * v189));
-      v215 = ((8.0 * v186) * (((Math.exp((v166 * v193)) * Math.pow((v192 / v169), (-0.5))) * (v199 - (((v200 * (v199 + 1.0)) * v192) * ((-Math.expm1((v167 * v193))) / v169)))) / v192));
-      v216.push((weight * v215));
-    }
-    v216 = (math.fsum(v216) * 1.0);
-    v217 = (v166 * v216);
-    v222 = (2.0 * v175);
-    v231 = (v166 - ((Math.log(v217) * v217) / ((Math.exp(v197) / (v169 * v178)) + ((v217 - 1.0) * ((v222 / v178) - (1.0 / v169))))));
-    v232 = ((-2.0) * v231);
-    v234 = (-Math.expm1(v232));
-    v239 = (v175 - (v148 * Math.exp(((-2.0) * (((v231 < 300.0) || (v231 !== v231)) ? v231 : 300.0)))));
-    v240 = (((v239 > 1.0) || (v239 !== v239)) ? v239 : 1.0);
-    v242 = (1.0 / (v179 * v231));
-    v257 = (v149 * v231);
-    v274 = [];
-    for ([node, weight] of RULE_0((1.0 / v242))) {
-      v243 = (node * 1.0);
-      v245 = ((v243 * v243) * v243);
-      v247 = ((v245 * v245) * v243);
-      v249 = (v247 * v243);
-      v252 = (-Math.expm1((v232 * v249)));
-      v253 = (1.0 - v249);
-      v259 = Math.expm1((v257 * v249));
-      v273 = ((8.0 * v247) * (((Math.exp((v231 * v253)) * Math.pow((v252 / v234), (-0.5))) * (v259 - (((v200 * (v259 + 1.0)) * v252) * ((-Math.expm1((v232 * v253))) / v234)))) / v252));
-      v274.push((weight * v273));
-    }
-    v274 = (math.fsum(v274) * 1.0);
-    v275 = (v231 * v274);
-    v288 = (v231 - ((Math.log(v275) * v275) / ((Math.exp(v257) / (v234 * v240)) + ((v275 - 1.0) * ((v222 / v240) - (1.0 / v234))))));
-    v289 = ((-2.0) * v288);
-    v291 = (-Math.expm1(v289));
-    v296 = (v175 - (v148 * Math.exp(((-2.0) * (((v288 < 300.0) || (v288 !== v288)) ? v288 : 300.0)))));
-    v297 = (((v296 > 1.0) || (v296 !== v296)) ? v296 : 1.0);
-    v299 = (1.0 / (v179 * v288));
-    v314 = (v149 * v288);
-    v331 = [];
-    for ([node, weight] of RULE_0((1.0 / v299))) {
-      v300 = (node * 1.0);
-      v302 = ((v300 * v300) * v300);
-      v304 = ((v302 * v302) * v300);
-      v306 = (v304 * v300);
-      v309 = (-Math.expm1((v289 * v306)));
-      v310 = (1.0 - v306);
-      v316 = Math.expm1((v314 * v306));
-      v330 = ((8.0 * v304) * (((Math.exp((v288 * v310)) * Math.pow((v309 / v291), (-0.5))) * (v316 - (((v200 * (v316 + 1.0)) * v309) * ((-Math.expm1((v289 * v310))) / v291)))) / v309));
-      v331.push((weight * v330));
-    }
-    v331 = (math.fsum(v331) * 1.0);
-    v332 = (v288 * v331);
-    v345 = (v288 - ((Math.log(v332) * v332) / ((Math.exp(v314) / (v291 * v297)) + ((v332 - 1.0) * ((v222 / v297) - (1.0 / v291))))));
-    v346 = ((-2.0) * v345);
-    v348 = (-Math.expm1(v346));
-    v353 = (v175 - (v148 * Math.exp(((-2.0) * (((v345 < 300.0) || (v345 !== v345)) ? v345 : 300.0)))));
-    v354 = (((v353 > 1.0) || (v353 !== v353)) ? v353 : 1.0);
-    v356 = (1.0 / (v179 * v345));
-    v371 = (v149 * v345);
-    v388 = [];
-    for ([node, weight] of RULE_0((1.0 / v356))) {
-      v357 = (node * 1.0);
-      v359 = ((v357 * v357) * v357);
-      v361 = ((v359 * v359) * v357);
-      v363 = (v361 * v357);
-      v366 = (-Math.expm1((v346 * v363)));
-      v367 = (1.0 - v363);
-      v373 = Math.expm1((v371 * v363));
-      v387 = ((8.0 * v361) * (((Math.exp((v345 * v367)) * Math.pow((v366 / v348), (-0.5))) * (v373 - (((v200 * (v373 + 1.0)) * v366) * ((-Math.expm1((v346 * v367))) / v348)))) / v366));
-      v388.push((weight * v387));
-    }
-    v388 = (math.fsum(v388) * 1.0);
-    v389 = (v345 * v388);
-    v402 = (v345 - ((Math.log(v389) * v389) / ((Math.exp(v371) / (v348 * v354)) + ((v389 - 1.0) * ((v222 / v354) - (1.0 / v348))))));
-    v403 = ((-2.0) * v402);
-    v405 = (-Math.expm1(v403));
-    v410 = (v175 - (v148 * Math.exp(((-2.0) * (((v402 < 300.0) || (v402 !== v402)) ? v402 : 300.0)))));
-    v411 = (((v410 > 1.0) || (v410 !== v410)) ? v410 : 1.0);
-    v413 = (1.0 / (v179 * v402));
-    v428 = (v149 * v402);
-    v445 = [];
-    for ([node, weight] of RULE_0((1.0 / v413))) {
-      v414 = (node * 1.0);
-      v416 = ((v414 * v414) * v414);
-      v418 = ((v416 * v416) * v414);
-      v420 = (v418 * v414);
-      v423 = (-Math.expm1((v403 * v420)));
-      v424 = (1.0 - v420);
-      v430 = Math.expm1((v428 * v420));
-      v444 = ((8.0 * v418) * (((Math.exp((v402 * v424)) * Math.pow((v423 / v405), (-0.5))) * (v430 - (((v200 * (v430 + 1.0)) * v423) * ((-Math.expm1((v403 * v424))) / v405)))) / v423));
-      v445.push((weight * v444));
-    }
-    v445 = (math.fsum(v445) * 1.0);
-    v446 = (v402 * v445);
-    v463 = (-Math.expm1(((-2.0) * (v402 - ((Math.log(v446) * v446) / ((Math.exp(v428) / (v405 * v411)) + ((v446 - 1.0) * ((v222 / v411) - (1.0 / v405)))))))));
-  } else {
-    v463 = 1.0;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  if ((((((1.7724538509055159 * h) * v70) / ((n * v463) - 1.0)) * 0.999999999999999) <= d)) {
-    if (((r <= a) && (d > 0.0))) {
-      v71 = (a - r);
-      v74 = Math.sqrt((v71 * (a + r)));
-      v84 = (n > 1.0);
-      v86 = Math.abs((n - 1.0));
-      if ((r > 0.0)) {
-        v97 = (v71 / r);
-        v103 = (Number.isFinite(v97) ? Math.log1p(v97) : (Math.log(a) - Math.log(r)));
-        if ((v103 > 0.0)) {
-          v108 = (v103 - (42.0 / (((v86 > 0.001) || (v86 !== v86)) ? v86 : 0.001)));
-          v109 = (((v108 > 0.0) || (v108 !== v108)) ? v108 : 0.0);
-          v110 = Math.sqrt(v103);
-          v115 = (v84 ? (v110 - Math.sqrt(v109)) : Math.sqrt((v103 - v109)));
-          v118 = (2.0 * v110);
-          v123 = (-v86);
-          v138 = [];
-          for ([node, weight] of RULE_2((v115 / 1.0))) {
-            v117 = (node * v115);
-            if (v84) {
-              v126 = (v110 - v117);
-              v128 = (((v126 > 0.0) || (v126 !== v126)) ? v126 : 0.0);
-            } else {
-              v128 = v117;
-            }
-            v137 = (Math.exp((v123 * (v84 ? (v117 * (v118 - v117)) : (v117 * v117)))) * ((2.0 * v128) / Math.sqrt((-Math.expm1((((-2.0) * v128) * v128))))));
-            v138.push((weight * v137));
-          }
-          v138 = (math.fsum(v138) * v115);
-          v139 = v138;
-        } else {
-          v139 = 0.0;
-        }
-        v141 = ((v84 ? 1.0 : (Math.pow((r / a), n) * (a / r))) * v139);
-      } else {
-        v141 = (v84 ? (1.0 / v86) : Infinity);
-      }
-      value = (E_star * (((d / (3.141592653589793 * v74)) + ((h * v70) / (1.7724538509055159 * v74))) - ((((n * h) * v141) * v70) / (1.7724538509055159 * a))));
-      return value;
-    }
-    value = 0.0;
-    return value;
-  }
-  value = NaN;
-  return value;
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _pressure(r, d, a, h, n, E_star) : 0.0) : NaN);
 };
 
 const RULE_1 = math.rule([[Infinity, 64]]);
 
-const displacement = (r, d, a, h, n) => {
-  let node, v10, v100, v101, v103, v115, v116, v129, v131, v132, v14, v141, v147, v149, v150, v152, v159, v161, v162, v163, v165, v166, v168, v170, v173, v176, v177, v181, v183, v184, v199, v200, v201, v206, v215, v216, v218, v223, v224, v226, v227, v229, v231, v233, v236, v237, v241, v243, v257, v258, v259, v272, v273, v275, v28, v280, v281, v283, v284, v286, v288, v290, v293, v294, v298, v300, v314, v315, v316, v329, v330, v332, v337, v338, v340, v341, v343, v345, v347, v350, v351, v355, v357, v371, v372, v373, v386, v387, v389, v394, v395, v397, v398, v400, v402, v404, v407, v408, v412, v414, v428, v429, v430, v447, v69, v70, v8, v82, v89, v90, v92, v97, v99, value, weight;
-  v8 = ((n / 2.0) + 0.5);
-  v10 = (v8 + 1.75);
-  v14 = ((v8 + 0.5) * (v8 + 1.5));
-  v28 = (1.0 / (v10 * v10));
-  v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
-  v129 = (n > 2.0);
-  if (v129) {
-    v131 = (v129 ? n : 3.0);
-    v132 = (v131 - 2.0);
-    v141 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v132) / (v132 + 0.72))) / v132));
-    if ((v132 < 2.0)) {
-      v147 = (Math.log(((v132 * (v132 + 2.0)) / 2.0)) / v132);
-      v149 = (((v141 > v147) || (v141 !== v141)) ? v141 : v147);
-    } else {
-      v149 = v141;
-    }
-    v150 = ((-2.0) * v149);
-    v152 = (-Math.expm1(v150));
-    v159 = ((v131 - 1.0) + 0.0);
-    v161 = (v159 - (v131 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
-    v162 = (((v161 > 1.0) || (v161 !== v161)) ? v161 : 1.0);
-    v163 = (v132 + 1.0);
-    v165 = (1.0 / (v163 * v149));
-    v181 = (v132 * v149);
-    v184 = (0.5 * v132);
-    v200 = [];
-    for ([node, weight] of RULE_0((1.0 / v165))) {
-      v166 = (node * 1.0);
-      v168 = ((v166 * v166) * v166);
-      v170 = ((v168 * v168) * v166);
-      v173 = (v170 * v166);
-      v176 = (-Math.expm1((v150 * v173)));
-      v177 = (1.0 - v173);
-      v183 = Math.expm1((v181 * v173));
-      v199 = ((8.0 * v170) * (((Math.exp((v149 * v177)) * Math.pow((v176 / v152), (-0.5))) * (v183 - (((v184 * (v183 + 1.0)) * v176) * ((-Math.expm1((v150 * v177))) / v152)))) / v176));
-      v200.push((weight * v199));
-    }
-    v200 = (math.fsum(v200) * 1.0);
-    v201 = (v149 * v200);
-    v206 = (2.0 * v159);
-    v215 = (v149 - ((Math.log(v201) * v201) / ((Math.exp(v181) / (v152 * v162)) + ((v201 - 1.0) * ((v206 / v162) - (1.0 / v152))))));
-    v216 = ((-2.0) * v215);
-    v218 = (-Math.expm1(v216));
-    v223 = (v159 - (v131 * Math.exp(((-2.0) * (((v215 < 300.0) || (v215 !== v215)) ? v215 : 300.0)))));
-    v224 = (((v223 > 1.0) || (v223 !== v223)) ? v223 : 1.0);
-    v226 = (1.0 / (v163 * v215));
-    v241 = (v132 * v215);
-    v258 = [];
-    for ([node, weight] of RULE_0((1.0 / v226))) {
-      v227 = (node * 1.0);
-      v229 = ((v227 * v227) * v227);
-      v231 = ((v229 * v229) * v227);
-      v233 = (v231 * v227);
-      v236 = (-Math.expm1((v216 * v233)));
-      v237 = (1.0 - v233);
-      v243 = Math.expm1((v241 * v233));
-      v257 = ((8.0 * v231) * (((Math.exp((v215 * v237)) * Math.pow((v236 / v218), (-0.5))) * (v243 - (((v184 * (v243 + 1.0)) * v236) * ((-Math.expm1((v216 * v237))) / v218)))) / v236));
-      v258.push((weight * v257));
-    }
-    v258 = (math.fsum(v258) * 1.0);
-    v259 = (v215 * v258);
-    v272 = (v215 - ((Math.log(v259) * v259) / ((Math.exp(v241) / (v218 * v224)) + ((v259 - 1.0) * ((v206 / v224) - (1.0 / v218))))));
-    v273 = ((-2.0) * v272);
-    v275 = (-Math.expm1(v273));
-    v280 = (v159 - (v131 * Math.exp(((-2.0) * (((v272 < 300.0) || (v272 !== v272)) ? v272 : 300.0)))));
-    v281 = (((v280 > 1.0) || (v280 !== v280)) ? v280 : 1.0);
-    v283 = (1.0 / (v163 * v272));
-    v298 = (v132 * v272);
-    v315 = [];
-    for ([node, weight] of RULE_0((1.0 / v283))) {
-      v284 = (node * 1.0);
-      v286 = ((v284 * v284) * v284);
-      v288 = ((v286 * v286) * v284);
-      v290 = (v288 * v284);
-      v293 = (-Math.expm1((v273 * v290)));
-      v294 = (1.0 - v290);
-      v300 = Math.expm1((v298 * v290));
-      v314 = ((8.0 * v288) * (((Math.exp((v272 * v294)) * Math.pow((v293 / v275), (-0.5))) * (v300 - (((v184 * (v300 + 1.0)) * v293) * ((-Math.expm1((v273 * v294))) / v275)))) / v293));
-      v315.push((weight * v314));
-    }
-    v315 = (math.fsum(v315) * 1.0);
-    v316 = (v272 * v315);
-    v329 = (v272 - ((Math.log(v316) * v316) / ((Math.exp(v298) / (v275 * v281)) + ((v316 - 1.0) * ((v206 / v281) - (1.0 / v275))))));
-    v330 = ((-2.0) * v329);
-    v332 = (-Math.expm1(v330));
-    v337 = (v159 - (v131 * Math.exp(((-2.0) * (((v329 < 300.0) || (v329 !== v329)) ? v329 : 300.0)))));
-    v338 = (((v337 > 1.0) || (v337 !== v337)) ? v337 : 1.0);
-    v340 = (1.0 / (v163 * v329));
-    v355 = (v132 * v329);
-    v372 = [];
-    for ([node, weight] of RULE_0((1.0 / v340))) {
-      v341 = (node * 1.0);
-      v343 = ((v341 * v341) * v341);
-      v345 = ((v343 * v343) * v341);
-      v347 = (v345 * v341);
-      v350 = (-Math.expm1((v330 * v347)));
-      v351 = (1.0 - v347);
-      v357 = Math.expm1((v355 * v347));
-      v371 = ((8.0 * v345) * (((Math.exp((v329 * v351)) * Math.pow((v350 / v332), (-0.5))) * (v357 - (((v184 * (v357 + 1.0)) * v350) * ((-Math.expm1((v330 * v351))) / v332)))) / v350));
-      v372.push((weight * v371));
-    }
-    v372 = (math.fsum(v372) * 1.0);
-    v373 = (v329 * v372);
-    v386 = (v329 - ((Math.log(v373) * v373) / ((Math.exp(v355) / (v332 * v338)) + ((v373 - 1.0) * ((v206 / v338) - (1.0 / v332))))));
-    v387 = ((-2.0) * v386);
-    v389 = (-Math.expm1(v387));
-    v394 = (v159 - (v131 * Math.exp(((-2.0) * (((v386 < 300.0) || (v386 !== v386)) ? v386 : 300.0)))));
-    v395 = (((v394 > 1.0) || (v394 !== v394)) ? v394 : 1.0);
-    v397 = (1.0 / (v163 * v386));
-    v412 = (v132 * v386);
-    v429 = [];
-    for ([node, weight] of RULE_0((1.0 / v397))) {
-      v398 = (node * 1.0);
-      v400 = ((v398 * v398) * v398);
-      v402 = ((v400 * v400) * v398);
-      v404 = (v402 * v398);
-      v407 = (-Math.expm1((v387 * v404)));
-      v408 = (1.0 - v404);
-      v414 = Math.expm1((v412 * v404));
-      v428 = ((8.0 * v402) * (((Math.exp((v386 * v408)) * Math.pow((v407 / v389), (-0.5))) * (v414 - (((v184 * (v414 + 1.0)) * v407) * ((-Math.expm1((v387 * v408))) / v389)))) / v407));
-      v429.push((weight * v428));
-    }
-    v429 = (math.fsum(v429) * 1.0);
-    v430 = (v386 * v429);
-    v447 = (-Math.expm1(((-2.0) * (v386 - ((Math.log(v430) * v430) / ((Math.exp(v412) / (v389 * v395)) + ((v430 - 1.0) * ((v206 / v395) - (1.0 / v389)))))))));
-  } else {
-    v447 = 1.0;
-  }
-  if ((((((1.7724538509055159 * h) * v69) / ((n * v447) - 1.0)) * 0.999999999999999) <= d)) {
-    if ((r > a)) {
-      v70 = (r - a);
-      v82 = (v70 / a);
-      v89 = Math.sqrt((Number.isFinite(v82) ? Math.log1p(v82) : (Math.log(r) - Math.log(a))));
-      v90 = (n + 1.0);
-      v92 = (42.0 / v90);
-      v97 = (v92 / (Math.sqrt(((v89 * v89) + v92)) + v89));
-      v101 = (-v90);
-      v103 = (2.0 * v89);
-      v116 = [];
-      for ([node, weight] of RULE_1((v97 / 1.0))) {
-        v99 = (node * v97);
-        v100 = (v89 + v99);
-        v115 = (Math.exp(((v101 * v99) * (v103 + v99))) * ((2.0 * v100) / Math.sqrt((-Math.expm1((((-2.0) * v100) * v100))))));
-        v116.push((weight * v115));
-      }
-      v116 = (math.fsum(v116) * v97);
-      value = ((((2.0 * d) * Math.atan2(a, Math.sqrt((v70 * (a + r))))) / 3.141592653589793) + ((((2.0 * h) / 1.7724538509055159) * ((a / r) * v116)) * v69));
-      return value;
-    }
-    value = (d - ((r <= a) ? ((-h) * Math.pow((r / a), n)) : NaN));
-    return value;
-  }
-  value = NaN;
-  return value;
+const _log_ratio_2 = (x, y) => {
+  let excess;
+  excess = ((x - y) / y);
+  return math.where(Number.isFinite(excess), Math.log1p(excess), (Math.log(x) - Math.log(y)));
 };
 
-const stiffness = (a, E_star, h = 1.0, n = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _DECAY = 42.0;
+
+const _span = (r, a, n) => {
+  let fall, start;
+  start = Math.sqrt(_log_ratio_2(r, a));
+  fall = (_DECAY / (n + 1.0));
+  return [start, (fall / (Math.sqrt(((start * start) + fall)) + start))];
+};
+
+const _weight = (s) => {
+  return ((2.0 * s) / Math.sqrt((-Math.expm1((((-2.0) * s) * s)))));
+};
+
+const NODES = 64;
+
+const power_punches = (r, a, n) => {
+  let integrand, reach, start;
+  [start, reach] = _span(r, a, n);
+  integrand = (step) => {
+    let s;
+    s = (start + step);
+    return (Math.exp((((-(n + 1.0)) * step) * ((2.0 * start) + step))) * _weight(s));
+  };
+  return ((a / r) * math.integral(integrand, reach, NODES));
+};
+
+const _profile = (r, a, h, n) => {
+  return math.where((r <= a), ((-h) * Math.pow((r / a), n)), NaN);
+};
+
+const _displacement_of_concave_power = (r, d, a, h, n) => {
+  let angle, complete, inside, kappa, outside, result, root;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  root = Math.sqrt(((r - a) * (a + r)));
+  angle = Math.atan2(a, root);
+  outside = ((((2 * d) * angle) / Math.PI) + ((((2 * h) / Math.sqrt(Math.PI)) * power_punches(r, a, n)) * kappa));
+  inside = (d - _profile(r, a, h, n));
+  complete = ((_minimum_depth(h, n) * (1.0 - 1e-15)) <= d);
+  result = math.where((r > a), outside, inside);
+  return math.where(complete, result, NaN);
+};
+
+const _displacement = (r, d, a, h, n) => {
+  let node, v10, v100, v101, v103, v115, v116, v129, v131, v132, v14, v141, v147, v149, v150, v152, v159, v161, v162, v163, v165, v166, v168, v170, v173, v176, v177, v181, v183, v184, v199, v200, v201, v206, v215, v216, v218, v223, v224, v226, v227, v229, v231, v233, v236, v237, v241, v243, v257, v258, v259, v272, v273, v275, v28, v280, v281, v283, v284, v286, v288, v290, v293, v294, v298, v300, v314, v315, v316, v329, v330, v332, v337, v338, v340, v341, v343, v345, v347, v350, v351, v355, v357, v371, v372, v373, v386, v387, v389, v394, v395, v397, v398, v400, v402, v404, v407, v408, v412, v414, v428, v429, v430, v447, v69, v70, v8, v82, v89, v90, v92, v97, v99, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (d > 1e-30) && (d < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
+    v129 = (n > 2.0);
+    if (v129) {
+      v131 = (v129 ? n : 3.0);
+      v132 = (v131 - 2.0);
+      v141 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v132) / (v132 + 0.72))) / v132));
+      if ((v132 < 2.0)) {
+        v147 = (Math.log(((v132 * (v132 + 2.0)) / 2.0)) / v132);
+        v149 = (((v141 > v147) || (v141 !== v141)) ? v141 : v147);
+      } else {
+        v149 = v141;
+      }
+      v150 = ((-2.0) * v149);
+      v152 = (-Math.expm1(v150));
+      v159 = ((v131 - 1.0) + 0.0);
+      v161 = (v159 - (v131 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
+      v162 = (((v161 > 1.0) || (v161 !== v161)) ? v161 : 1.0);
+      v163 = (v132 + 1.0);
+      v165 = (1.0 / (v163 * v149));
+      v181 = (v132 * v149);
+      v184 = (0.5 * v132);
+      v200 = [];
+      for ([node, weight] of RULE_0((1.0 / v165))) {
+        v166 = (node * 1.0);
+        v168 = ((v166 * v166) * v166);
+        v170 = ((v168 * v168) * v166);
+        v173 = (v170 * v166);
+        v176 = (-Math.expm1((v150 * v173)));
+        v177 = (1.0 - v173);
+        v183 = Math.expm1((v181 * v173));
+        v199 = ((8.0 * v170) * (((Math.exp((v149 * v177)) * Math.pow((v176 / v152), (-0.5))) * (v183 - (((v184 * (v183 + 1.0)) * v176) * ((-Math.expm1((v150 * v177))) / v152)))) / v176));
+        v200.push((weight * v199));
+      }
+      v200 = (math.fsum(v200) * 1.0);
+      v201 = (v149 * v200);
+      v206 = (2.0 * v159);
+      v215 = (v149 - ((Math.log(v201) * v201) / ((Math.exp(v181) / (v152 * v162)) + ((v201 - 1.0) * ((v206 / v162) - (1.0 / v152))))));
+      v216 = ((-2.0) * v215);
+      v218 = (-Math.expm1(v216));
+      v223 = (v159 - (v131 * Math.exp(((-2.0) * (((v215 < 300.0) || (v215 !== v215)) ? v215 : 300.0)))));
+      v224 = (((v223 > 1.0) || (v223 !== v223)) ? v223 : 1.0);
+      v226 = (1.0 / (v163 * v215));
+      v241 = (v132 * v215);
+      v258 = [];
+      for ([node, weight] of RULE_0((1.0 / v226))) {
+        v227 = (node * 1.0);
+        v229 = ((v227 * v227) * v227);
+        v231 = ((v229 * v229) * v227);
+        v233 = (v231 * v227);
+        v236 = (-Math.expm1((v216 * v233)));
+        v237 = (1.0 - v233);
+        v243 = Math.expm1((v241 * v233));
+        v257 = ((8.0 * v231) * (((Math.exp((v215 * v237)) * Math.pow((v236 / v218), (-0.5))) * (v243 - (((v184 * (v243 + 1.0)) * v236) * ((-Math.expm1((v216 * v237))) / v218)))) / v236));
+        v258.push((weight * v257));
+      }
+      v258 = (math.fsum(v258) * 1.0);
+      v259 = (v215 * v258);
+      v272 = (v215 - ((Math.log(v259) * v259) / ((Math.exp(v241) / (v218 * v224)) + ((v259 - 1.0) * ((v206 / v224) - (1.0 / v218))))));
+      v273 = ((-2.0) * v272);
+      v275 = (-Math.expm1(v273));
+      v280 = (v159 - (v131 * Math.exp(((-2.0) * (((v272 < 300.0) || (v272 !== v272)) ? v272 : 300.0)))));
+      v281 = (((v280 > 1.0) || (v280 !== v280)) ? v280 : 1.0);
+      v283 = (1.0 / (v163 * v272));
+      v298 = (v132 * v272);
+      v315 = [];
+      for ([node, weight] of RULE_0((1.0 / v283))) {
+        v284 = (node * 1.0);
+        v286 = ((v284 * v284) * v284);
+        v288 = ((v286 * v286) * v284);
+        v290 = (v288 * v284);
+        v293 = (-Math.expm1((v273 * v290)));
+        v294 = (1.0 - v290);
+        v300 = Math.expm1((v298 * v290));
+        v314 = ((8.0 * v288) * (((Math.exp((v272 * v294)) * Math.pow((v293 / v275), (-0.5))) * (v300 - (((v184 * (v300 + 1.0)) * v293) * ((-Math.expm1((v273 * v294))) / v275)))) / v293));
+        v315.push((weight * v314));
+      }
+      v315 = (math.fsum(v315) * 1.0);
+      v316 = (v272 * v315);
+      v329 = (v272 - ((Math.log(v316) * v316) / ((Math.exp(v298) / (v275 * v281)) + ((v316 - 1.0) * ((v206 / v281) - (1.0 / v275))))));
+      v330 = ((-2.0) * v329);
+      v332 = (-Math.expm1(v330));
+      v337 = (v159 - (v131 * Math.exp(((-2.0) * (((v329 < 300.0) || (v329 !== v329)) ? v329 : 300.0)))));
+      v338 = (((v337 > 1.0) || (v337 !== v337)) ? v337 : 1.0);
+      v340 = (1.0 / (v163 * v329));
+      v355 = (v132 * v329);
+      v372 = [];
+      for ([node, weight] of RULE_0((1.0 / v340))) {
+        v341 = (node * 1.0);
+        v343 = ((v341 * v341) * v341);
+        v345 = ((v343 * v343) * v341);
+        v347 = (v345 * v341);
+        v350 = (-Math.expm1((v330 * v347)));
+        v351 = (1.0 - v347);
+        v357 = Math.expm1((v355 * v347));
+        v371 = ((8.0 * v345) * (((Math.exp((v329 * v351)) * Math.pow((v350 / v332), (-0.5))) * (v357 - (((v184 * (v357 + 1.0)) * v350) * ((-Math.expm1((v330 * v351))) / v332)))) / v350));
+        v372.push((weight * v371));
+      }
+      v372 = (math.fsum(v372) * 1.0);
+      v373 = (v329 * v372);
+      v386 = (v329 - ((Math.log(v373) * v373) / ((Math.exp(v355) / (v332 * v338)) + ((v373 - 1.0) * ((v206 / v338) - (1.0 / v332))))));
+      v387 = ((-2.0) * v386);
+      v389 = (-Math.expm1(v387));
+      v394 = (v159 - (v131 * Math.exp(((-2.0) * (((v386 < 300.0) || (v386 !== v386)) ? v386 : 300.0)))));
+      v395 = (((v394 > 1.0) || (v394 !== v394)) ? v394 : 1.0);
+      v397 = (1.0 / (v163 * v386));
+      v412 = (v132 * v386);
+      v429 = [];
+      for ([node, weight] of RULE_0((1.0 / v397))) {
+        v398 = (node * 1.0);
+        v400 = ((v398 * v398) * v398);
+        v402 = ((v400 * v400) * v398);
+        v404 = (v402 * v398);
+        v407 = (-Math.expm1((v387 * v404)));
+        v408 = (1.0 - v404);
+        v414 = Math.expm1((v412 * v404));
+        v428 = ((8.0 * v402) * (((Math.exp((v386 * v408)) * Math.pow((v407 / v389), (-0.5))) * (v414 - (((v184 * (v414 + 1.0)) * v407) * ((-Math.expm1((v387 * v408))) / v389)))) / v407));
+        v429.push((weight * v428));
+      }
+      v429 = (math.fsum(v429) * 1.0);
+      v430 = (v386 * v429);
+      v447 = (-Math.expm1(((-2.0) * (v386 - ((Math.log(v430) * v430) / ((Math.exp(v412) / (v389 * v395)) + ((v430 - 1.0) * ((v206 / v395) - (1.0 / v389)))))))));
+    } else {
+      v447 = 1.0;
+    }
+    if ((((((1.7724538509055159 * h) * v69) / ((n * v447) - 1.0)) * 0.999999999999999) <= d)) {
+      if ((r > a)) {
+        v70 = (r - a);
+        v82 = (v70 / a);
+        v89 = Math.sqrt((Number.isFinite(v82) ? Math.log1p(v82) : (Math.log(r) - Math.log(a))));
+        v90 = (n + 1.0);
+        v92 = (42.0 / v90);
+        v97 = (v92 / (Math.sqrt(((v89 * v89) + v92)) + v89));
+        v101 = (-v90);
+        v103 = (2.0 * v89);
+        v116 = [];
+        for ([node, weight] of RULE_1((v97 / 1.0))) {
+          v99 = (node * v97);
+          v100 = (v89 + v99);
+          v115 = (Math.exp(((v101 * v99) * (v103 + v99))) * ((2.0 * v100) / Math.sqrt((-Math.expm1((((-2.0) * v100) * v100))))));
+          v116.push((weight * v115));
+        }
+        v116 = (math.fsum(v116) * v97);
+        return ((((2.0 * d) * Math.atan2(a, Math.sqrt((v70 * (a + r))))) / 3.141592653589793) + ((((2.0 * h) / 1.7724538509055159) * ((a / r) * v116)) * v69));
+      }
+      return (d - ((r <= a) ? ((-h) * Math.pow((r / a), n)) : NaN));
+    }
+    return NaN;
+  }
+  return _displacement_of_concave_power(r, d, a, h, n);
+};
+
+const displacement = (r, d, a, h, n) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (d >= 0.0)) ? ((r < Infinity) ? _displacement(r, d, a, h, n) : 0.0) : NaN);
+};
+
+const _stiffness_of_concave_power = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, h = 1.0, n = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_concave_power(a, E_star);
+};
+
+const stiffness = (a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return _stiffness(a, E_star);
+};
+
+const _minimum_force = (a, h, n, E_star) => {
+  let drop, kappa, zeta;
+  zeta = outside_zero_pressure(n);
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  drop = ((n + 1) * ((n * zeta) - 1));
+  return ((((((((2 * Math.sqrt(Math.PI)) * E_star) * n) * h) * (zeta + 1)) * a) * kappa) / drop);
+};
+
+const _depth_from_force_of_concave_power = (F, a, h, n, E_star) => {
+  let complete, kappa, result;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  complete = ((_minimum_force(a, h, n, E_star) * (1.0 - 1e-15)) <= F);
+  result = ((F / ((2 * E_star) * a)) - (((Math.sqrt(Math.PI) * h) / (n + 1)) * kappa));
+  return math.where(complete, result, NaN);
+};
+
+const _depth_from_force = (F, a, h, n, E_star) => {
+  let node, v10, v101, v103, v104, v105, v107, v108, v110, v112, v115, v118, v119, v123, v125, v126, v14, v141, v142, v143, v148, v157, v158, v160, v165, v166, v168, v169, v171, v173, v175, v178, v179, v183, v185, v199, v200, v201, v214, v215, v217, v222, v223, v225, v226, v228, v230, v232, v235, v236, v240, v242, v256, v257, v258, v271, v272, v274, v279, v28, v280, v282, v283, v285, v287, v289, v292, v293, v297, v299, v313, v314, v315, v328, v329, v331, v336, v337, v339, v340, v342, v344, v346, v349, v350, v354, v356, v370, v371, v372, v389, v390, v69, v70, v72, v73, v8, v82, v88, v90, v92, v94, weight;
+  if (((F > 1e-30) && (F < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v8 = ((n / 2.0) + 0.5);
+    v10 = (v8 + 1.75);
+    v14 = ((v8 + 0.5) * (v8 + 1.5));
+    v28 = (1.0 / (v10 * v10));
+    v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
+    v70 = (n > 2.0);
+    if (v70) {
+      v72 = (v70 ? n : 3.0);
+      v73 = (v72 - 2.0);
+      v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
+      if ((v73 < 2.0)) {
+        v88 = (Math.log(((v73 * (v73 + 2.0)) / 2.0)) / v73);
+        v90 = (((v82 > v88) || (v82 !== v82)) ? v82 : v88);
+      } else {
+        v90 = v82;
+      }
+      v92 = ((-2.0) * v90);
+      v94 = (-Math.expm1(v92));
+      v101 = ((v72 - 1.0) + 0.0);
+      v103 = (v101 - (v72 * Math.exp(((-2.0) * (((v90 < 300.0) || (v90 !== v90)) ? v90 : 300.0)))));
+      v104 = (((v103 > 1.0) || (v103 !== v103)) ? v103 : 1.0);
+      v105 = (v73 + 1.0);
+      v107 = (1.0 / (v105 * v90));
+      v123 = (v73 * v90);
+      v126 = (0.5 * v73);
+      v142 = [];
+      for ([node, weight] of RULE_0((1.0 / v107))) {
+        v108 = (node * 1.0);
+        v110 = ((v108 * v108) * v108);
+        v112 = ((v110 * v110) * v108);
+        v115 = (v112 * v108);
+        v118 = (-Math.expm1((v92 * v115)));
+        v119 = (1.0 - v115);
+        v125 = Math.expm1((v123 * v115));
+        v141 = ((8.0 * v112) * (((Math.exp((v90 * v119)) * Math.pow((v118 / v94), (-0.5))) * (v125 - (((v126 * (v125 + 1.0)) * v118) * ((-Math.expm1((v92 * v119))) / v94)))) / v118));
+        v142.push((weight * v141));
+      }
+      v142 = (math.fsum(v142) * 1.0);
+      v143 = (v90 * v142);
+      v148 = (2.0 * v101);
+      v157 = (v90 - ((Math.log(v143) * v143) / ((Math.exp(v123) / (v94 * v104)) + ((v143 - 1.0) * ((v148 / v104) - (1.0 / v94))))));
+      v158 = ((-2.0) * v157);
+      v160 = (-Math.expm1(v158));
+      v165 = (v101 - (v72 * Math.exp(((-2.0) * (((v157 < 300.0) || (v157 !== v157)) ? v157 : 300.0)))));
+      v166 = (((v165 > 1.0) || (v165 !== v165)) ? v165 : 1.0);
+      v168 = (1.0 / (v105 * v157));
+      v183 = (v73 * v157);
+      v200 = [];
+      for ([node, weight] of RULE_0((1.0 / v168))) {
+        v169 = (node * 1.0);
+        v171 = ((v169 * v169) * v169);
+        v173 = ((v171 * v171) * v169);
+        v175 = (v173 * v169);
+        v178 = (-Math.expm1((v158 * v175)));
+        v179 = (1.0 - v175);
+        v185 = Math.expm1((v183 * v175));
+        v199 = ((8.0 * v173) * (((Math.exp((v157 * v179)) * Math.pow((v178 / v160), (-0.5))) * (v185 - (((v126 * (v185 + 1.0)) * v178) * ((-Math.expm1((v158 * v179))) / v160)))) / v178));
+        v200.push((weight * v199));
+      }
+      v200 = (math.fsum(v200) * 1.0);
+      v201 = (v157 * v200);
+      v214 = (v157 - ((Math.log(v201) * v201) / ((Math.exp(v183) / (v160 * v166)) + ((v201 - 1.0) * ((v148 / v166) - (1.0 / v160))))));
+      v215 = ((-2.0) * v214);
+      v217 = (-Math.expm1(v215));
+      v222 = (v101 - (v72 * Math.exp(((-2.0) * (((v214 < 300.0) || (v214 !== v214)) ? v214 : 300.0)))));
+      v223 = (((v222 > 1.0) || (v222 !== v222)) ? v222 : 1.0);
+      v225 = (1.0 / (v105 * v214));
+      v240 = (v73 * v214);
+      v257 = [];
+      for ([node, weight] of RULE_0((1.0 / v225))) {
+        v226 = (node * 1.0);
+        v228 = ((v226 * v226) * v226);
+        v230 = ((v228 * v228) * v226);
+        v232 = (v230 * v226);
+        v235 = (-Math.expm1((v215 * v232)));
+        v236 = (1.0 - v232);
+        v242 = Math.expm1((v240 * v232));
+        v256 = ((8.0 * v230) * (((Math.exp((v214 * v236)) * Math.pow((v235 / v217), (-0.5))) * (v242 - (((v126 * (v242 + 1.0)) * v235) * ((-Math.expm1((v215 * v236))) / v217)))) / v235));
+        v257.push((weight * v256));
+      }
+      v257 = (math.fsum(v257) * 1.0);
+      v258 = (v214 * v257);
+      v271 = (v214 - ((Math.log(v258) * v258) / ((Math.exp(v240) / (v217 * v223)) + ((v258 - 1.0) * ((v148 / v223) - (1.0 / v217))))));
+      v272 = ((-2.0) * v271);
+      v274 = (-Math.expm1(v272));
+      v279 = (v101 - (v72 * Math.exp(((-2.0) * (((v271 < 300.0) || (v271 !== v271)) ? v271 : 300.0)))));
+      v280 = (((v279 > 1.0) || (v279 !== v279)) ? v279 : 1.0);
+      v282 = (1.0 / (v105 * v271));
+      v297 = (v73 * v271);
+      v314 = [];
+      for ([node, weight] of RULE_0((1.0 / v282))) {
+        v283 = (node * 1.0);
+        v285 = ((v283 * v283) * v283);
+        v287 = ((v285 * v285) * v283);
+        v289 = (v287 * v283);
+        v292 = (-Math.expm1((v272 * v289)));
+        v293 = (1.0 - v289);
+        v299 = Math.expm1((v297 * v289));
+        v313 = ((8.0 * v287) * (((Math.exp((v271 * v293)) * Math.pow((v292 / v274), (-0.5))) * (v299 - (((v126 * (v299 + 1.0)) * v292) * ((-Math.expm1((v272 * v293))) / v274)))) / v292));
+        v314.push((weight * v313));
+      }
+      v314 = (math.fsum(v314) * 1.0);
+      v315 = (v271 * v314);
+      v328 = (v271 - ((Math.log(v315) * v315) / ((Math.exp(v297) / (v274 * v280)) + ((v315 - 1.0) * ((v148 / v280) - (1.0 / v274))))));
+      v329 = ((-2.0) * v328);
+      v331 = (-Math.expm1(v329));
+      v336 = (v101 - (v72 * Math.exp(((-2.0) * (((v328 < 300.0) || (v328 !== v328)) ? v328 : 300.0)))));
+      v337 = (((v336 > 1.0) || (v336 !== v336)) ? v336 : 1.0);
+      v339 = (1.0 / (v105 * v328));
+      v354 = (v73 * v328);
+      v371 = [];
+      for ([node, weight] of RULE_0((1.0 / v339))) {
+        v340 = (node * 1.0);
+        v342 = ((v340 * v340) * v340);
+        v344 = ((v342 * v342) * v340);
+        v346 = (v344 * v340);
+        v349 = (-Math.expm1((v329 * v346)));
+        v350 = (1.0 - v346);
+        v356 = Math.expm1((v354 * v346));
+        v370 = ((8.0 * v344) * (((Math.exp((v328 * v350)) * Math.pow((v349 / v331), (-0.5))) * (v356 - (((v126 * (v356 + 1.0)) * v349) * ((-Math.expm1((v329 * v350))) / v331)))) / v349));
+        v371.push((weight * v370));
+      }
+      v371 = (math.fsum(v371) * 1.0);
+      v372 = (v328 * v371);
+      v389 = (-Math.expm1(((-2.0) * (v328 - ((Math.log(v372) * v372) / ((Math.exp(v354) / (v331 * v337)) + ((v372 - 1.0) * ((v148 / v337) - (1.0 / v331)))))))));
+    } else {
+      v389 = 1.0;
+    }
+    v390 = (n + 1.0);
+    if ((((((((((3.5449077018110318 * E_star) * n) * h) * (v389 + 1.0)) * a) * v69) / (v390 * ((n * v389) - 1.0))) * 0.999999999999999) <= F)) {
+      return ((F / ((2.0 * E_star) * a)) - (((1.7724538509055159 * h) / v390) * v69));
+    }
+    return NaN;
+  }
+  return _depth_from_force_of_concave_power(F, a, h, n, E_star);
 };
 
 const depth_from_force = (F, a, h, n, E_star) => {
-  let node, v10, v101, v103, v104, v105, v107, v108, v110, v112, v115, v118, v119, v123, v125, v126, v14, v141, v142, v143, v148, v157, v158, v160, v165, v166, v168, v169, v171, v173, v175, v178, v179, v183, v185, v199, v200, v201, v214, v215, v217, v222, v223, v225, v226, v228, v230, v232, v235, v236, v240, v242, v256, v257, v258, v271, v272, v274, v279, v28, v280, v282, v283, v285, v287, v289, v292, v293, v297, v299, v313, v314, v315, v328, v329, v331, v336, v337, v339, v340, v342, v344, v346, v349, v350, v354, v356, v370, v371, v372, v389, v390, v69, v70, v72, v73, v8, v82, v88, v90, v92, v94, value, weight;
-  v8 = ((n / 2.0) + 0.5);
-  v10 = (v8 + 1.75);
-  v14 = ((v8 + 0.5) * (v8 + 1.5));
-  v28 = (1.0 / (v10 * v10));
-  v69 = ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))));
-  v70 = (n > 2.0);
-  if (v70) {
-    v72 = (v70 ? n : 3.0);
-    v73 = (v72 - 2.0);
-    v82 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v73) / (v73 + 0.72))) / v73));
-    if ((v73 < 2.0)) {
-      v88 = (Math.log(((v73 * (v73 + 2.0)) / 2.0)) / v73);
-      v90 = (((v82 > v88) || (v82 !== v82)) ? v82 : v88);
-    } else {
-      v90 = v82;
-    }
-    v92 = ((-2.0) * v90);
-    v94 = (-Math.expm1(v92));
-    v101 = ((v72 - 1.0) + 0.0);
-    v103 = (v101 - (v72 * Math.exp(((-2.0) * (((v90 < 300.0) || (v90 !== v90)) ? v90 : 300.0)))));
-    v104 = (((v103 > 1.0) || (v103 !== v103)) ? v103 : 1.0);
-    v105 = (v73 + 1.0);
-    v107 = (1.0 / (v105 * v90));
-    v123 = (v73 * v90);
-    v126 = (0.5 * v73);
-    v142 = [];
-    for ([node, weight] of RULE_0((1.0 / v107))) {
-      v108 = (node * 1.0);
-      v110 = ((v108 * v108) * v108);
-      v112 = ((v110 * v110) * v108);
-      v115 = (v112 * v108);
-      v118 = (-Math.expm1((v92 * v115)));
-      v119 = (1.0 - v115);
-      v125 = Math.expm1((v123 * v115));
-      v141 = ((8.0 * v112) * (((Math.exp((v90 * v119)) * Math.pow((v118 / v94), (-0.5))) * (v125 - (((v126 * (v125 + 1.0)) * v118) * ((-Math.expm1((v92 * v119))) / v94)))) / v118));
-      v142.push((weight * v141));
-    }
-    v142 = (math.fsum(v142) * 1.0);
-    v143 = (v90 * v142);
-    v148 = (2.0 * v101);
-    v157 = (v90 - ((Math.log(v143) * v143) / ((Math.exp(v123) / (v94 * v104)) + ((v143 - 1.0) * ((v148 / v104) - (1.0 / v94))))));
-    v158 = ((-2.0) * v157);
-    v160 = (-Math.expm1(v158));
-    v165 = (v101 - (v72 * Math.exp(((-2.0) * (((v157 < 300.0) || (v157 !== v157)) ? v157 : 300.0)))));
-    v166 = (((v165 > 1.0) || (v165 !== v165)) ? v165 : 1.0);
-    v168 = (1.0 / (v105 * v157));
-    v183 = (v73 * v157);
-    v200 = [];
-    for ([node, weight] of RULE_0((1.0 / v168))) {
-      v169 = (node * 1.0);
-      v171 = ((v169 * v169) * v169);
-      v173 = ((v171 * v171) * v169);
-      v175 = (v173 * v169);
-      v178 = (-Math.expm1((v158 * v175)));
-      v179 = (1.0 - v175);
-      v185 = Math.expm1((v183 * v175));
-      v199 = ((8.0 * v173) * (((Math.exp((v157 * v179)) * Math.pow((v178 / v160), (-0.5))) * (v185 - (((v126 * (v185 + 1.0)) * v178) * ((-Math.expm1((v158 * v179))) / v160)))) / v178));
-      v200.push((weight * v199));
-    }
-    v200 = (math.fsum(v200) * 1.0);
-    v201 = (v157 * v200);
-    v214 = (v157 - ((Math.log(v201) * v201) / ((Math.exp(v183) / (v160 * v166)) + ((v201 - 1.0) * ((v148 / v166) - (1.0 / v160))))));
-    v215 = ((-2.0) * v214);
-    v217 = (-Math.expm1(v215));
-    v222 = (v101 - (v72 * Math.exp(((-2.0) * (((v214 < 300.0) || (v214 !== v214)) ? v214 : 300.0)))));
-    v223 = (((v222 > 1.0) || (v222 !== v222)) ? v222 : 1.0);
-    v225 = (1.0 / (v105 * v214));
-    v240 = (v73 * v214);
-    v257 = [];
-    for ([node, weight] of RULE_0((1.0 / v225))) {
-      v226 = (node * 1.0);
-      v228 = ((v226 * v226) * v226);
-      v230 = ((v228 * v228) * v226);
-      v232 = (v230 * v226);
-      v235 = (-Math.expm1((v215 * v232)));
-      v236 = (1.0 - v232);
-      v242 = Math.expm1((v240 * v232));
-      v256 = ((8.0 * v230) * (((Math.exp((v214 * v236)) * Math.pow((v235 / v217), (-0.5))) * (v242 - (((v126 * (v242 + 1.0)) * v235) * ((-Math.expm1((v215 * v236))) / v217)))) / v235));
-      v257.push((weight * v256));
-    }
-    v257 = (math.fsum(v257) * 1.0);
-    v258 = (v214 * v257);
-    v271 = (v214 - ((Math.log(v258) * v258) / ((Math.exp(v240) / (v217 * v223)) + ((v258 - 1.0) * ((v148 / v223) - (1.0 / v217))))));
-    v272 = ((-2.0) * v271);
-    v274 = (-Math.expm1(v272));
-    v279 = (v101 - (v72 * Math.exp(((-2.0) * (((v271 < 300.0) || (v271 !== v271)) ? v271 : 300.0)))));
-    v280 = (((v279 > 1.0) || (v279 !== v279)) ? v279 : 1.0);
-    v282 = (1.0 / (v105 * v271));
-    v297 = (v73 * v271);
-    v314 = [];
-    for ([node, weight] of RULE_0((1.0 / v282))) {
-      v283 = (node * 1.0);
-      v285 = ((v283 * v283) * v283);
-      v287 = ((v285 * v285) * v283);
-      v289 = (v287 * v283);
-      v292 = (-Math.expm1((v272 * v289)));
-      v293 = (1.0 - v289);
-      v299 = Math.expm1((v297 * v289));
-      v313 = ((8.0 * v287) * (((Math.exp((v271 * v293)) * Math.pow((v292 / v274), (-0.5))) * (v299 - (((v126 * (v299 + 1.0)) * v292) * ((-Math.expm1((v272 * v293))) / v274)))) / v292));
-      v314.push((weight * v313));
-    }
-    v314 = (math.fsum(v314) * 1.0);
-    v315 = (v271 * v314);
-    v328 = (v271 - ((Math.log(v315) * v315) / ((Math.exp(v297) / (v274 * v280)) + ((v315 - 1.0) * ((v148 / v280) - (1.0 / v274))))));
-    v329 = ((-2.0) * v328);
-    v331 = (-Math.expm1(v329));
-    v336 = (v101 - (v72 * Math.exp(((-2.0) * (((v328 < 300.0) || (v328 !== v328)) ? v328 : 300.0)))));
-    v337 = (((v336 > 1.0) || (v336 !== v336)) ? v336 : 1.0);
-    v339 = (1.0 / (v105 * v328));
-    v354 = (v73 * v328);
-    v371 = [];
-    for ([node, weight] of RULE_0((1.0 / v339))) {
-      v340 = (node * 1.0);
-      v342 = ((v340 * v340) * v340);
-      v344 = ((v342 * v342) * v340);
-      v346 = (v344 * v340);
-      v349 = (-Math.expm1((v329 * v346)));
-      v350 = (1.0 - v346);
-      v356 = Math.expm1((v354 * v346));
-      v370 = ((8.0 * v344) * (((Math.exp((v328 * v350)) * Math.pow((v349 / v331), (-0.5))) * (v356 - (((v126 * (v356 + 1.0)) * v349) * ((-Math.expm1((v329 * v350))) / v331)))) / v349));
-      v371.push((weight * v370));
-    }
-    v371 = (math.fsum(v371) * 1.0);
-    v372 = (v328 * v371);
-    v389 = (-Math.expm1(((-2.0) * (v328 - ((Math.log(v372) * v372) / ((Math.exp(v354) / (v331 * v337)) + ((v372 - 1.0) * ((v148 / v337) - (1.0 / v331)))))))));
-  } else {
-    v389 = 1.0;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  v390 = (n + 1.0);
-  if ((((((((((3.5449077018110318 * E_star) * n) * h) * (v389 + 1.0)) * a) * v69) / (v390 * ((n * v389) - 1.0))) * 0.999999999999999) <= F)) {
-    value = ((F / ((2.0 * E_star) * a)) - (((1.7724538509055159 * h) / v390) * v69));
-    return value;
-  }
-  value = NaN;
-  return value;
+  return ((F >= 0.0) ? _depth_from_force(F, a, h, n, E_star) : NaN);
 };
 
-const zero_radius = (a, n, h = 1.0) => {
-  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v323, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, value, weight;
-  v3 = (n > 2.0);
-  if (v3) {
-    v5 = (v3 ? n : 3.0);
-    v6 = (v5 - 2.0);
-    v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
-    if ((v6 < 2.0)) {
-      v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
-      v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
-    } else {
-      v24 = v15;
-    }
-    v26 = ((-2.0) * v24);
-    v28 = (-Math.expm1(v26));
-    v35 = ((v5 - 1.0) + 0.0);
-    v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
-    v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
-    v39 = (v6 + 1.0);
-    v41 = (1.0 / (v39 * v24));
-    v57 = (v6 * v24);
-    v61 = (0.5 * v6);
-    v77 = [];
-    for ([node, weight] of RULE_0((1.0 / v41))) {
-      v42 = (node * 1.0);
-      v44 = ((v42 * v42) * v42);
-      v46 = ((v44 * v44) * v42);
-      v49 = (v46 * v42);
-      v52 = (-Math.expm1((v26 * v49)));
-      v53 = (1.0 - v49);
-      v59 = Math.expm1((v57 * v49));
-      v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
-      v77.push((weight * v76));
-    }
-    v77 = (math.fsum(v77) * 1.0);
-    v78 = (v24 * v77);
-    v83 = (2.0 * v35);
-    v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
-    v93 = ((-2.0) * v92);
-    v95 = (-Math.expm1(v93));
-    v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
-    v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
-    v103 = (1.0 / (v39 * v92));
-    v118 = (v6 * v92);
-    v135 = [];
-    for ([node, weight] of RULE_0((1.0 / v103))) {
-      v104 = (node * 1.0);
-      v106 = ((v104 * v104) * v104);
-      v108 = ((v106 * v106) * v104);
-      v110 = (v108 * v104);
-      v113 = (-Math.expm1((v93 * v110)));
-      v114 = (1.0 - v110);
-      v120 = Math.expm1((v118 * v110));
-      v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
-      v135.push((weight * v134));
-    }
-    v135 = (math.fsum(v135) * 1.0);
-    v136 = (v92 * v135);
-    v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
-    v150 = ((-2.0) * v149);
-    v152 = (-Math.expm1(v150));
-    v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
-    v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
-    v160 = (1.0 / (v39 * v149));
-    v175 = (v6 * v149);
-    v192 = [];
-    for ([node, weight] of RULE_0((1.0 / v160))) {
-      v161 = (node * 1.0);
-      v163 = ((v161 * v161) * v161);
-      v165 = ((v163 * v163) * v161);
-      v167 = (v165 * v161);
-      v170 = (-Math.expm1((v150 * v167)));
-      v171 = (1.0 - v167);
-      v177 = Math.expm1((v175 * v167));
-      v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
-      v192.push((weight * v191));
-    }
-    v192 = (math.fsum(v192) * 1.0);
-    v193 = (v149 * v192);
-    v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
-    v207 = ((-2.0) * v206);
-    v209 = (-Math.expm1(v207));
-    v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
-    v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
-    v217 = (1.0 / (v39 * v206));
-    v232 = (v6 * v206);
-    v249 = [];
-    for ([node, weight] of RULE_0((1.0 / v217))) {
-      v218 = (node * 1.0);
-      v220 = ((v218 * v218) * v218);
-      v222 = ((v220 * v220) * v218);
-      v224 = (v222 * v218);
-      v227 = (-Math.expm1((v207 * v224)));
-      v228 = (1.0 - v224);
-      v234 = Math.expm1((v232 * v224));
-      v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
-      v249.push((weight * v248));
-    }
-    v249 = (math.fsum(v249) * 1.0);
-    v250 = (v206 * v249);
-    v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
-    v264 = ((-2.0) * v263);
-    v266 = (-Math.expm1(v264));
-    v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
-    v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
-    v274 = (1.0 / (v39 * v263));
-    v289 = (v6 * v263);
-    v306 = [];
-    for ([node, weight] of RULE_0((1.0 / v274))) {
-      v275 = (node * 1.0);
-      v277 = ((v275 * v275) * v275);
-      v279 = ((v277 * v277) * v275);
-      v281 = (v279 * v275);
-      v284 = (-Math.expm1((v264 * v281)));
-      v285 = (1.0 - v281);
-      v291 = Math.expm1((v289 * v281));
-      v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
-      v306.push((weight * v305));
-    }
-    v306 = (math.fsum(v306) * 1.0);
-    v307 = (v263 * v306);
-    v323 = Math.exp((-(v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266))))))));
-  } else {
-    v323 = 0.0;
-  }
-  value = (a * v323);
-  return value;
+const ring_of_zero_pressure = (n, k = 0.0) => {
+  return math.where((n > 2.0), Math.exp((-_log_ratio(n, k))), 0.0);
 };
 
-const minimum_depth = (h, n, a = 1.0) => {
-  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v324, v326, v328, v332, v345, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, value, weight;
-  v3 = (n > 2.0);
-  if (v3) {
-    v5 = (v3 ? n : 3.0);
-    v6 = (v5 - 2.0);
-    v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
-    if ((v6 < 2.0)) {
-      v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
-      v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
+const _zero_radius_of_concave_power = (a, n) => {
+  return (a * ring_of_zero_pressure(n));
+};
+
+const _zero_radius = (a, n, h = 1.0) => {
+  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v323, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (n > 1e-30) && (n < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
+    v3 = (n > 2.0);
+    if (v3) {
+      v5 = (v3 ? n : 3.0);
+      v6 = (v5 - 2.0);
+      v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
+      if ((v6 < 2.0)) {
+        v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
+        v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
+      } else {
+        v24 = v15;
+      }
+      v26 = ((-2.0) * v24);
+      v28 = (-Math.expm1(v26));
+      v35 = ((v5 - 1.0) + 0.0);
+      v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
+      v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
+      v39 = (v6 + 1.0);
+      v41 = (1.0 / (v39 * v24));
+      v57 = (v6 * v24);
+      v61 = (0.5 * v6);
+      v77 = [];
+      for ([node, weight] of RULE_0((1.0 / v41))) {
+        v42 = (node * 1.0);
+        v44 = ((v42 * v42) * v42);
+        v46 = ((v44 * v44) * v42);
+        v49 = (v46 * v42);
+        v52 = (-Math.expm1((v26 * v49)));
+        v53 = (1.0 - v49);
+        v59 = Math.expm1((v57 * v49));
+        v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
+        v77.push((weight * v76));
+      }
+      v77 = (math.fsum(v77) * 1.0);
+      v78 = (v24 * v77);
+      v83 = (2.0 * v35);
+      v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
+      v93 = ((-2.0) * v92);
+      v95 = (-Math.expm1(v93));
+      v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
+      v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
+      v103 = (1.0 / (v39 * v92));
+      v118 = (v6 * v92);
+      v135 = [];
+      for ([node, weight] of RULE_0((1.0 / v103))) {
+        v104 = (node * 1.0);
+        v106 = ((v104 * v104) * v104);
+        v108 = ((v106 * v106) * v104);
+        v110 = (v108 * v104);
+        v113 = (-Math.expm1((v93 * v110)));
+        v114 = (1.0 - v110);
+        v120 = Math.expm1((v118 * v110));
+        v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
+        v135.push((weight * v134));
+      }
+      v135 = (math.fsum(v135) * 1.0);
+      v136 = (v92 * v135);
+      v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
+      v150 = ((-2.0) * v149);
+      v152 = (-Math.expm1(v150));
+      v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
+      v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
+      v160 = (1.0 / (v39 * v149));
+      v175 = (v6 * v149);
+      v192 = [];
+      for ([node, weight] of RULE_0((1.0 / v160))) {
+        v161 = (node * 1.0);
+        v163 = ((v161 * v161) * v161);
+        v165 = ((v163 * v163) * v161);
+        v167 = (v165 * v161);
+        v170 = (-Math.expm1((v150 * v167)));
+        v171 = (1.0 - v167);
+        v177 = Math.expm1((v175 * v167));
+        v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
+        v192.push((weight * v191));
+      }
+      v192 = (math.fsum(v192) * 1.0);
+      v193 = (v149 * v192);
+      v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
+      v207 = ((-2.0) * v206);
+      v209 = (-Math.expm1(v207));
+      v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
+      v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
+      v217 = (1.0 / (v39 * v206));
+      v232 = (v6 * v206);
+      v249 = [];
+      for ([node, weight] of RULE_0((1.0 / v217))) {
+        v218 = (node * 1.0);
+        v220 = ((v218 * v218) * v218);
+        v222 = ((v220 * v220) * v218);
+        v224 = (v222 * v218);
+        v227 = (-Math.expm1((v207 * v224)));
+        v228 = (1.0 - v224);
+        v234 = Math.expm1((v232 * v224));
+        v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
+        v249.push((weight * v248));
+      }
+      v249 = (math.fsum(v249) * 1.0);
+      v250 = (v206 * v249);
+      v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
+      v264 = ((-2.0) * v263);
+      v266 = (-Math.expm1(v264));
+      v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
+      v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
+      v274 = (1.0 / (v39 * v263));
+      v289 = (v6 * v263);
+      v306 = [];
+      for ([node, weight] of RULE_0((1.0 / v274))) {
+        v275 = (node * 1.0);
+        v277 = ((v275 * v275) * v275);
+        v279 = ((v277 * v277) * v275);
+        v281 = (v279 * v275);
+        v284 = (-Math.expm1((v264 * v281)));
+        v285 = (1.0 - v281);
+        v291 = Math.expm1((v289 * v281));
+        v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
+        v306.push((weight * v305));
+      }
+      v306 = (math.fsum(v306) * 1.0);
+      v307 = (v263 * v306);
+      v323 = Math.exp((-(v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266))))))));
     } else {
-      v24 = v15;
+      v323 = 0.0;
     }
-    v26 = ((-2.0) * v24);
-    v28 = (-Math.expm1(v26));
-    v35 = ((v5 - 1.0) + 0.0);
-    v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
-    v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
-    v39 = (v6 + 1.0);
-    v41 = (1.0 / (v39 * v24));
-    v57 = (v6 * v24);
-    v61 = (0.5 * v6);
-    v77 = [];
-    for ([node, weight] of RULE_0((1.0 / v41))) {
-      v42 = (node * 1.0);
-      v44 = ((v42 * v42) * v42);
-      v46 = ((v44 * v44) * v42);
-      v49 = (v46 * v42);
-      v52 = (-Math.expm1((v26 * v49)));
-      v53 = (1.0 - v49);
-      v59 = Math.expm1((v57 * v49));
-      v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
-      v77.push((weight * v76));
-    }
-    v77 = (math.fsum(v77) * 1.0);
-    v78 = (v24 * v77);
-    v83 = (2.0 * v35);
-    v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
-    v93 = ((-2.0) * v92);
-    v95 = (-Math.expm1(v93));
-    v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
-    v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
-    v103 = (1.0 / (v39 * v92));
-    v118 = (v6 * v92);
-    v135 = [];
-    for ([node, weight] of RULE_0((1.0 / v103))) {
-      v104 = (node * 1.0);
-      v106 = ((v104 * v104) * v104);
-      v108 = ((v106 * v106) * v104);
-      v110 = (v108 * v104);
-      v113 = (-Math.expm1((v93 * v110)));
-      v114 = (1.0 - v110);
-      v120 = Math.expm1((v118 * v110));
-      v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
-      v135.push((weight * v134));
-    }
-    v135 = (math.fsum(v135) * 1.0);
-    v136 = (v92 * v135);
-    v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
-    v150 = ((-2.0) * v149);
-    v152 = (-Math.expm1(v150));
-    v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
-    v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
-    v160 = (1.0 / (v39 * v149));
-    v175 = (v6 * v149);
-    v192 = [];
-    for ([node, weight] of RULE_0((1.0 / v160))) {
-      v161 = (node * 1.0);
-      v163 = ((v161 * v161) * v161);
-      v165 = ((v163 * v163) * v161);
-      v167 = (v165 * v161);
-      v170 = (-Math.expm1((v150 * v167)));
-      v171 = (1.0 - v167);
-      v177 = Math.expm1((v175 * v167));
-      v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
-      v192.push((weight * v191));
-    }
-    v192 = (math.fsum(v192) * 1.0);
-    v193 = (v149 * v192);
-    v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
-    v207 = ((-2.0) * v206);
-    v209 = (-Math.expm1(v207));
-    v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
-    v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
-    v217 = (1.0 / (v39 * v206));
-    v232 = (v6 * v206);
-    v249 = [];
-    for ([node, weight] of RULE_0((1.0 / v217))) {
-      v218 = (node * 1.0);
-      v220 = ((v218 * v218) * v218);
-      v222 = ((v220 * v220) * v218);
-      v224 = (v222 * v218);
-      v227 = (-Math.expm1((v207 * v224)));
-      v228 = (1.0 - v224);
-      v234 = Math.expm1((v232 * v224));
-      v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
-      v249.push((weight * v248));
-    }
-    v249 = (math.fsum(v249) * 1.0);
-    v250 = (v206 * v249);
-    v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
-    v264 = ((-2.0) * v263);
-    v266 = (-Math.expm1(v264));
-    v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
-    v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
-    v274 = (1.0 / (v39 * v263));
-    v289 = (v6 * v263);
-    v306 = [];
-    for ([node, weight] of RULE_0((1.0 / v274))) {
-      v275 = (node * 1.0);
-      v277 = ((v275 * v275) * v275);
-      v279 = ((v277 * v277) * v275);
-      v281 = (v279 * v275);
-      v284 = (-Math.expm1((v264 * v281)));
-      v285 = (1.0 - v281);
-      v291 = Math.expm1((v289 * v281));
-      v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
-      v306.push((weight * v305));
-    }
-    v306 = (math.fsum(v306) * 1.0);
-    v307 = (v263 * v306);
-    v324 = (-Math.expm1(((-2.0) * (v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266)))))))));
-  } else {
-    v324 = 1.0;
+    return (a * v323);
   }
-  v326 = ((n / 2.0) + 0.5);
-  v328 = (v326 + 1.75);
-  v332 = ((v326 + 0.5) * (v326 + 1.5));
-  v345 = (1.0 / (v328 * v328));
-  value = (((1.7724538509055159 * h) * ((((v326 < 1.0) ? ((v326 * (v326 + 1.0)) / v332) : (1.0 - ((v326 + 0.75) / v332))) * Math.sqrt(v328)) * (1.0 + (v345 * (((((((((((((0.01524698625788054 * v345) + 0.5334320651111477) * v345) + 2.250488865813539) * v345) + 2.8612106440066865) * v345) + 1.3794681629043655) * v345) + 0.2596058532893223) * v345) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v345) + 49.328555418276075) * v345) + 167.28648538571198) * v345) + 195.37226190335065) * v345) + 90.69722535867314) * v345) + 16.763212110504565) * v345) + 1.0)))))) / ((n * v324) - 1.0));
-  return value;
+  return _zero_radius_of_concave_power(a, n);
+};
+
+const zero_radius = (a, h, n) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return _zero_radius(a, n);
+};
+
+const _minimum_depth_of_concave_power = (h, n, a = 1.0) => {
+  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v324, v326, v328, v332, v345, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, weight;
+  if (((h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
+    v3 = (n > 2.0);
+    if (v3) {
+      v5 = (v3 ? n : 3.0);
+      v6 = (v5 - 2.0);
+      v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
+      if ((v6 < 2.0)) {
+        v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
+        v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
+      } else {
+        v24 = v15;
+      }
+      v26 = ((-2.0) * v24);
+      v28 = (-Math.expm1(v26));
+      v35 = ((v5 - 1.0) + 0.0);
+      v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
+      v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
+      v39 = (v6 + 1.0);
+      v41 = (1.0 / (v39 * v24));
+      v57 = (v6 * v24);
+      v61 = (0.5 * v6);
+      v77 = [];
+      for ([node, weight] of RULE_0((1.0 / v41))) {
+        v42 = (node * 1.0);
+        v44 = ((v42 * v42) * v42);
+        v46 = ((v44 * v44) * v42);
+        v49 = (v46 * v42);
+        v52 = (-Math.expm1((v26 * v49)));
+        v53 = (1.0 - v49);
+        v59 = Math.expm1((v57 * v49));
+        v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
+        v77.push((weight * v76));
+      }
+      v77 = (math.fsum(v77) * 1.0);
+      v78 = (v24 * v77);
+      v83 = (2.0 * v35);
+      v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
+      v93 = ((-2.0) * v92);
+      v95 = (-Math.expm1(v93));
+      v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
+      v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
+      v103 = (1.0 / (v39 * v92));
+      v118 = (v6 * v92);
+      v135 = [];
+      for ([node, weight] of RULE_0((1.0 / v103))) {
+        v104 = (node * 1.0);
+        v106 = ((v104 * v104) * v104);
+        v108 = ((v106 * v106) * v104);
+        v110 = (v108 * v104);
+        v113 = (-Math.expm1((v93 * v110)));
+        v114 = (1.0 - v110);
+        v120 = Math.expm1((v118 * v110));
+        v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
+        v135.push((weight * v134));
+      }
+      v135 = (math.fsum(v135) * 1.0);
+      v136 = (v92 * v135);
+      v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
+      v150 = ((-2.0) * v149);
+      v152 = (-Math.expm1(v150));
+      v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
+      v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
+      v160 = (1.0 / (v39 * v149));
+      v175 = (v6 * v149);
+      v192 = [];
+      for ([node, weight] of RULE_0((1.0 / v160))) {
+        v161 = (node * 1.0);
+        v163 = ((v161 * v161) * v161);
+        v165 = ((v163 * v163) * v161);
+        v167 = (v165 * v161);
+        v170 = (-Math.expm1((v150 * v167)));
+        v171 = (1.0 - v167);
+        v177 = Math.expm1((v175 * v167));
+        v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
+        v192.push((weight * v191));
+      }
+      v192 = (math.fsum(v192) * 1.0);
+      v193 = (v149 * v192);
+      v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
+      v207 = ((-2.0) * v206);
+      v209 = (-Math.expm1(v207));
+      v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
+      v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
+      v217 = (1.0 / (v39 * v206));
+      v232 = (v6 * v206);
+      v249 = [];
+      for ([node, weight] of RULE_0((1.0 / v217))) {
+        v218 = (node * 1.0);
+        v220 = ((v218 * v218) * v218);
+        v222 = ((v220 * v220) * v218);
+        v224 = (v222 * v218);
+        v227 = (-Math.expm1((v207 * v224)));
+        v228 = (1.0 - v224);
+        v234 = Math.expm1((v232 * v224));
+        v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
+        v249.push((weight * v248));
+      }
+      v249 = (math.fsum(v249) * 1.0);
+      v250 = (v206 * v249);
+      v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
+      v264 = ((-2.0) * v263);
+      v266 = (-Math.expm1(v264));
+      v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
+      v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
+      v274 = (1.0 / (v39 * v263));
+      v289 = (v6 * v263);
+      v306 = [];
+      for ([node, weight] of RULE_0((1.0 / v274))) {
+        v275 = (node * 1.0);
+        v277 = ((v275 * v275) * v275);
+        v279 = ((v277 * v277) * v275);
+        v281 = (v279 * v275);
+        v284 = (-Math.expm1((v264 * v281)));
+        v285 = (1.0 - v281);
+        v291 = Math.expm1((v289 * v281));
+        v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
+        v306.push((weight * v305));
+      }
+      v306 = (math.fsum(v306) * 1.0);
+      v307 = (v263 * v306);
+      v324 = (-Math.expm1(((-2.0) * (v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266)))))))));
+    } else {
+      v324 = 1.0;
+    }
+    v326 = ((n / 2.0) + 0.5);
+    v328 = (v326 + 1.75);
+    v332 = ((v326 + 0.5) * (v326 + 1.5));
+    v345 = (1.0 / (v328 * v328));
+    return (((1.7724538509055159 * h) * ((((v326 < 1.0) ? ((v326 * (v326 + 1.0)) / v332) : (1.0 - ((v326 + 0.75) / v332))) * Math.sqrt(v328)) * (1.0 + (v345 * (((((((((((((0.01524698625788054 * v345) + 0.5334320651111477) * v345) + 2.250488865813539) * v345) + 2.8612106440066865) * v345) + 1.3794681629043655) * v345) + 0.2596058532893223) * v345) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v345) + 49.328555418276075) * v345) + 167.28648538571198) * v345) + 195.37226190335065) * v345) + 90.69722535867314) * v345) + 16.763212110504565) * v345) + 1.0)))))) / ((n * v324) - 1.0));
+  }
+  return _minimum_depth(h, n);
+};
+
+const minimum_depth = (a, h, n) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return _minimum_depth_of_concave_power(h, n);
+};
+
+const _minimum_force_of_concave_power = (a, h, n, E_star) => {
+  let node, v102, v103, v105, v106, v108, v110, v112, v115, v116, v120, v122, v136, v137, v138, v151, v152, v154, v159, v160, v162, v163, v165, v167, v169, v17, v172, v173, v177, v179, v193, v194, v195, v208, v209, v211, v216, v217, v219, v220, v222, v224, v226, v229, v230, v234, v236, v24, v250, v251, v252, v26, v265, v266, v268, v273, v274, v276, v277, v279, v28, v281, v283, v286, v287, v291, v293, v30, v307, v308, v309, v326, v328, v330, v334, v347, v37, v39, v40, v41, v43, v44, v46, v48, v5, v51, v54, v55, v59, v61, v63, v7, v78, v79, v8, v80, v85, v94, v95, v97, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v5 = (n > 2.0);
+    if (v5) {
+      v7 = (v5 ? n : 3.0);
+      v8 = (v7 - 2.0);
+      v17 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v8) / (v8 + 0.72))) / v8));
+      if ((v8 < 2.0)) {
+        v24 = (Math.log(((v8 * (v8 + 2.0)) / 2.0)) / v8);
+        v26 = (((v17 > v24) || (v17 !== v17)) ? v17 : v24);
+      } else {
+        v26 = v17;
+      }
+      v28 = ((-2.0) * v26);
+      v30 = (-Math.expm1(v28));
+      v37 = ((v7 - 1.0) + 0.0);
+      v39 = (v37 - (v7 * Math.exp(((-2.0) * (((v26 < 300.0) || (v26 !== v26)) ? v26 : 300.0)))));
+      v40 = (((v39 > 1.0) || (v39 !== v39)) ? v39 : 1.0);
+      v41 = (v8 + 1.0);
+      v43 = (1.0 / (v41 * v26));
+      v59 = (v8 * v26);
+      v63 = (0.5 * v8);
+      v79 = [];
+      for ([node, weight] of RULE_0((1.0 / v43))) {
+        v44 = (node * 1.0);
+        v46 = ((v44 * v44) * v44);
+        v48 = ((v46 * v46) * v44);
+        v51 = (v48 * v44);
+        v54 = (-Math.expm1((v28 * v51)));
+        v55 = (1.0 - v51);
+        v61 = Math.expm1((v59 * v51));
+        v78 = ((8.0 * v48) * (((Math.exp((v26 * v55)) * Math.pow((v54 / v30), (-0.5))) * (v61 - (((v63 * (v61 + 1.0)) * v54) * ((-Math.expm1((v28 * v55))) / v30)))) / v54));
+        v79.push((weight * v78));
+      }
+      v79 = (math.fsum(v79) * 1.0);
+      v80 = (v26 * v79);
+      v85 = (2.0 * v37);
+      v94 = (v26 - ((Math.log(v80) * v80) / ((Math.exp(v59) / (v30 * v40)) + ((v80 - 1.0) * ((v85 / v40) - (1.0 / v30))))));
+      v95 = ((-2.0) * v94);
+      v97 = (-Math.expm1(v95));
+      v102 = (v37 - (v7 * Math.exp(((-2.0) * (((v94 < 300.0) || (v94 !== v94)) ? v94 : 300.0)))));
+      v103 = (((v102 > 1.0) || (v102 !== v102)) ? v102 : 1.0);
+      v105 = (1.0 / (v41 * v94));
+      v120 = (v8 * v94);
+      v137 = [];
+      for ([node, weight] of RULE_0((1.0 / v105))) {
+        v106 = (node * 1.0);
+        v108 = ((v106 * v106) * v106);
+        v110 = ((v108 * v108) * v106);
+        v112 = (v110 * v106);
+        v115 = (-Math.expm1((v95 * v112)));
+        v116 = (1.0 - v112);
+        v122 = Math.expm1((v120 * v112));
+        v136 = ((8.0 * v110) * (((Math.exp((v94 * v116)) * Math.pow((v115 / v97), (-0.5))) * (v122 - (((v63 * (v122 + 1.0)) * v115) * ((-Math.expm1((v95 * v116))) / v97)))) / v115));
+        v137.push((weight * v136));
+      }
+      v137 = (math.fsum(v137) * 1.0);
+      v138 = (v94 * v137);
+      v151 = (v94 - ((Math.log(v138) * v138) / ((Math.exp(v120) / (v97 * v103)) + ((v138 - 1.0) * ((v85 / v103) - (1.0 / v97))))));
+      v152 = ((-2.0) * v151);
+      v154 = (-Math.expm1(v152));
+      v159 = (v37 - (v7 * Math.exp(((-2.0) * (((v151 < 300.0) || (v151 !== v151)) ? v151 : 300.0)))));
+      v160 = (((v159 > 1.0) || (v159 !== v159)) ? v159 : 1.0);
+      v162 = (1.0 / (v41 * v151));
+      v177 = (v8 * v151);
+      v194 = [];
+      for ([node, weight] of RULE_0((1.0 / v162))) {
+        v163 = (node * 1.0);
+        v165 = ((v163 * v163) * v163);
+        v167 = ((v165 * v165) * v163);
+        v169 = (v167 * v163);
+        v172 = (-Math.expm1((v152 * v169)));
+        v173 = (1.0 - v169);
+        v179 = Math.expm1((v177 * v169));
+        v193 = ((8.0 * v167) * (((Math.exp((v151 * v173)) * Math.pow((v172 / v154), (-0.5))) * (v179 - (((v63 * (v179 + 1.0)) * v172) * ((-Math.expm1((v152 * v173))) / v154)))) / v172));
+        v194.push((weight * v193));
+      }
+      v194 = (math.fsum(v194) * 1.0);
+      v195 = (v151 * v194);
+      v208 = (v151 - ((Math.log(v195) * v195) / ((Math.exp(v177) / (v154 * v160)) + ((v195 - 1.0) * ((v85 / v160) - (1.0 / v154))))));
+      v209 = ((-2.0) * v208);
+      v211 = (-Math.expm1(v209));
+      v216 = (v37 - (v7 * Math.exp(((-2.0) * (((v208 < 300.0) || (v208 !== v208)) ? v208 : 300.0)))));
+      v217 = (((v216 > 1.0) || (v216 !== v216)) ? v216 : 1.0);
+      v219 = (1.0 / (v41 * v208));
+      v234 = (v8 * v208);
+      v251 = [];
+      for ([node, weight] of RULE_0((1.0 / v219))) {
+        v220 = (node * 1.0);
+        v222 = ((v220 * v220) * v220);
+        v224 = ((v222 * v222) * v220);
+        v226 = (v224 * v220);
+        v229 = (-Math.expm1((v209 * v226)));
+        v230 = (1.0 - v226);
+        v236 = Math.expm1((v234 * v226));
+        v250 = ((8.0 * v224) * (((Math.exp((v208 * v230)) * Math.pow((v229 / v211), (-0.5))) * (v236 - (((v63 * (v236 + 1.0)) * v229) * ((-Math.expm1((v209 * v230))) / v211)))) / v229));
+        v251.push((weight * v250));
+      }
+      v251 = (math.fsum(v251) * 1.0);
+      v252 = (v208 * v251);
+      v265 = (v208 - ((Math.log(v252) * v252) / ((Math.exp(v234) / (v211 * v217)) + ((v252 - 1.0) * ((v85 / v217) - (1.0 / v211))))));
+      v266 = ((-2.0) * v265);
+      v268 = (-Math.expm1(v266));
+      v273 = (v37 - (v7 * Math.exp(((-2.0) * (((v265 < 300.0) || (v265 !== v265)) ? v265 : 300.0)))));
+      v274 = (((v273 > 1.0) || (v273 !== v273)) ? v273 : 1.0);
+      v276 = (1.0 / (v41 * v265));
+      v291 = (v8 * v265);
+      v308 = [];
+      for ([node, weight] of RULE_0((1.0 / v276))) {
+        v277 = (node * 1.0);
+        v279 = ((v277 * v277) * v277);
+        v281 = ((v279 * v279) * v277);
+        v283 = (v281 * v277);
+        v286 = (-Math.expm1((v266 * v283)));
+        v287 = (1.0 - v283);
+        v293 = Math.expm1((v291 * v283));
+        v307 = ((8.0 * v281) * (((Math.exp((v265 * v287)) * Math.pow((v286 / v268), (-0.5))) * (v293 - (((v63 * (v293 + 1.0)) * v286) * ((-Math.expm1((v266 * v287))) / v268)))) / v286));
+        v308.push((weight * v307));
+      }
+      v308 = (math.fsum(v308) * 1.0);
+      v309 = (v265 * v308);
+      v326 = (-Math.expm1(((-2.0) * (v265 - ((Math.log(v309) * v309) / ((Math.exp(v291) / (v268 * v274)) + ((v309 - 1.0) * ((v85 / v274) - (1.0 / v268)))))))));
+    } else {
+      v326 = 1.0;
+    }
+    v328 = ((n / 2.0) + 0.5);
+    v330 = (v328 + 1.75);
+    v334 = ((v328 + 0.5) * (v328 + 1.5));
+    v347 = (1.0 / (v330 * v330));
+    return (((((((3.5449077018110318 * E_star) * n) * h) * (v326 + 1.0)) * a) * ((((v328 < 1.0) ? ((v328 * (v328 + 1.0)) / v334) : (1.0 - ((v328 + 0.75) / v334))) * Math.sqrt(v330)) * (1.0 + (v347 * (((((((((((((0.01524698625788054 * v347) + 0.5334320651111477) * v347) + 2.250488865813539) * v347) + 2.8612106440066865) * v347) + 1.3794681629043655) * v347) + 0.2596058532893223) * v347) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v347) + 49.328555418276075) * v347) + 167.28648538571198) * v347) + 195.37226190335065) * v347) + 90.69722535867314) * v347) + 16.763212110504565) * v347) + 1.0)))))) / ((n + 1.0) * ((n * v326) - 1.0)));
+  }
+  return _minimum_force(a, h, n, E_star);
 };
 
 const minimum_force = (a, h, n, E_star) => {
-  let node, v102, v103, v105, v106, v108, v110, v112, v115, v116, v120, v122, v136, v137, v138, v151, v152, v154, v159, v160, v162, v163, v165, v167, v169, v17, v172, v173, v177, v179, v193, v194, v195, v208, v209, v211, v216, v217, v219, v220, v222, v224, v226, v229, v230, v234, v236, v24, v250, v251, v252, v26, v265, v266, v268, v273, v274, v276, v277, v279, v28, v281, v283, v286, v287, v291, v293, v30, v307, v308, v309, v326, v328, v330, v334, v347, v37, v39, v40, v41, v43, v44, v46, v48, v5, v51, v54, v55, v59, v61, v63, v7, v78, v79, v8, v80, v85, v94, v95, v97, value, weight;
-  v5 = (n > 2.0);
-  if (v5) {
-    v7 = (v5 ? n : 3.0);
-    v8 = (v7 - 2.0);
-    v17 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v8) / (v8 + 0.72))) / v8));
-    if ((v8 < 2.0)) {
-      v24 = (Math.log(((v8 * (v8 + 2.0)) / 2.0)) / v8);
-      v26 = (((v17 > v24) || (v17 !== v17)) ? v17 : v24);
-    } else {
-      v26 = v17;
-    }
-    v28 = ((-2.0) * v26);
-    v30 = (-Math.expm1(v28));
-    v37 = ((v7 - 1.0) + 0.0);
-    v39 = (v37 - (v7 * Math.exp(((-2.0) * (((v26 < 300.0) || (v26 !== v26)) ? v26 : 300.0)))));
-    v40 = (((v39 > 1.0) || (v39 !== v39)) ? v39 : 1.0);
-    v41 = (v8 + 1.0);
-    v43 = (1.0 / (v41 * v26));
-    v59 = (v8 * v26);
-    v63 = (0.5 * v8);
-    v79 = [];
-    for ([node, weight] of RULE_0((1.0 / v43))) {
-      v44 = (node * 1.0);
-      v46 = ((v44 * v44) * v44);
-      v48 = ((v46 * v46) * v44);
-      v51 = (v48 * v44);
-      v54 = (-Math.expm1((v28 * v51)));
-      v55 = (1.0 - v51);
-      v61 = Math.expm1((v59 * v51));
-      v78 = ((8.0 * v48) * (((Math.exp((v26 * v55)) * Math.pow((v54 / v30), (-0.5))) * (v61 - (((v63 * (v61 + 1.0)) * v54) * ((-Math.expm1((v28 * v55))) / v30)))) / v54));
-      v79.push((weight * v78));
-    }
-    v79 = (math.fsum(v79) * 1.0);
-    v80 = (v26 * v79);
-    v85 = (2.0 * v37);
-    v94 = (v26 - ((Math.log(v80) * v80) / ((Math.exp(v59) / (v30 * v40)) + ((v80 - 1.0) * ((v85 / v40) - (1.0 / v30))))));
-    v95 = ((-2.0) * v94);
-    v97 = (-Math.expm1(v95));
-    v102 = (v37 - (v7 * Math.exp(((-2.0) * (((v94 < 300.0) || (v94 !== v94)) ? v94 : 300.0)))));
-    v103 = (((v102 > 1.0) || (v102 !== v102)) ? v102 : 1.0);
-    v105 = (1.0 / (v41 * v94));
-    v120 = (v8 * v94);
-    v137 = [];
-    for ([node, weight] of RULE_0((1.0 / v105))) {
-      v106 = (node * 1.0);
-      v108 = ((v106 * v106) * v106);
-      v110 = ((v108 * v108) * v106);
-      v112 = (v110 * v106);
-      v115 = (-Math.expm1((v95 * v112)));
-      v116 = (1.0 - v112);
-      v122 = Math.expm1((v120 * v112));
-      v136 = ((8.0 * v110) * (((Math.exp((v94 * v116)) * Math.pow((v115 / v97), (-0.5))) * (v122 - (((v63 * (v122 + 1.0)) * v115) * ((-Math.expm1((v95 * v116))) / v97)))) / v115));
-      v137.push((weight * v136));
-    }
-    v137 = (math.fsum(v137) * 1.0);
-    v138 = (v94 * v137);
-    v151 = (v94 - ((Math.log(v138) * v138) / ((Math.exp(v120) / (v97 * v103)) + ((v138 - 1.0) * ((v85 / v103) - (1.0 / v97))))));
-    v152 = ((-2.0) * v151);
-    v154 = (-Math.expm1(v152));
-    v159 = (v37 - (v7 * Math.exp(((-2.0) * (((v151 < 300.0) || (v151 !== v151)) ? v151 : 300.0)))));
-    v160 = (((v159 > 1.0) || (v159 !== v159)) ? v159 : 1.0);
-    v162 = (1.0 / (v41 * v151));
-    v177 = (v8 * v151);
-    v194 = [];
-    for ([node, weight] of RULE_0((1.0 / v162))) {
-      v163 = (node * 1.0);
-      v165 = ((v163 * v163) * v163);
-      v167 = ((v165 * v165) * v163);
-      v169 = (v167 * v163);
-      v172 = (-Math.expm1((v152 * v169)));
-      v173 = (1.0 - v169);
-      v179 = Math.expm1((v177 * v169));
-      v193 = ((8.0 * v167) * (((Math.exp((v151 * v173)) * Math.pow((v172 / v154), (-0.5))) * (v179 - (((v63 * (v179 + 1.0)) * v172) * ((-Math.expm1((v152 * v173))) / v154)))) / v172));
-      v194.push((weight * v193));
-    }
-    v194 = (math.fsum(v194) * 1.0);
-    v195 = (v151 * v194);
-    v208 = (v151 - ((Math.log(v195) * v195) / ((Math.exp(v177) / (v154 * v160)) + ((v195 - 1.0) * ((v85 / v160) - (1.0 / v154))))));
-    v209 = ((-2.0) * v208);
-    v211 = (-Math.expm1(v209));
-    v216 = (v37 - (v7 * Math.exp(((-2.0) * (((v208 < 300.0) || (v208 !== v208)) ? v208 : 300.0)))));
-    v217 = (((v216 > 1.0) || (v216 !== v216)) ? v216 : 1.0);
-    v219 = (1.0 / (v41 * v208));
-    v234 = (v8 * v208);
-    v251 = [];
-    for ([node, weight] of RULE_0((1.0 / v219))) {
-      v220 = (node * 1.0);
-      v222 = ((v220 * v220) * v220);
-      v224 = ((v222 * v222) * v220);
-      v226 = (v224 * v220);
-      v229 = (-Math.expm1((v209 * v226)));
-      v230 = (1.0 - v226);
-      v236 = Math.expm1((v234 * v226));
-      v250 = ((8.0 * v224) * (((Math.exp((v208 * v230)) * Math.pow((v229 / v211), (-0.5))) * (v236 - (((v63 * (v236 + 1.0)) * v229) * ((-Math.expm1((v209 * v230))) / v211)))) / v229));
-      v251.push((weight * v250));
-    }
-    v251 = (math.fsum(v251) * 1.0);
-    v252 = (v208 * v251);
-    v265 = (v208 - ((Math.log(v252) * v252) / ((Math.exp(v234) / (v211 * v217)) + ((v252 - 1.0) * ((v85 / v217) - (1.0 / v211))))));
-    v266 = ((-2.0) * v265);
-    v268 = (-Math.expm1(v266));
-    v273 = (v37 - (v7 * Math.exp(((-2.0) * (((v265 < 300.0) || (v265 !== v265)) ? v265 : 300.0)))));
-    v274 = (((v273 > 1.0) || (v273 !== v273)) ? v273 : 1.0);
-    v276 = (1.0 / (v41 * v265));
-    v291 = (v8 * v265);
-    v308 = [];
-    for ([node, weight] of RULE_0((1.0 / v276))) {
-      v277 = (node * 1.0);
-      v279 = ((v277 * v277) * v277);
-      v281 = ((v279 * v279) * v277);
-      v283 = (v281 * v277);
-      v286 = (-Math.expm1((v266 * v283)));
-      v287 = (1.0 - v283);
-      v293 = Math.expm1((v291 * v283));
-      v307 = ((8.0 * v281) * (((Math.exp((v265 * v287)) * Math.pow((v286 / v268), (-0.5))) * (v293 - (((v63 * (v293 + 1.0)) * v286) * ((-Math.expm1((v266 * v287))) / v268)))) / v286));
-      v308.push((weight * v307));
-    }
-    v308 = (math.fsum(v308) * 1.0);
-    v309 = (v265 * v308);
-    v326 = (-Math.expm1(((-2.0) * (v265 - ((Math.log(v309) * v309) / ((Math.exp(v291) / (v268 * v274)) + ((v309 - 1.0) * ((v85 / v274) - (1.0 / v268)))))))));
-  } else {
-    v326 = 1.0;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  v328 = ((n / 2.0) + 0.5);
-  v330 = (v328 + 1.75);
-  v334 = ((v328 + 0.5) * (v328 + 1.5));
-  v347 = (1.0 / (v330 * v330));
-  value = (((((((3.5449077018110318 * E_star) * n) * h) * (v326 + 1.0)) * a) * ((((v328 < 1.0) ? ((v328 * (v328 + 1.0)) / v334) : (1.0 - ((v328 + 0.75) / v334))) * Math.sqrt(v330)) * (1.0 + (v347 * (((((((((((((0.01524698625788054 * v347) + 0.5334320651111477) * v347) + 2.250488865813539) * v347) + 2.8612106440066865) * v347) + 1.3794681629043655) * v347) + 0.2596058532893223) * v347) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v347) + 49.328555418276075) * v347) + 167.28648538571198) * v347) + 195.37226190335065) * v347) + 90.69722535867314) * v347) + 16.763212110504565) * v347) + 1.0)))))) / ((n + 1.0) * ((n * v326) - 1.0)));
-  return value;
+  return _minimum_force_of_concave_power(a, h, n, E_star);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return hess_retraction(a, E_star, dgamma);
 };
 
 const formulas = {
@@ -1588,11 +1943,12 @@ const formulas = {
   "F": (v) => force(v.d, v.a, v.h, v.n, v.E_star),
   "p": (v) => pressure(v.r, v.d, v.a, v.h, v.n, v.E_star),
   "w": (v) => displacement(v.r, v.d, v.a, v.h, v.n),
-  "k": (v) => stiffness(v.a, v.E_star, v.h, v.n),
+  "k": (v) => stiffness(v.a, v.h, v.n, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.a, v.h, v.n, v.E_star),
-  "rz": (v) => zero_radius(v.a, v.n, v.h),
-  "dmin": (v) => minimum_depth(v.h, v.n, v.a),
+  "rz": (v) => zero_radius(v.a, v.h, v.n),
+  "dmin": (v) => minimum_depth(v.a, v.h, v.n),
   "Fmin": (v) => minimum_force(v.a, v.h, v.n, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
 };
 window.calculator = { ...{
  "fields": [
@@ -1661,6 +2017,17 @@ window.calculator = { ...{
    "high": 0.5,
    "closed": "high",
    "value": 0.3
+  },
+  {
+   "name": "dgamma",
+   "tex": "\\Delta\\gamma",
+   "meaning": "work of separation per unit area",
+   "unit": "N/m",
+   "rule": "dgamma >= 0",
+   "low": 0.0,
+   "high": null,
+   "closed": "low",
+   "value": 0.05
   },
   {
    "name": "r",
@@ -1770,9 +2137,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "h",
-    "n"
+    "n",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1795,8 +2162,8 @@ window.calculator = { ...{
    "gives": "r_zero",
    "needs": [
     "a",
-    "n",
-    "h"
+    "h",
+    "n"
    ],
    "unit": "m",
    "place": "",
@@ -1805,9 +2172,9 @@ window.calculator = { ...{
   "dmin": {
    "gives": "d",
    "needs": [
+    "a",
     "h",
-    "n",
-    "a"
+    "n"
    ],
    "unit": "m",
    "place": "",
@@ -1824,6 +2191,17 @@ window.calculator = { ...{
    "unit": "N",
    "place": "",
    "suffix": "Fmin"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   }
  },
  "place": "r"

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,12 +159,19 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, theta, b) => {
+const _depth = (a, theta, b) => {
   return ((Math.tan(theta) * a) * Math.atan((a / b)));
 };
 
-const force = (a, theta, b, E_star) => {
-  let v11, v15, v58, value;
+const depth = (a, theta, b) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, theta, b) : NaN);
+};
+
+const _force = (a, theta, b, E_star) => {
+  let v11, v15, v58;
   v11 = (a / b);
   if ((v11 < 1.0)) {
     v15 = (v11 * v11);
@@ -148,158 +179,378 @@ const force = (a, theta, b, E_star) => {
   } else {
     v58 = (v11 - Math.atan(v11));
   }
-  value = ((E_star * Math.tan(theta)) * (((a * a) * Math.atan2(a, b)) + ((b * b) * v58)));
-  return value;
+  return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan2(a, b)) + ((b * b) * v58)));
+};
+
+const force = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, theta, b, E_star) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure = (r, a, theta, b, E_star) => {
-  let node, v14, v16, v21, v24, v25, v34, v35, v37, v40, v42, v46, v5, v51, v54, v55, v8, v9, value, weight;
-  if ((r < a)) {
-    v5 = (r * r);
-    v8 = Math.sqrt((v5 + (b * b)));
-    v9 = (a - r);
-    v14 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (a + r)));
-    v16 = Math.asinh((v14 / v8));
-    v21 = (0.0 - Math.expm1(((-2.0) * v16)));
-    v24 = ((v21 > 0.0) ? v21 : Infinity);
-    v40 = Math.tan(theta);
-    v42 = (b * v40);
-    v46 = (b * b);
-    v51 = (v8 * v8);
-    v55 = [];
-    for ([node, weight] of RULE_0((v16 / 1.0))) {
-      v25 = (node * v16);
-      v34 = (v14 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v16 - v25))))) / v24));
-      v35 = (v34 * v34);
-      v37 = Math.sqrt((v5 + v35));
-      v54 = ((((v40 * Math.atan((v37 / b))) + ((v42 * v37) / ((v37 * v37) + v46))) / v37) * Math.sqrt((v51 + v35)));
-      v55.push((weight * v54));
+const _slope = (t, theta, b) => {
+  let angle;
+  angle = Math.atan((t / b));
+  return ((Math.tan(theta) * angle) + (((b * Math.tan(theta)) * t) / (Math.pow(t, 2) + Math.pow(b, 2))));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_sinh = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, reach, scale, stop;
+  [scale, reach] = [Math.sqrt(((r * r) + (b * b))), difference_root(a, r)];
+  stop = Math.asinh((reach / scale));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let t, u;
+    u = (reach * fallen(v));
+    t = Math.sqrt(((r * r) + (u * u)));
+    return ((slope(t) / t) * Math.sqrt(((scale * scale) + (u * u))));
+  };
+  return [integrand, stop, 1.0, true, 0.0];
+});
+
+const _pressure_of_hyperboloid = (r, a, theta, b, E_star) => {
+  let within;
+  within = pressure_integral_sinh(_slope, [theta, b], r, a, b);
+  return math.where((r < a), ((E_star / Math.PI) * within), 0.0);
+};
+
+const _pressure = (r, a, theta, b, E_star) => {
+  let node, v14, v16, v21, v24, v25, v34, v35, v37, v40, v42, v46, v5, v51, v54, v55, v8, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r < a)) {
+      v5 = (r * r);
+      v8 = Math.sqrt((v5 + (b * b)));
+      v9 = (a - r);
+      v14 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (a + r)));
+      v16 = Math.asinh((v14 / v8));
+      v21 = (0.0 - Math.expm1(((-2.0) * v16)));
+      v24 = ((v21 > 0.0) ? v21 : Infinity);
+      v40 = Math.tan(theta);
+      v42 = (b * v40);
+      v46 = (b * b);
+      v51 = (v8 * v8);
+      v55 = [];
+      for ([node, weight] of RULE_0((v16 / 1.0))) {
+        v25 = (node * v16);
+        v34 = (v14 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v16 - v25))))) / v24));
+        v35 = (v34 * v34);
+        v37 = Math.sqrt((v5 + v35));
+        v54 = ((((v40 * Math.atan((v37 / b))) + ((v42 * v37) / ((v37 * v37) + v46))) / v37) * Math.sqrt((v51 + v35)));
+        v55.push((weight * v54));
+      }
+      v55 = (math.fsum(v55) * v16);
+      return ((E_star / 3.141592653589793) * v55);
     }
-    v55 = (math.fsum(v55) * v16);
-    value = ((E_star / 3.141592653589793) * v55);
-    return value;
+    return 0.0;
   }
-  return 0.0;
+  return _pressure_of_hyperboloid(r, a, theta, b, E_star);
+};
+
+const pressure = (r, a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
+};
+
+const displacement_integral_sinh = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, scale, stop;
+  [scale, end] = [(b / Math.sqrt(((r * r) + (b * b)))), (a / difference_root(r, a))];
+  stop = Math.asinh((end / scale));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let secant, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    weight = (Math.sqrt(((scale * scale) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((slope(((r * tangent) / secant)) * Math.atan(tangent)) * weight);
+  };
+  return [integrand, stop, r, true, 0.0];
+});
+
+const _depth_of_hyperboloid = (a, theta, b) => {
+  let angle;
+  angle = Math.atan((a / b));
+  return ((Math.tan(theta) * a) * angle);
+};
+
+const _profile = (r, theta, b) => {
+  let root;
+  root = Math.sqrt((Math.pow(r, 2) + Math.pow(b, 2)));
+  return ((Math.tan(theta) * Math.pow(r, 2)) / (root + b));
+};
+
+const _displacement_of_hyperboloid = (r, a, theta, b) => {
+  let inside, outside, tip;
+  tip = displacement_integral_sinh(_slope, [theta, b], r, a, b);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_hyperboloid(a, theta, b) - _profile(r, theta, b));
+  return math.where((r > a), outside, inside);
+};
+
+const _displacement = (r, a, theta, b) => {
+  let node, v15, v17, v22, v25, v26, v35, v36, v38, v39, v46, v49, v51, v55, v61, v62, v71, v8, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    v49 = Math.tan(theta);
+    v55 = (b * b);
+    if ((r > a)) {
+      v8 = (b / Math.sqrt(((r * r) + (b * b))));
+      v9 = (r - a);
+      v15 = (a / Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (r + a))));
+      v17 = Math.asinh((v15 / v8));
+      v22 = (0.0 - Math.expm1(((-2.0) * v17)));
+      v25 = ((v22 > 0.0) ? v22 : Infinity);
+      v39 = (v8 * v8);
+      v51 = (b * v49);
+      v62 = [];
+      for ([node, weight] of RULE_0((v17 / 1.0))) {
+        v26 = (node * v17);
+        v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
+        v36 = (v35 * v35);
+        v38 = Math.sqrt((1.0 + v36));
+        v46 = ((r * v35) / v38);
+        v61 = ((((v49 * Math.atan((v46 / b))) + ((v51 * v46) / ((v46 * v46) + v55))) * Math.atan(v35)) * (Math.sqrt((v39 + v36)) / ((v38 * v38) * v38)));
+        v62.push((weight * v61));
+      }
+      v62 = (math.fsum(v62) * v17);
+      return (0.6366197723675814 * (r * v62));
+    }
+    v71 = (r * r);
+    return (((v49 * a) * Math.atan((a / b))) - ((v49 * v71) / (Math.sqrt((v71 + v55)) + b)));
+  }
+  return _displacement_of_hyperboloid(r, a, theta, b);
 };
 
 const displacement = (r, a, theta, b) => {
-  let node, v15, v17, v22, v25, v26, v35, v36, v38, v39, v46, v49, v51, v55, v61, v62, v71, v8, v9, value, weight;
-  v49 = Math.tan(theta);
-  v55 = (b * b);
-  if ((r > a)) {
-    v8 = (b / Math.sqrt(((r * r) + (b * b))));
-    v9 = (r - a);
-    v15 = (a / Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (r + a))));
-    v17 = Math.asinh((v15 / v8));
-    v22 = (0.0 - Math.expm1(((-2.0) * v17)));
-    v25 = ((v22 > 0.0) ? v22 : Infinity);
-    v39 = (v8 * v8);
-    v51 = (b * v49);
-    v62 = [];
-    for ([node, weight] of RULE_0((v17 / 1.0))) {
-      v26 = (node * v17);
-      v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
-      v36 = (v35 * v35);
-      v38 = Math.sqrt((1.0 + v36));
-      v46 = ((r * v35) / v38);
-      v61 = ((((v49 * Math.atan((v46 / b))) + ((v51 * v46) / ((v46 * v46) + v55))) * Math.atan(v35)) * (Math.sqrt((v39 + v36)) / ((v38 * v38) * v38)));
-      v62.push((weight * v61));
-    }
-    v62 = (math.fsum(v62) * v17);
-    value = (0.6366197723675814 * (r * v62));
-    return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  v71 = (r * r);
-  return (((v49 * a) * Math.atan((a / b))) - ((v49 * v71) / (Math.sqrt((v71 + v55)) + b)));
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, theta, b) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_hyperboloid = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_hyperboloid(a, E_star);
+};
+
+const stiffness = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const ARCTAN_GAP = [[0.3333333333333333, 0.8116412201960678, 0.7123414383945195, 0.2725778671008127, 0.04325113828415611, 0.0021043873129700233, 2.229767813968649e-06], [1.0, 3.034923660588189, 3.5294070829658954, 1.9680296155712274, 0.5368820963772863, 0.06453295925870227, 0.002445452808893491]];
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const arctan_gap = (x) => {
+  let t;
+  t = math.minimum(x, 1.0);
+  return math.where((x < 1.0), ((t * (t * t)) * rational((t * t), ...ARCTAN_GAP)), (x - Math.atan(x)));
+};
+
+const _force_of_hyperboloid = (a, theta, b, E_star) => {
+  let angle;
+  angle = Math.atan2(a, b);
+  return ((E_star * Math.tan(theta)) * ((Math.pow(a, 2) * angle) + (Math.pow(b, 2) * arctan_gap((a / b)))));
+};
+
+const _mean_pressure_of_hyperboloid = (a, theta, b, E_star) => {
+  return math.where((a > 0.0), (_force_of_hyperboloid(a, theta, b, E_star) / (Math.PI * Math.pow(a, 2))), 0.0);
+};
+
+const _mean_pressure = (a, theta, b, E_star) => {
+  let v10, v13, v17, v60;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a > 0.0)) {
+      v10 = (a * a);
+      v13 = (a / b);
+      if ((v13 < 1.0)) {
+        v17 = (v13 * v13);
+        v60 = ((v13 * v17) * (((((((((((((2.229767813968649e-06 * v17) + 0.0021043873129700233) * v17) + 0.04325113828415611) * v17) + 0.2725778671008127) * v17) + 0.7123414383945195) * v17) + 0.8116412201960678) * v17) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v17) + 0.06453295925870227) * v17) + 0.5368820963772863) * v17) + 1.9680296155712274) * v17) + 3.5294070829658954) * v17) + 3.034923660588189) * v17) + 1.0)));
+      } else {
+        v60 = (v13 - Math.atan(v13));
+      }
+      return (((E_star * Math.tan(theta)) * ((v10 * Math.atan2(a, b)) + ((b * b) * v60))) / (3.141592653589793 * v10));
+    }
+    return 0.0;
+  }
+  return _mean_pressure_of_hyperboloid(a, theta, b, E_star);
 };
 
 const mean_pressure = (a, theta, b, E_star) => {
-  let v10, v13, v17, v60, value;
-  if ((a > 0.0)) {
-    v10 = (a * a);
-    v13 = (a / b);
-    if ((v13 < 1.0)) {
-      v17 = (v13 * v13);
-      v60 = ((v13 * v17) * (((((((((((((2.229767813968649e-06 * v17) + 0.0021043873129700233) * v17) + 0.04325113828415611) * v17) + 0.2725778671008127) * v17) + 0.7123414383945195) * v17) + 0.8116412201960678) * v17) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v17) + 0.06453295925870227) * v17) + 0.5368820963772863) * v17) + 1.9680296155712274) * v17) + 3.5294070829658954) * v17) + 3.034923660588189) * v17) + 1.0)));
-    } else {
-      v60 = (v13 - Math.atan(v13));
-    }
-    value = (((E_star * Math.tan(theta)) * ((v10 * Math.atan2(a, b)) + ((b * b) * v60))) / (3.141592653589793 * v10));
-    return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return 0.0;
+  return ((a >= 0.0) ? _mean_pressure(a, theta, b, E_star) : NaN);
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral = math.in_groups((depth, a, d, length) => {
+  let fallen, integrand, stop;
+  stop = Math.asinh((a / length));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let short, t;
+    t = (a * fallen(v));
+    short = (d - depth(t));
+    return ((short * short) * Math.sqrt(((length * length) + (t * t))));
+  };
+  return [integrand, stop, 1.0, true, 0.0];
+});
+
+const _energy_of_hyperboloid = (a, theta, b, E_star) => {
+  let sunk, tip;
+  sunk = _depth_of_hyperboloid(a, theta, b);
+  tip = energy_integral(_depth_of_hyperboloid, [theta, b], a, sunk, b);
+  return (E_star * tip);
+};
+
+const _energy = (a, theta, b, E_star) => {
+  let node, v15, v18, v19, v28, v33, v35, v39, v4, v40, v6, v8, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v4 = (a / b);
+    v6 = Math.tan(theta);
+    v8 = ((v6 * a) * Math.atan(v4));
+    v9 = Math.asinh(v4);
+    v15 = (0.0 - Math.expm1(((-2.0) * v9)));
+    v18 = ((v15 > 0.0) ? v15 : Infinity);
+    v35 = (b * b);
+    v40 = [];
+    for ([node, weight] of RULE_0((v9 / 1.0))) {
+      v19 = (node * v9);
+      v28 = (a * ((Math.exp((-v19)) * (0.0 - Math.expm1(((-2.0) * (v9 - v19))))) / v18));
+      v33 = (v8 - ((v6 * v28) * Math.atan((v28 / b))));
+      v39 = ((v33 * v33) * Math.sqrt((v35 + (v28 * v28))));
+      v40.push((weight * v39));
+    }
+    v40 = (math.fsum(v40) * v9);
+    return (E_star * v40);
+  }
+  return _energy_of_hyperboloid(a, theta, b, E_star);
 };
 
 const energy = (a, theta, b, E_star) => {
-  let node, v15, v18, v19, v28, v33, v35, v39, v4, v40, v6, v8, v9, value, weight;
-  v4 = (a / b);
-  v6 = Math.tan(theta);
-  v8 = ((v6 * a) * Math.atan(v4));
-  v9 = Math.asinh(v4);
-  v15 = (0.0 - Math.expm1(((-2.0) * v9)));
-  v18 = ((v15 > 0.0) ? v15 : Infinity);
-  v35 = (b * b);
-  v40 = [];
-  for ([node, weight] of RULE_0((v9 / 1.0))) {
-    v19 = (node * v9);
-    v28 = (a * ((Math.exp((-v19)) * (0.0 - Math.expm1(((-2.0) * (v9 - v19))))) / v18));
-    v33 = (v8 - ((v6 * v28) * Math.atan((v28 / b))));
-    v39 = ((v33 * v33) * Math.sqrt((v35 + (v28 * v28))));
-    v40.push((weight * v39));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v40 = (math.fsum(v40) * v9);
-  value = (E_star * v40);
-  return value;
+  return ((a >= 0.0) ? _energy(a, theta, b, E_star) : NaN);
+};
+
+const load_within_integral = math.in_groups((slope, r, a) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, r);
+  stop = Math.asinh((reach / r));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let t, u;
+    u = (reach * fallen(v));
+    t = Math.sqrt(((r * r) + (u * u)));
+    return (slope(t) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (r > 0.0), 0.0];
+});
+
+const _load_within_of_hyperboloid = (r, a, theta, b, E_star) => {
+  let tip;
+  tip = load_within_integral(_slope, [theta, b], math.minimum(r, a), a);
+  return (_force_of_hyperboloid(math.minimum(r, a), theta, b, E_star) + ((2 * E_star) * tip));
+};
+
+const _load_within = (r, a, theta, b, E_star) => {
+  let node, v105, v11, v13, v18, v21, v22, v24, v33, v36, v39, v41, v45, v5, v51, v52, v54, v59, v6, v62, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v5 = (((r < a) || (r !== r)) ? r : a);
+    v39 = Math.tan(theta);
+    v45 = (b * b);
+    if ((v5 > 0.0)) {
+      v6 = (a - v5);
+      v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (a + v5)));
+      v13 = Math.asinh((v11 / v5));
+      v18 = (0.0 - Math.expm1(((-2.0) * v13)));
+      v21 = ((v18 > 0.0) ? v18 : Infinity);
+      v22 = (v5 * v5);
+      v41 = (b * v39);
+      v52 = [];
+      for ([node, weight] of RULE_0((v13 / 1.0))) {
+        v24 = (node * v13);
+        v33 = (v11 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v13 - v24))))) / v21));
+        v36 = Math.sqrt((v22 + (v33 * v33)));
+        v51 = (((v39 * Math.atan((v36 / b))) + ((v41 * v36) / ((v36 * v36) + v45))) * (v33 / (v36 + v33)));
+        v52.push((weight * v51));
+      }
+      v52 = (math.fsum(v52) * v13);
+      v54 = (v22 * v52);
+    } else {
+      v54 = 0.0;
+    }
+    v59 = (v5 / b);
+    if ((v59 < 1.0)) {
+      v62 = (v59 * v59);
+      v105 = ((v59 * v62) * (((((((((((((2.229767813968649e-06 * v62) + 0.0021043873129700233) * v62) + 0.04325113828415611) * v62) + 0.2725778671008127) * v62) + 0.7123414383945195) * v62) + 0.8116412201960678) * v62) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v62) + 0.06453295925870227) * v62) + 0.5368820963772863) * v62) + 1.9680296155712274) * v62) + 3.5294070829658954) * v62) + 3.034923660588189) * v62) + 1.0)));
+    } else {
+      v105 = (v59 - Math.atan(v59));
+    }
+    return (((E_star * v39) * (((v5 * v5) * Math.atan2(v5, b)) + (v45 * v105))) + ((2.0 * E_star) * v54));
+  }
+  return _load_within_of_hyperboloid(r, a, theta, b, E_star);
 };
 
 const load_within = (r, a, theta, b, E_star) => {
-  let node, v105, v11, v13, v18, v21, v22, v24, v33, v36, v39, v41, v45, v5, v51, v52, v54, v59, v6, v62, value, weight;
-  v5 = (((r < a) || (r !== r)) ? r : a);
-  v39 = Math.tan(theta);
-  v45 = (b * b);
-  if ((v5 > 0.0)) {
-    v6 = (a - v5);
-    v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (a + v5)));
-    v13 = Math.asinh((v11 / v5));
-    v18 = (0.0 - Math.expm1(((-2.0) * v13)));
-    v21 = ((v18 > 0.0) ? v18 : Infinity);
-    v22 = (v5 * v5);
-    v41 = (b * v39);
-    v52 = [];
-    for ([node, weight] of RULE_0((v13 / 1.0))) {
-      v24 = (node * v13);
-      v33 = (v11 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v13 - v24))))) / v21));
-      v36 = Math.sqrt((v22 + (v33 * v33)));
-      v51 = (((v39 * Math.atan((v36 / b))) + ((v41 * v36) / ((v36 * v36) + v45))) * (v33 / (v36 + v33)));
-      v52.push((weight * v51));
-    }
-    v52 = (math.fsum(v52) * v13);
-    v54 = (v22 * v52);
-  } else {
-    v54 = 0.0;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v59 = (v5 / b);
-  if ((v59 < 1.0)) {
-    v62 = (v59 * v59);
-    v105 = ((v59 * v62) * (((((((((((((2.229767813968649e-06 * v62) + 0.0021043873129700233) * v62) + 0.04325113828415611) * v62) + 0.2725778671008127) * v62) + 0.7123414383945195) * v62) + 0.8116412201960678) * v62) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v62) + 0.06453295925870227) * v62) + 0.5368820963772863) * v62) + 1.9680296155712274) * v62) + 3.5294070829658954) * v62) + 3.034923660588189) * v62) + 1.0)));
-  } else {
-    v105 = (v59 - Math.atan(v59));
-  }
-  value = (((E_star * v39) * (((v5 * v5) * Math.atan2(v5, b)) + (v45 * v105))) + ((2.0 * E_star) * v54));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const _depth = (a, theta, b) => {
-  return ((Math.tan(theta) * a) * Math.atan((a / b)));
-};
-
-const _slope = (t, theta, b) => {
+const _slope_of_hyperboloid = (t, theta, b) => {
   let v5;
   v5 = Math.tan(theta);
   return ((v5 * Math.atan((t / b))) + (((b * v5) * t) / ((t * t) + (b * b))));
@@ -416,27 +667,16 @@ const _radius_from_depth = (d, theta, b) => {
   curve = (a) => {
     let value;
     value = _depth(a, theta, b);
-    return [value, ((a * _slope(a, theta, b)) / value)];
+    return [value, ((a * _slope_of_hyperboloid(a, theta, b)) / value)];
   };
   return inverse(curve, d, ((b / 1000) * math.ones_like(d)), [1.0, 2.0], undefined, undefined, true);
 };
 
 const radius_from_depth = (d, theta, b) => {
-  let value;
-  value = _radius_from_depth(d, theta, b);
-  return value;
-};
-
-const _force = (a, theta, b, E_star) => {
-  let v11, v15, v58;
-  v11 = (a / b);
-  if ((v11 < 1.0)) {
-    v15 = (v11 * v11);
-    v58 = ((v11 * v15) * (((((((((((((2.229767813968649e-06 * v15) + 0.0021043873129700233) * v15) + 0.04325113828415611) * v15) + 0.2725778671008127) * v15) + 0.7123414383945195) * v15) + 0.8116412201960678) * v15) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v15) + 0.06453295925870227) * v15) + 0.5368820963772863) * v15) + 1.9680296155712274) * v15) + 3.5294070829658954) * v15) + 3.034923660588189) * v15) + 1.0)));
-  } else {
-    v58 = (v11 - Math.atan(v11));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan2(a, b)) + ((b * b) * v58)));
+  return ((d >= 0.0) ? _radius_from_depth(d, theta, b) : NaN);
 };
 
 const _radius_from_force = (F, theta, b, E_star) => {
@@ -444,15 +684,16 @@ const _radius_from_force = (F, theta, b, E_star) => {
   curve = (a) => {
     let value;
     value = _force(a, theta, b, E_star);
-    return [value, ((((2 * E_star) * Math.pow(a, 2)) * _slope(a, theta, b)) / value)];
+    return [value, ((((2 * E_star) * Math.pow(a, 2)) * _slope_of_hyperboloid(a, theta, b)) / value)];
   };
   return inverse(curve, F, ((b / 1000) * math.ones_like(F)), [2.0, 3.0], undefined, undefined, true);
 };
 
 const radius_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _radius_from_force(F, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, theta, b, E_star) : NaN);
 };
 
 const _force_from_depth = (d, theta, b, E_star) => {
@@ -463,9 +704,10 @@ const _force_from_depth = (d, theta, b, E_star) => {
 };
 
 const force_from_depth = (d, theta, b, E_star) => {
-  let value;
-  value = _force_from_depth(d, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, theta, b, E_star) : NaN);
 };
 
 const _depth_from_force = (F, theta, b, E_star) => {
@@ -476,17 +718,36 @@ const _depth_from_force = (F, theta, b, E_star) => {
 };
 
 const depth_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _depth_from_force(F, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, theta, b, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, theta, b, E_star, dgamma) => {
+  return (((Math.tan(theta) * a) * Math.atan((a / b))) - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
 const depth_of_hyperboloid = (a, theta, b, E_star, dgamma) => {
-  return (((Math.tan(theta) * a) * Math.atan((a / b))) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
-const force_of_hyperboloid = (a, theta, b, E_star, dgamma) => {
-  let v12, v16, v59, value;
+const _force_2 = (a, theta, b, E_star, dgamma) => {
+  let v12, v16, v59;
   v12 = (a / b);
   if ((v12 < 1.0)) {
     v16 = (v12 * v12);
@@ -494,274 +755,409 @@ const force_of_hyperboloid = (a, theta, b, E_star, dgamma) => {
   } else {
     v59 = (v12 - Math.atan(v12));
   }
-  value = (((E_star * Math.tan(theta)) * (((a * a) * Math.atan2(a, b)) + ((b * b) * v59))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-  return value;
+  return (((E_star * Math.tan(theta)) * (((a * a) * Math.atan2(a, b)) + ((b * b) * v59))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+};
+
+const force_of_hyperboloid = (a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
 const RULE_0_of_hyperboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
-  let node, v10, v15, v17, v22, v25, v26, v35, v36, v38, v41, v43, v47, v52, v55, v56, v6, v62, v68, v75, v9, value, weight;
-  v10 = (a - r);
-  v15 = Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (a + r)));
-  if ((r < a)) {
-    v6 = (r * r);
-    v9 = Math.sqrt((v6 + (b * b)));
-    v17 = Math.asinh((v15 / v9));
-    v22 = (0.0 - Math.expm1(((-2.0) * v17)));
-    v25 = ((v22 > 0.0) ? v22 : Infinity);
-    v41 = Math.tan(theta);
-    v43 = (b * v41);
-    v47 = (b * b);
-    v52 = (v9 * v9);
-    v56 = [];
-    for ([node, weight] of RULE_0_of_hyperboloid((v17 / 1.0))) {
-      v26 = (node * v17);
-      v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
-      v36 = (v35 * v35);
-      v38 = Math.sqrt((v6 + v36));
-      v55 = ((((v41 * Math.atan((v38 / b))) + ((v43 * v38) / ((v38 * v38) + v47))) / v38) * Math.sqrt((v52 + v36)));
-      v56.push((weight * v55));
-    }
-    v56 = (math.fsum(v56) * v17);
-    v62 = ((E_star / 3.141592653589793) * v56);
-  } else {
-    v62 = 0.0;
-  }
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
   if ((r <= a)) {
-    v68 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    v75 = ((v68 > 0.0) ? ((E_star * v68) / (3.141592653589793 * v15)) : 0.0);
-  } else {
-    v75 = 0.0;
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
+    }
+    return 0.0;
   }
-  value = (v62 - v75);
-  return value;
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_pressure_of_hyperboloid(r, a, theta, b, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v10, v15, v17, v22, v25, v26, v35, v36, v38, v41, v43, v47, v52, v55, v56, v6, v62, v68, v75, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v10 = (a - r);
+    v15 = Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (a + r)));
+    if ((r < a)) {
+      v6 = (r * r);
+      v9 = Math.sqrt((v6 + (b * b)));
+      v17 = Math.asinh((v15 / v9));
+      v22 = (0.0 - Math.expm1(((-2.0) * v17)));
+      v25 = ((v22 > 0.0) ? v22 : Infinity);
+      v41 = Math.tan(theta);
+      v43 = (b * v41);
+      v47 = (b * b);
+      v52 = (v9 * v9);
+      v56 = [];
+      for ([node, weight] of RULE_0_of_hyperboloid((v17 / 1.0))) {
+        v26 = (node * v17);
+        v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
+        v36 = (v35 * v35);
+        v38 = Math.sqrt((v6 + v36));
+        v55 = ((((v41 * Math.atan((v38 / b))) + ((v43 * v38) / ((v38 * v38) + v47))) / v38) * Math.sqrt((v52 + v36)));
+        v56.push((weight * v55));
+      }
+      v56 = (math.fsum(v56) * v17);
+      v62 = ((E_star / 3.141592653589793) * v56);
+    } else {
+      v62 = 0.0;
+    }
+    if ((r <= a)) {
+      v68 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      v75 = ((v68 > 0.0) ? ((E_star * v68) / (3.141592653589793 * v15)) : 0.0);
+    } else {
+      v75 = 0.0;
+    }
+    return (v62 - v75);
+  }
+  return _pressure_3(r, a, theta, b, E_star, dgamma);
+};
+
+const pressure_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_of_hyperboloid(r, a, theta, b) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v10, v11, v16, v17, v19, v24, v27, v28, v37, v38, v40, v41, v48, v51, v53, v57, v63, v64, v73, v80, v81, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v11 = (r - a);
+    v16 = Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * (r + a)));
+    v51 = Math.tan(theta);
+    v57 = (b * b);
+    v80 = (r > a);
+    if (v80) {
+      v10 = (b / Math.sqrt(((r * r) + (b * b))));
+      v17 = (a / v16);
+      v19 = Math.asinh((v17 / v10));
+      v24 = (0.0 - Math.expm1(((-2.0) * v19)));
+      v27 = ((v24 > 0.0) ? v24 : Infinity);
+      v41 = (v10 * v10);
+      v53 = (b * v51);
+      v64 = [];
+      for ([node, weight] of RULE_0_of_hyperboloid((v19 / 1.0))) {
+        v28 = (node * v19);
+        v37 = (v17 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v19 - v28))))) / v27));
+        v38 = (v37 * v37);
+        v40 = Math.sqrt((1.0 + v38));
+        v48 = ((r * v37) / v40);
+        v63 = ((((v51 * Math.atan((v48 / b))) + ((v53 * v48) / ((v48 * v48) + v57))) * Math.atan(v37)) * (Math.sqrt((v41 + v38)) / ((v40 * v40) * v40)));
+        v64.push((weight * v63));
+      }
+      v64 = (math.fsum(v64) * v19);
+      v81 = (0.6366197723675814 * (r * v64));
+    } else {
+      v73 = (r * r);
+      v81 = (((v51 * a) * Math.atan((a / b))) - ((v51 * v73) / (Math.sqrt((v73 + v57)) + b)));
+    }
+    return (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, v16)) : 1.0)));
+  }
+  return _displacement_3(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
-  let node, v10, v11, v16, v17, v19, v24, v27, v28, v37, v38, v40, v41, v48, v51, v53, v57, v63, v64, v73, v80, v81, value, weight;
-  v11 = (r - a);
-  v16 = Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * (r + a)));
-  v51 = Math.tan(theta);
-  v57 = (b * b);
-  v80 = (r > a);
-  if (v80) {
-    v10 = (b / Math.sqrt(((r * r) + (b * b))));
-    v17 = (a / v16);
-    v19 = Math.asinh((v17 / v10));
-    v24 = (0.0 - Math.expm1(((-2.0) * v19)));
-    v27 = ((v24 > 0.0) ? v24 : Infinity);
-    v41 = (v10 * v10);
-    v53 = (b * v51);
-    v64 = [];
-    for ([node, weight] of RULE_0_of_hyperboloid((v19 / 1.0))) {
-      v28 = (node * v19);
-      v37 = (v17 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v19 - v28))))) / v27));
-      v38 = (v37 * v37);
-      v40 = Math.sqrt((1.0 + v38));
-      v48 = ((r * v37) / v40);
-      v63 = ((((v51 * Math.atan((v48 / b))) + ((v53 * v48) / ((v48 * v48) + v57))) * Math.atan(v37)) * (Math.sqrt((v41 + v38)) / ((v40 * v40) * v40)));
-      v64.push((weight * v63));
-    }
-    v64 = (math.fsum(v64) * v19);
-    v81 = (0.6366197723675814 * (r * v64));
-  } else {
-    v73 = (r * r);
-    v81 = (((v51 * a) * Math.atan((a / b))) - ((v51 * v73) / (Math.sqrt((v73 + v57)) + b)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, v16)) : 1.0)));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const tangential_force = (a, c, theta, b, E_star, mu) => {
-  let node, v100, v103, v106, v109, v113, v114, v115, v12, v120, v125, v13, v130, v131, v132, v137, v141, v143, v147, v148, v149, v152, v17, v60, v63, v67, v7, v70, v8, value, weight;
-  v7 = Math.tan(theta);
-  v8 = (E_star * v7);
-  v12 = (b * b);
-  v13 = (a / b);
-  if ((v13 < 1.0)) {
-    v17 = (v13 * v13);
-    v60 = ((v13 * v17) * (((((((((((((2.229767813968649e-06 * v17) + 0.0021043873129700233) * v17) + 0.04325113828415611) * v17) + 0.2725778671008127) * v17) + 0.7123414383945195) * v17) + 0.8116412201960678) * v17) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v17) + 0.06453295925870227) * v17) + 0.5368820963772863) * v17) + 1.9680296155712274) * v17) + 3.5294070829658954) * v17) + 3.034923660588189) * v17) + 1.0)));
-  } else {
-    v60 = (v13 - Math.atan(v13));
-  }
-  v63 = (v8 * (((a * a) * Math.atan2(a, b)) + (v12 * v60)));
-  v67 = (c / b);
-  if ((v67 < 1.0)) {
-    v70 = (v67 * v67);
-    v100 = ((v67 * v70) * (((((((((((((2.229767813968649e-06 * v70) + 0.0021043873129700233) * v70) + 0.04325113828415611) * v70) + 0.2725778671008127) * v70) + 0.7123414383945195) * v70) + 0.8116412201960678) * v70) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v70) + 0.06453295925870227) * v70) + 0.5368820963772863) * v70) + 1.9680296155712274) * v70) + 3.5294070829658954) * v70) + 3.034923660588189) * v70) + 1.0)));
-  } else {
-    v100 = (v67 - Math.atan(v67));
-  }
-  v103 = (v8 * (((c * c) * Math.atan2(c, b)) + (v12 * v100)));
-  v106 = (v103 >= (0.25 * v63));
-  if (v106) {
-    v120 = (a > c);
-    v130 = (v106 && v120);
-    if (v130) {
-      v109 = (c - 0.0);
-      v113 = Math.sqrt(((((v109 > 0.0) || (v109 !== v109)) ? v109 : 0.0) * (c + 0.0)));
-      if (v130) {
-        v114 = (a - c);
-        if (v120) {
-          v115 = (a - 0.0);
-          v125 = ((v114 * (a + c)) / (Math.sqrt(((((v115 > 0.0) || (v115 !== v115)) ? v115 : 0.0) * (a + 0.0))) + v113));
-        } else {
-          v125 = 0.0;
-        }
-        v131 = Math.log1p(((v114 + v125) / (c + v113)));
-      } else {
-        v131 = 0.0;
-      }
-      v141 = (b * v7);
-      v148 = [];
-      for ([node, weight] of RULE_0_2((v131 / 1.0))) {
-        v132 = (node * v131);
-        v137 = ((c * Math.cosh(v132)) + (v113 * Math.sinh(v132)));
-        v143 = (v137 * v137);
-        v147 = (((v7 * Math.atan((v137 / b))) + ((v141 * v137) / (v143 + v12))) * v143);
-        v148.push((weight * v147));
-      }
-      v148 = (math.fsum(v148) * v131);
-      v149 = v148;
+const CLOSE = 0.25;
+
+const _gap = (a, c, outer, inner) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
+};
+
+const growth = math.in_groups((slope, order, r, c, a, close) => {
+  let integrand, root, stop;
+  root = difference_root(c, r);
+  stop = Math.log1p((((a - c) + _gap(a, c, difference_root(a, r), root)) / (c + root)));
+  integrand = (v) => {
+    let t;
+    t = ((c * Math.cosh(v)) + (root * Math.sinh(v)));
+    return (slope(t) * Math.pow(t, order));
+  };
+  return [integrand, math.where((close & (a > c)), stop, 0.0), 1.0, (close & (a > c)), 0.0];
+});
+
+const _tangential_force_of_hyperboloid = (a, c, theta, b, E_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_force_of_hyperboloid(a, theta, b, E_star), _force_of_hyperboloid(c, theta, b, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  gain = ((2.0 * E_star) * growth(_slope, [theta, b], 2, 0.0, c, a, close));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, theta, b, E_star, mu) => {
+  let node, v100, v103, v106, v109, v113, v114, v115, v12, v120, v125, v13, v130, v131, v132, v137, v141, v143, v147, v148, v149, v152, v17, v60, v63, v67, v7, v70, v8, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v7 = Math.tan(theta);
+    v8 = (E_star * v7);
+    v12 = (b * b);
+    v13 = (a / b);
+    if ((v13 < 1.0)) {
+      v17 = (v13 * v13);
+      v60 = ((v13 * v17) * (((((((((((((2.229767813968649e-06 * v17) + 0.0021043873129700233) * v17) + 0.04325113828415611) * v17) + 0.2725778671008127) * v17) + 0.7123414383945195) * v17) + 0.8116412201960678) * v17) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v17) + 0.06453295925870227) * v17) + 0.5368820963772863) * v17) + 1.9680296155712274) * v17) + 3.5294070829658954) * v17) + 3.034923660588189) * v17) + 1.0)));
     } else {
-      v149 = 0.0;
+      v60 = (v13 - Math.atan(v13));
     }
-    v152 = ((2.0 * E_star) * v149);
-  } else {
-    v152 = (v63 - v103);
+    v63 = (v8 * (((a * a) * Math.atan2(a, b)) + (v12 * v60)));
+    v67 = (c / b);
+    if ((v67 < 1.0)) {
+      v70 = (v67 * v67);
+      v100 = ((v67 * v70) * (((((((((((((2.229767813968649e-06 * v70) + 0.0021043873129700233) * v70) + 0.04325113828415611) * v70) + 0.2725778671008127) * v70) + 0.7123414383945195) * v70) + 0.8116412201960678) * v70) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v70) + 0.06453295925870227) * v70) + 0.5368820963772863) * v70) + 1.9680296155712274) * v70) + 3.5294070829658954) * v70) + 3.034923660588189) * v70) + 1.0)));
+    } else {
+      v100 = (v67 - Math.atan(v67));
+    }
+    v103 = (v8 * (((c * c) * Math.atan2(c, b)) + (v12 * v100)));
+    v106 = (v103 >= (0.25 * v63));
+    if (v106) {
+      v120 = (a > c);
+      v130 = (v106 && v120);
+      if (v130) {
+        v109 = (c - 0.0);
+        v113 = Math.sqrt(((((v109 > 0.0) || (v109 !== v109)) ? v109 : 0.0) * (c + 0.0)));
+        if (v130) {
+          v114 = (a - c);
+          if (v120) {
+            v115 = (a - 0.0);
+            v125 = ((v114 * (a + c)) / (Math.sqrt(((((v115 > 0.0) || (v115 !== v115)) ? v115 : 0.0) * (a + 0.0))) + v113));
+          } else {
+            v125 = 0.0;
+          }
+          v131 = Math.log1p(((v114 + v125) / (c + v113)));
+        } else {
+          v131 = 0.0;
+        }
+        v141 = (b * v7);
+        v148 = [];
+        for ([node, weight] of RULE_0_2((v131 / 1.0))) {
+          v132 = (node * v131);
+          v137 = ((c * Math.cosh(v132)) + (v113 * Math.sinh(v132)));
+          v143 = (v137 * v137);
+          v147 = (((v7 * Math.atan((v137 / b))) + ((v141 * v137) / (v143 + v12))) * v143);
+          v148.push((weight * v147));
+        }
+        v148 = (math.fsum(v148) * v131);
+        v149 = v148;
+      } else {
+        v149 = 0.0;
+      }
+      v152 = ((2.0 * E_star) * v149);
+    } else {
+      v152 = (v63 - v103);
+    }
+    return (mu * v152);
   }
-  value = (mu * v152);
-  return value;
+  return _tangential_force_of_hyperboloid(a, c, theta, b, E_star, mu);
+};
+
+const tangential_force = (a, c, theta, b, E_star, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, theta, b, E_star, mu) : NaN);
+};
+
+const _traction_of_hyperboloid = (r, a, c, theta, b, E_star, mu) => {
+  let close, gain, sliding, stuck;
+  sliding = _pressure_of_hyperboloid(r, a, theta, b, E_star);
+  stuck = _pressure_of_hyperboloid(r, c, theta, b, E_star);
+  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  gain = ((E_star / Math.PI) * growth(_slope, [theta, b], 0, r, c, a, close));
+  return (mu * math.where(close, gain, (sliding - stuck)));
+};
+
+const _traction = (r, a, c, theta, b, E_star, mu) => {
+  let node, v10, v100, v101, v102, v104, v108, v109, v11, v110, v120, v121, v122, v127, v137, v138, v139, v142, v16, v18, v23, v26, v27, v36, v37, v39, v42, v44, v48, v53, v56, v57, v61, v63, v64, v68, v7, v70, v73, v75, v76, v85, v86, v88, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v7 = (r * r);
+    v10 = Math.sqrt((v7 + (b * b)));
+    v11 = (a - r);
+    v16 = Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * (a + r)));
+    v42 = Math.tan(theta);
+    v44 = (b * v42);
+    v48 = (b * b);
+    v53 = (v10 * v10);
+    v61 = (E_star / 3.141592653589793);
+    if ((r < a)) {
+      v18 = Math.asinh((v16 / v10));
+      v23 = (0.0 - Math.expm1(((-2.0) * v18)));
+      v26 = ((v23 > 0.0) ? v23 : Infinity);
+      v57 = [];
+      for ([node, weight] of RULE_0_2((v18 / 1.0))) {
+        v27 = (node * v18);
+        v36 = (v16 * ((Math.exp((-v27)) * (0.0 - Math.expm1(((-2.0) * (v18 - v27))))) / v26));
+        v37 = (v36 * v36);
+        v39 = Math.sqrt((v7 + v37));
+        v56 = ((((v42 * Math.atan((v39 / b))) + ((v44 * v39) / ((v39 * v39) + v48))) / v39) * Math.sqrt((v53 + v37)));
+        v57.push((weight * v56));
+      }
+      v57 = (math.fsum(v57) * v18);
+      v63 = (v61 * v57);
+    } else {
+      v63 = 0.0;
+    }
+    v64 = (c - r);
+    v68 = Math.sqrt(((((v64 > 0.0) || (v64 !== v64)) ? v64 : 0.0) * (c + r)));
+    v102 = (r < c);
+    if (v102) {
+      v70 = Math.asinh((v68 / v10));
+      v73 = (0.0 - Math.expm1(((-2.0) * v70)));
+      v75 = ((v73 > 0.0) ? v73 : Infinity);
+      v101 = [];
+      for ([node, weight] of RULE_0_2((v70 / 1.0))) {
+        v76 = (node * v70);
+        v85 = (v68 * ((Math.exp((-v76)) * (0.0 - Math.expm1(((-2.0) * (v70 - v76))))) / v75));
+        v86 = (v85 * v85);
+        v88 = Math.sqrt((v7 + v86));
+        v100 = ((((v42 * Math.atan((v88 / b))) + ((v44 * v88) / ((v88 * v88) + v48))) / v88) * Math.sqrt((v53 + v86)));
+        v101.push((weight * v100));
+      }
+      v101 = (math.fsum(v101) * v70);
+      v104 = (v61 * v101);
+    } else {
+      v104 = 0.0;
+    }
+    v108 = (v102 && (v104 >= (0.25 * v63)));
+    if (v108) {
+      v110 = (a > c);
+      v120 = (v108 && v110);
+      if (v120) {
+        if (v120) {
+          v109 = (a - c);
+          v121 = Math.log1p(((v109 + (v110 ? ((v109 * (a + c)) / (v16 + v68)) : 0.0)) / (c + v68)));
+        } else {
+          v121 = 0.0;
+        }
+        v138 = [];
+        for ([node, weight] of RULE_0_2((v121 / 1.0))) {
+          v122 = (node * v121);
+          v127 = ((c * Math.cosh(v122)) + (v68 * Math.sinh(v122)));
+          v137 = (((v42 * Math.atan((v127 / b))) + ((v44 * v127) / ((v127 * v127) + v48))) * Math.pow(v127, 0.0));
+          v138.push((weight * v137));
+        }
+        v138 = (math.fsum(v138) * v121);
+        v139 = v138;
+      } else {
+        v139 = 0.0;
+      }
+      v142 = (v61 * v139);
+    } else {
+      v142 = (v63 - v104);
+    }
+    return (mu * v142);
+  }
+  return _traction_of_hyperboloid(r, a, c, theta, b, E_star, mu);
 };
 
 const traction = (r, a, c, theta, b, E_star, mu) => {
-  let node, v10, v100, v101, v102, v104, v108, v109, v11, v110, v120, v121, v122, v127, v137, v138, v139, v142, v16, v18, v23, v26, v27, v36, v37, v39, v42, v44, v48, v53, v56, v57, v61, v63, v64, v68, v7, v70, v73, v75, v76, v85, v86, v88, value, weight;
-  v7 = (r * r);
-  v10 = Math.sqrt((v7 + (b * b)));
-  v11 = (a - r);
-  v16 = Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * (a + r)));
-  v42 = Math.tan(theta);
-  v44 = (b * v42);
-  v48 = (b * b);
-  v53 = (v10 * v10);
-  v61 = (E_star / 3.141592653589793);
-  if ((r < a)) {
-    v18 = Math.asinh((v16 / v10));
-    v23 = (0.0 - Math.expm1(((-2.0) * v18)));
-    v26 = ((v23 > 0.0) ? v23 : Infinity);
-    v57 = [];
-    for ([node, weight] of RULE_0_2((v18 / 1.0))) {
-      v27 = (node * v18);
-      v36 = (v16 * ((Math.exp((-v27)) * (0.0 - Math.expm1(((-2.0) * (v18 - v27))))) / v26));
-      v37 = (v36 * v36);
-      v39 = Math.sqrt((v7 + v37));
-      v56 = ((((v42 * Math.atan((v39 / b))) + ((v44 * v39) / ((v39 * v39) + v48))) / v39) * Math.sqrt((v53 + v37)));
-      v57.push((weight * v56));
-    }
-    v57 = (math.fsum(v57) * v18);
-    v63 = (v61 * v57);
-  } else {
-    v63 = 0.0;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  v64 = (c - r);
-  v68 = Math.sqrt(((((v64 > 0.0) || (v64 !== v64)) ? v64 : 0.0) * (c + r)));
-  v102 = (r < c);
-  if (v102) {
-    v70 = Math.asinh((v68 / v10));
-    v73 = (0.0 - Math.expm1(((-2.0) * v70)));
-    v75 = ((v73 > 0.0) ? v73 : Infinity);
-    v101 = [];
-    for ([node, weight] of RULE_0_2((v70 / 1.0))) {
-      v76 = (node * v70);
-      v85 = (v68 * ((Math.exp((-v76)) * (0.0 - Math.expm1(((-2.0) * (v70 - v76))))) / v75));
-      v86 = (v85 * v85);
-      v88 = Math.sqrt((v7 + v86));
-      v100 = ((((v42 * Math.atan((v88 / b))) + ((v44 * v88) / ((v88 * v88) + v48))) / v88) * Math.sqrt((v53 + v86)));
-      v101.push((weight * v100));
-    }
-    v101 = (math.fsum(v101) * v70);
-    v104 = (v61 * v101);
-  } else {
-    v104 = 0.0;
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  v108 = (v102 && (v104 >= (0.25 * v63)));
-  if (v108) {
-    v110 = (a > c);
-    v120 = (v108 && v110);
-    if (v120) {
-      if (v120) {
-        v109 = (a - c);
-        v121 = Math.log1p(((v109 + (v110 ? ((v109 * (a + c)) / (v16 + v68)) : 0.0)) / (c + v68)));
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, theta, b, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_hyperboloid = (a, c, theta, b, E_star, G_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_depth_of_hyperboloid(a, theta, b), _depth_of_hyperboloid(c, theta, b)];
+  close = (sticking >= (CLOSE * whole));
+  gain = growth(_slope, [theta, b], 1, 0.0, c, a, close);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
+  let node, v11, v15, v18, v20, v24, v25, v26, v31, v36, v41, v42, v44, v49, v53, v57, v62, v63, v64, v68, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v9 = Math.tan(theta);
+    v11 = ((v9 * a) * Math.atan((a / b)));
+    v15 = ((v9 * c) * Math.atan((c / b)));
+    v18 = (v15 >= (0.25 * v11));
+    if (v18) {
+      v31 = (a > c);
+      v41 = (v18 && v31);
+      if (v41) {
+        v20 = (c - 0.0);
+        v24 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (c + 0.0)));
+        if (v41) {
+          v25 = (a - c);
+          if (v31) {
+            v26 = (a - 0.0);
+            v36 = ((v25 * (a + c)) / (Math.sqrt(((((v26 > 0.0) || (v26 !== v26)) ? v26 : 0.0) * (a + 0.0))) + v24));
+          } else {
+            v36 = 0.0;
+          }
+          v42 = Math.log1p(((v25 + v36) / (c + v24)));
+        } else {
+          v42 = 0.0;
+        }
+        v53 = (b * v9);
+        v57 = (b * b);
+        v63 = [];
+        for ([node, weight] of RULE_0_2((v42 / 1.0))) {
+          v44 = (node * v42);
+          v49 = ((c * Math.cosh(v44)) + (v24 * Math.sinh(v44)));
+          v62 = (((v9 * Math.atan((v49 / b))) + ((v53 * v49) / ((v49 * v49) + v57))) * Math.pow(v49, 1.0));
+          v63.push((weight * v62));
+        }
+        v63 = (math.fsum(v63) * v42);
+        v64 = v63;
       } else {
-        v121 = 0.0;
+        v64 = 0.0;
       }
-      v138 = [];
-      for ([node, weight] of RULE_0_2((v121 / 1.0))) {
-        v122 = (node * v121);
-        v127 = ((c * Math.cosh(v122)) + (v68 * Math.sinh(v122)));
-        v137 = (((v42 * Math.atan((v127 / b))) + ((v44 * v127) / ((v127 * v127) + v48))) * Math.pow(v127, 0.0));
-        v138.push((weight * v137));
-      }
-      v138 = (math.fsum(v138) * v121);
-      v139 = v138;
+      v68 = v64;
     } else {
-      v139 = 0.0;
+      v68 = (v11 - v15);
     }
-    v142 = (v61 * v139);
-  } else {
-    v142 = (v63 - v104);
+    return ((mu * (E_star / G_star)) * v68);
   }
-  value = (mu * v142);
-  return value;
+  return _tangential_displacement_of_hyperboloid(a, c, theta, b, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
-  let node, v11, v15, v18, v20, v24, v25, v26, v31, v36, v41, v42, v44, v49, v53, v57, v62, v63, v64, v68, v9, value, weight;
-  v9 = Math.tan(theta);
-  v11 = ((v9 * a) * Math.atan((a / b)));
-  v15 = ((v9 * c) * Math.atan((c / b)));
-  v18 = (v15 >= (0.25 * v11));
-  if (v18) {
-    v31 = (a > c);
-    v41 = (v18 && v31);
-    if (v41) {
-      v20 = (c - 0.0);
-      v24 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (c + 0.0)));
-      if (v41) {
-        v25 = (a - c);
-        if (v31) {
-          v26 = (a - 0.0);
-          v36 = ((v25 * (a + c)) / (Math.sqrt(((((v26 > 0.0) || (v26 !== v26)) ? v26 : 0.0) * (a + 0.0))) + v24));
-        } else {
-          v36 = 0.0;
-        }
-        v42 = Math.log1p(((v25 + v36) / (c + v24)));
-      } else {
-        v42 = 0.0;
-      }
-      v53 = (b * v9);
-      v57 = (b * b);
-      v63 = [];
-      for ([node, weight] of RULE_0_2((v42 / 1.0))) {
-        v44 = (node * v42);
-        v49 = ((c * Math.cosh(v44)) + (v24 * Math.sinh(v44)));
-        v62 = (((v9 * Math.atan((v49 / b))) + ((v53 * v49) / ((v49 * v49) + v57))) * Math.pow(v49, 1.0));
-        v63.push((weight * v62));
-      }
-      v63 = (math.fsum(v63) * v42);
-      v64 = v63;
-    } else {
-      v64 = 0.0;
-    }
-    v68 = v64;
-  } else {
-    v68 = (v11 - v15);
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * v68);
-  return value;
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -781,13 +1177,28 @@ const _stick_radius = (F_x, a, theta, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, theta, b, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, theta, b, E_star, mu);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, theta, b, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_hyperboloid = (a, theta, b, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_hyperboloid(a, theta, b));
+};
+
+const _full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * (E_star / G_star)) * ((Math.tan(theta) * a) * Math.atan((a / b))));
+  }
+  return _full_slip_displacement_of_hyperboloid(a, theta, b, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * ((Math.tan(theta) * a) * Math.atan((a / b))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -795,7 +1206,7 @@ const formulas = {
   "F": (v) => force(v.a, v.theta, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.theta, v.b, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
-  "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
+  "k": (v) => stiffness(v.a, v.theta, v.b, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
   "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
@@ -803,6 +1214,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.theta, v.b, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_hyperboloid(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_hyperboloid(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_hyperboloid(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
@@ -1025,9 +1437,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "theta",
-    "b"
+    "b",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1116,6 +1528,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,15 +157,59 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const displacement = (r, a, p_0, E_star) => {
-  let v11, v13, value;
-  if ((r > a)) {
-    v11 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-    v13 = (v11 * v11);
-    value = (((p_0 / E_star) * a) * ((a / r) * (0.6666666666666666 + (v13 * ((((((((((((((((((-0.7327347664453868) * v13) + (-32.15553480435792)) * v13) + (-332.23363563146734)) * v13) + (-1070.7082873491413)) * v13) + (-85.27694715374247)) * v13) + 5044.821368830373) * v13) + 8082.413158212496) * v13) + 3759.725330928701) * v13) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v13) + 32.12935731379798) * v13) + 746.8124983579742) * v13) + 6202.125133759036) * v13) + 23553.080984642995) * v13) + 44404.005348491315) * v13) + 40380.01430284195) * v13) + 14099.684276696918) * v13) + 1.0))))));
-    return value;
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
   }
-  return ((((3.141592653589793 * p_0) / (2.0 * E_star)) * a) * (1.0 - ((r * r) / (2.0 * (a * a)))));
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _displacement_of_hertzian = (r, a, p_0, E_star) => {
+  let inside, outside;
+  outside = (((p_0 / E_star) * a) * beside(r, a, OUTSIDE_2));
+  inside = ((((Math.PI * p_0) / (2 * E_star)) * a) * (1 - (Math.pow(r, 2) / (2 * Math.pow(a, 2)))));
+  return math.where((r > a), outside, inside);
+};
+
+const _displacement = (r, a, p_0, E_star) => {
+  let v11, v13;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (p_0 > 1e-30) && (p_0 < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r > a)) {
+      v11 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
+      v13 = (v11 * v11);
+      return (((p_0 / E_star) * a) * ((a / r) * (0.6666666666666666 + (v13 * ((((((((((((((((((-0.7327347664453868) * v13) + (-32.15553480435792)) * v13) + (-332.23363563146734)) * v13) + (-1070.7082873491413)) * v13) + (-85.27694715374247)) * v13) + 5044.821368830373) * v13) + 8082.413158212496) * v13) + 3759.725330928701) * v13) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v13) + 32.12935731379798) * v13) + 746.8124983579742) * v13) + 6202.125133759036) * v13) + 23553.080984642995) * v13) + 44404.005348491315) * v13) + 40380.01430284195) * v13) + 14099.684276696918) * v13) + 1.0))))));
+    }
+    return ((((3.141592653589793 * p_0) / (2.0 * E_star)) * a) * (1.0 - ((r * r) / (2.0 * (a * a)))));
+  }
+  return _displacement_of_hertzian(r, a, p_0, E_star);
+};
+
+const displacement = (r, a, p_0, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < p_0 && p_0 < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((r >= 0.0) ? ((r < Infinity) ? _displacement(r, a, p_0, E_star) : 0.0) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,48 +157,92 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const displacement = (r, a, p_0, E_star) => {
-  let v17, v22, v24, v25, v26, v29, v31, v34, v37, v38, v40, v43, v46, v47, v49, v52, v55, v56, v58, v6, v61, v64, v65, v67, v7, v70, v73, v74, v76, v79, v82, v83, v85, v92, value;
-  v6 = (((r > a) || (r !== r)) ? r : a);
-  if ((v6 < Infinity)) {
-    v7 = (((r < a) || (r !== r)) ? r : a);
-    v17 = Math.sqrt((((v6 - v7) / v6) * ((v6 + v7) / v6)));
-  } else {
-    v17 = 1.0;
+const _far = (r, a) => {
+  let far, near;
+  [far, near] = [math.maximum(r, a), math.minimum(r, a)];
+  return [far, math.where((far < Infinity), Math.sqrt((((far - near) / far) * ((far + near) / far))), 1.0)];
+};
+
+const SHORTEST = 1e-09;
+
+const STEPS = 7;
+
+const elliptic = (kc, b) => {
+  let _, a, last, mean, product;
+  kc = math.maximum(kc, SHORTEST);
+  [product, mean] = [kc, (1.0 + kc)];
+  [last, a, b] = [1.0, (1.0 + b), (2.0 * (b + kc))];
+  for (_ of math.range(STEPS)) {
+    kc = (2.0 * Math.sqrt(product));
+    product = (kc * mean);
+    [last, a] = [a, (a + (b / mean))];
+    b = (2.0 * (b + (last * kc)));
+    mean = (kc + mean);
   }
-  v22 = ((r <= a) ? (v17 * v17) : 0.0);
-  v24 = (((v17 > 1e-09) || (v17 !== v17)) ? v17 : 1e-09);
-  v25 = (1.0 + v24);
-  v26 = (1.0 + v22);
-  v29 = (2.0 * (v22 + v24));
-  v31 = (2.0 * Math.sqrt(v24));
-  v34 = (v26 + (v29 / v25));
-  v37 = (2.0 * (v29 + (v26 * v31)));
-  v38 = (v31 + v25);
-  v40 = (2.0 * Math.sqrt((v31 * v25)));
-  v43 = (v34 + (v37 / v38));
-  v46 = (2.0 * (v37 + (v34 * v40)));
-  v47 = (v40 + v38);
-  v49 = (2.0 * Math.sqrt((v40 * v38)));
-  v52 = (v43 + (v46 / v47));
-  v55 = (2.0 * (v46 + (v43 * v49)));
-  v56 = (v49 + v47);
-  v58 = (2.0 * Math.sqrt((v49 * v47)));
-  v61 = (v52 + (v55 / v56));
-  v64 = (2.0 * (v55 + (v52 * v58)));
-  v65 = (v58 + v56);
-  v67 = (2.0 * Math.sqrt((v58 * v56)));
-  v70 = (v61 + (v64 / v65));
-  v73 = (2.0 * (v64 + (v61 * v67)));
-  v74 = (v67 + v65);
-  v76 = (2.0 * Math.sqrt((v67 * v65)));
-  v79 = (v70 + (v73 / v74));
-  v82 = (2.0 * (v73 + (v70 * v76)));
-  v83 = (v76 + v74);
-  v85 = (2.0 * Math.sqrt((v76 * v74)));
-  v92 = (v85 + v83);
-  value = (((p_0 / E_star) * a) * ((a / v6) * (((2.0 * (v82 + (v79 * v85))) + ((v79 + (v82 / v83)) * v92)) / (v92 * v92))));
-  return value;
+  return ((b + (a * mean)) / (mean * mean));
+};
+
+const uniform = (r, a) => {
+  let far, kc;
+  [far, kc] = _far(r, a);
+  return ((a / far) * elliptic(kc, math.where((r <= a), (kc * kc), 0.0)));
+};
+
+const _displacement_of_uniform = (r, a, p_0, E_star) => {
+  return (((p_0 / E_star) * a) * uniform(r, a));
+};
+
+const _displacement = (r, a, p_0, E_star) => {
+  let v17, v22, v24, v25, v26, v29, v31, v34, v37, v38, v40, v43, v46, v47, v49, v52, v55, v56, v58, v6, v61, v64, v65, v67, v7, v70, v73, v74, v76, v79, v82, v83, v85, v92;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (p_0 > 1e-30) && (p_0 < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v6 = (((r > a) || (r !== r)) ? r : a);
+    if ((v6 < Infinity)) {
+      v7 = (((r < a) || (r !== r)) ? r : a);
+      v17 = Math.sqrt((((v6 - v7) / v6) * ((v6 + v7) / v6)));
+    } else {
+      v17 = 1.0;
+    }
+    v22 = ((r <= a) ? (v17 * v17) : 0.0);
+    v24 = (((v17 > 1e-09) || (v17 !== v17)) ? v17 : 1e-09);
+    v25 = (1.0 + v24);
+    v26 = (1.0 + v22);
+    v29 = (2.0 * (v22 + v24));
+    v31 = (2.0 * Math.sqrt(v24));
+    v34 = (v26 + (v29 / v25));
+    v37 = (2.0 * (v29 + (v26 * v31)));
+    v38 = (v31 + v25);
+    v40 = (2.0 * Math.sqrt((v31 * v25)));
+    v43 = (v34 + (v37 / v38));
+    v46 = (2.0 * (v37 + (v34 * v40)));
+    v47 = (v40 + v38);
+    v49 = (2.0 * Math.sqrt((v40 * v38)));
+    v52 = (v43 + (v46 / v47));
+    v55 = (2.0 * (v46 + (v43 * v49)));
+    v56 = (v49 + v47);
+    v58 = (2.0 * Math.sqrt((v49 * v47)));
+    v61 = (v52 + (v55 / v56));
+    v64 = (2.0 * (v55 + (v52 * v58)));
+    v65 = (v58 + v56);
+    v67 = (2.0 * Math.sqrt((v58 * v56)));
+    v70 = (v61 + (v64 / v65));
+    v73 = (2.0 * (v64 + (v61 * v67)));
+    v74 = (v67 + v65);
+    v76 = (2.0 * Math.sqrt((v67 * v65)));
+    v79 = (v70 + (v73 / v74));
+    v82 = (2.0 * (v73 + (v70 * v76)));
+    v83 = (v76 + v74);
+    v85 = (2.0 * Math.sqrt((v76 * v74)));
+    v92 = (v85 + v83);
+    return (((p_0 / E_star) * a) * ((a / v6) * (((2.0 * (v82 + (v79 * v85))) + ((v79 + (v82 / v83)) * v92)) / (v92 * v92))));
+  }
+  return _displacement_of_uniform(r, a, p_0, E_star);
+};
+
+const displacement = (r, a, p_0, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < p_0 && p_0 < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((r >= 0.0) ? ((r < Infinity) ? _displacement(r, a, p_0, E_star) : 0.0) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,19 +157,62 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
+const _finite = (name, modulus) => {
+  let array;
+  array = modulus;
+  return math.where((array === Infinity), 1.0, array);
+};
+
+const _effective_modulus = (E_1, nu_1, E_2, nu_2) => {
+  if (((E_1 > 1e-30) && (E_1 < 1e+30) && (nu_1 > 1e-30) && (nu_1 < 0.5) && (E_2 > 1e-30) && (E_2 < 1e+30) && (nu_2 > 1e-30) && (nu_2 < 0.5))) {
+    return (1.0 / ((((1.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((1.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+  }
+  return NaN;
+};
+
 const effective_modulus = (E_1, nu_1, E_2, nu_2) => {
-  return (1.0 / ((((1.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((1.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+  if ((!((0.0 < _finite('E_1', E_1) && _finite('E_1', E_1) < Infinity) && (-1.0 < nu_1 && nu_1 <= 0.5) && (0.0 < _finite('E_2', E_2) && _finite('E_2', E_2) < Infinity) && (-1.0 < nu_2 && nu_2 <= 0.5)))) {
+    return NaN;
+  }
+  return _effective_modulus(E_1, nu_1, E_2, nu_2);
+};
+
+const _transversely_isotropic_modulus_of_materials = (C_11, C_33, C_13, C_44) => {
+  let high, low, mean;
+  mean = (C_11 * Math.sqrt((C_33 / C_11)));
+  [high, low] = [(mean + C_13), (mean - C_13)];
+  return ((2.0 * high) * Math.sqrt(((C_44 / C_11) * (low / (high + (2.0 * C_44))))));
+};
+
+const _transversely_isotropic_modulus = (C_11, C_33, C_13, C_44) => {
+  let v6, v7;
+  if (((C_11 > 1e-30) && (C_11 < 1e+30) && (C_33 > 1e-30) && (C_33 < 1e+30) && (C_13 > 1e-30) && (C_13 < 1e+30) && (C_44 > 1e-30) && (C_44 < 1e+30))) {
+    v6 = (C_11 * Math.sqrt((C_33 / C_11)));
+    v7 = (v6 + C_13);
+    return ((2.0 * v7) * Math.sqrt(((C_44 / C_11) * ((v6 - C_13) / (v7 + (2.0 * C_44))))));
+  }
+  return _transversely_isotropic_modulus_of_materials(C_11, C_33, C_13, C_44);
 };
 
 const transversely_isotropic_modulus = (C_11, C_33, C_13, C_44) => {
-  let v6, v7;
-  v6 = (Math.sqrt(C_11) * Math.sqrt(C_33));
-  v7 = (v6 + C_13);
-  return ((2.0 * v7) * Math.sqrt(((C_44 / C_11) * ((v6 - C_13) / (v7 + (2.0 * C_44))))));
+  if ((!((0.0 < C_11 && C_11 < Infinity) && (0.0 < C_33 && C_33 < Infinity) && (-inf < C_13 && C_13 < Infinity) && (0.0 < C_44 && C_44 < Infinity) && (Math.abs(C_13) < (Math.sqrt(C_11) * Math.sqrt(C_33)))))) {
+    return NaN;
+  }
+  return _transversely_isotropic_modulus(C_11, C_33, C_13, C_44);
+};
+
+const _effective_shear_modulus = (E_1, nu_1, E_2, nu_2) => {
+  if (((E_1 > 1e-30) && (E_1 < 1e+30) && (nu_1 > 1e-30) && (nu_1 < 0.5) && (E_2 > 1e-30) && (E_2 < 1e+30) && (nu_2 > 1e-30) && (nu_2 < 0.5))) {
+    return (2.0 / ((((2.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((2.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+  }
+  return NaN;
 };
 
 const effective_shear_modulus = (E_1, nu_1, E_2, nu_2) => {
-  return (2.0 / ((((2.0 - nu_1) * (1.0 + nu_1)) / E_1) + (((2.0 - nu_2) * (1.0 + nu_2)) / E_2)));
+  if ((!((0.0 < _finite('E_1', E_1) && _finite('E_1', E_1) < Infinity) && (-1.0 < nu_1 && nu_1 <= 0.5) && (0.0 < _finite('E_2', E_2) && _finite('E_2', E_2) < Infinity) && (-1.0 < nu_2 && nu_2 <= 0.5)))) {
+    return NaN;
+  }
+  return _effective_shear_modulus(E_1, nu_1, E_2, nu_2);
 };
 
 const gamma = (x) => {
@@ -166,27 +233,57 @@ const _graded_modulus = (E_0, c_0, k, nu) => {
 };
 
 const graded_modulus = (E_0, c_0, k, nu) => {
-  let value;
-  value = _graded_modulus(E_0, c_0, k, nu);
-  return value;
+  if ((!((0.0 < E_0 && E_0 < Infinity) && (0.0 < c_0 && c_0 < Infinity) && (-1.0 < k && k < 1.0) && (-1.0 < nu && nu <= 0.5)))) {
+    return NaN;
+  }
+  return _graded_modulus(E_0, c_0, k, nu);
 };
 
 const h_N = (k, nu) => {
-  let value;
-  value = _h_N(k, nu);
-  return value;
+  if ((!((-1.0 < k && k < 1.0) && (-1.0 < nu && nu <= 0.5)))) {
+    return NaN;
+  }
+  return _h_N(k, nu);
+};
+
+const _tabor_of_materials = (R, E_star, dgamma, z_0) => {
+  return Math.cbrt(((R / z_0) * Math.pow(((dgamma / E_star) / z_0), 2)));
+};
+
+const _tabor = (R, E_star, dgamma, z_0) => {
+  let v6;
+  if (((R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (z_0 > 1e-30) && (z_0 < 1e+30))) {
+    v6 = ((dgamma / E_star) / z_0);
+    return Math.cbrt(((R / z_0) * (v6 * v6)));
+  }
+  return _tabor_of_materials(R, E_star, dgamma, z_0);
 };
 
 const tabor = (R, E_star, dgamma, z_0) => {
-  let v6;
-  v6 = ((dgamma / E_star) / z_0);
-  return Math.cbrt(((R / z_0) * (v6 * v6)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (0.0 < z_0 && z_0 < Infinity)))) {
+    return NaN;
+  }
+  return _tabor(R, E_star, dgamma, z_0);
+};
+
+const _maugis_lambda_of_materials = (R, E_star, dgamma, sigma_0) => {
+  return Math.cbrt((((4.5 / Math.PI) * Math.pow((sigma_0 / E_star), 2)) * ((R * sigma_0) / dgamma)));
+};
+
+const _maugis_lambda = (R, E_star, dgamma, sigma_0) => {
+  let v4;
+  if (((R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (sigma_0 > 1e-30) && (sigma_0 < 1e+30))) {
+    v4 = (sigma_0 / E_star);
+    return Math.cbrt(((1.432394487827058 * (v4 * v4)) * ((R * sigma_0) / dgamma)));
+  }
+  return _maugis_lambda_of_materials(R, E_star, dgamma, sigma_0);
 };
 
 const maugis_lambda = (R, E_star, dgamma, sigma_0) => {
-  let v4;
-  v4 = (sigma_0 / E_star);
-  return Math.cbrt(((1.432394487827058 * (v4 * v4)) * ((R * sigma_0) / dgamma)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (0.0 < sigma_0 && sigma_0 < Infinity)))) {
+    return NaN;
+  }
+  return _maugis_lambda(R, E_star, dgamma, sigma_0);
 };
 
 const formulas = {
@@ -269,7 +366,7 @@ window.calculator = { ...{
   {
    "name": "C_13",
    "tex": "C_{13}",
-   "meaning": "elastic constant",
+   "meaning": "elastic constant of both directions",
    "unit": "Pa",
    "rule": "",
    "low": null,

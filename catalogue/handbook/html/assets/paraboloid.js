@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,111 +159,384 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, R) => {
+const _depth = (a, R) => {
   return ((a * a) / R);
 };
 
-const force = (a, R, E_star) => {
+const depth = (a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, R) : NaN);
+};
+
+const _force = (a, R, E_star) => {
   return (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)));
 };
 
+const force = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, R, E_star) : NaN);
+};
+
+const _pressure_of_paraboloid = (r, a, R, E_star) => {
+  let root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  return math.where((r < a), (((2 * E_star) / (Math.PI * R)) * root), 0.0);
+};
+
+const _pressure = (r, a, R, E_star) => {
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r < a)) {
+      return (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt(((a - r) * (a + r))));
+    }
+    return 0.0;
+  }
+  return _pressure_of_paraboloid(r, a, R, E_star);
+};
+
 const pressure = (r, a, R, E_star) => {
-  if ((r < a)) {
-    return (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt(((a - r) * (a + r))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, E_star) : 0.0) : NaN);
+};
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _depth_of_paraboloid = (a, R) => {
+  return (Math.pow(a, 2) / R);
+};
+
+const _profile = (r, R) => {
+  return (Math.pow(r, 2) / (2 * R));
+};
+
+const _displacement_of_paraboloid = (r, a, R) => {
+  let inside, outside;
+  outside = (((2 * Math.pow(a, 2)) / (Math.PI * R)) * beside(r, a, OUTSIDE_2));
+  inside = (_depth_of_paraboloid(a, R) - _profile(r, R));
+  return math.where((r > a), outside, inside);
+};
+
+const _displacement = (r, a, R) => {
+  let v14, v16, v4;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    v4 = (a * a);
+    if ((r > a)) {
+      v14 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
+      v16 = (v14 * v14);
+      return (((2.0 * v4) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v16 * ((((((((((((((((((-0.7327347664453868) * v16) + (-32.15553480435792)) * v16) + (-332.23363563146734)) * v16) + (-1070.7082873491413)) * v16) + (-85.27694715374247)) * v16) + 5044.821368830373) * v16) + 8082.413158212496) * v16) + 3759.725330928701) * v16) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v16) + 32.12935731379798) * v16) + 746.8124983579742) * v16) + 6202.125133759036) * v16) + 23553.080984642995) * v16) + 44404.005348491315) * v16) + 40380.01430284195) * v16) + 14099.684276696918) * v16) + 1.0))))));
+    }
+    return ((v4 / R) - ((r * r) / (2.0 * R)));
+  }
+  return _displacement_of_paraboloid(r, a, R);
+};
+
+const displacement = (r, a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, R) : 0.0) : NaN);
+};
+
+const _stiffness_of_paraboloid = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, R = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_paraboloid(a, E_star);
+};
+
+const stiffness = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_paraboloid = (a, R, E_star) => {
+  return (((4 * E_star) / ((3 * Math.PI) * R)) * a);
+};
+
+const _mean_pressure = (a, R, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return (((4.0 * E_star) / (9.42477796076938 * R)) * a);
+  }
+  return _mean_pressure_of_paraboloid(a, R, E_star);
+};
+
+const mean_pressure = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, R, E_star) : NaN);
+};
+
+const _energy_of_paraboloid = (a, R, E_star) => {
+  return (((8 * E_star) / (15 * Math.pow(R, 2))) * Math.pow(a, 5));
+};
+
+const _energy = (a, R, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return (((8.0 * E_star) / (15.0 * (R * R))) * Math.pow(a, 5.0));
+  }
+  return _energy_of_paraboloid(a, R, E_star);
+};
+
+const energy = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, R, E_star) : NaN);
+};
+
+const _force_of_paraboloid = (a, R, E_star) => {
+  return (((4 * E_star) / (3 * R)) * Math.pow(a, 3));
+};
+
+const _load_within_of_paraboloid = (r, a, R, E_star) => {
+  let root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  return math.where((r < a), math.where((r > 0.0), ((((4 * E_star) / (3 * R)) * Math.pow(r, 2)) * (root + (Math.pow(a, 2) / (root + a)))), 0.0), _force_of_paraboloid(a, R, E_star));
+};
+
+const _load_within = (r, a, R, E_star) => {
+  let v15, v19, v7;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v15 = ((4.0 * E_star) / (3.0 * R));
+    v19 = (a * a);
+    if ((r < a)) {
+      if ((r > 0.0)) {
+        v7 = Math.sqrt(((a - r) * (a + r)));
+        return ((v15 * (r * r)) * (v7 + (v19 / (v7 + a))));
+      }
+      return 0.0;
+    }
+    return (v15 * (a * v19));
+  }
+  return _load_within_of_paraboloid(r, a, R, E_star);
+};
+
+const load_within = (r, a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, E_star) : 0.0) : NaN);
+};
+
+const _radius_from_depth = (d, R) => {
+  return math.sqrt((R * d));
+};
+
+const radius_from_depth = (d, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, R) : NaN);
+};
+
+const _radius_from_force = (F, R, E_star) => {
+  return Math.cbrt((((3.0 * R) / (4.0 * E_star)) * F));
+};
+
+const radius_from_force = (F, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, R, E_star) : NaN);
+};
+
+const _force_from_depth = (d, R, E_star) => {
+  return ((((4.0 * E_star) / 3.0) * d) * math.sqrt((R * d)));
+};
+
+const force_from_depth = (d, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, R, E_star) : NaN);
+};
+
+const _depth_from_force_of_paraboloid = (F, R, E_star) => {
+  return Math.cbrt(((9 * Math.pow(F, 2)) / ((16 * Math.pow(E_star, 2)) * R)));
+};
+
+const _depth_from_force = (F, R, E_star) => {
+  if (((F > 1e-30) && (F < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return Math.cbrt(((9.0 * (F * F)) / ((16.0 * (E_star * E_star)) * R)));
+  }
+  return _depth_from_force_of_paraboloid(F, R, E_star);
+};
+
+const depth_from_force = (F, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, R, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_3 = (a, R, E_star, dgamma) => {
+  return (_depth_of_paraboloid(a, R) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_2 = (a, R, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return (((a * a) / R) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  }
+  return _depth_3(a, R, E_star, dgamma);
+};
+
+const depth_of_paraboloid = (a, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, R, E_star, dgamma) : NaN);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _force_3 = (a, R, E_star, dgamma) => {
+  return (_force_of_paraboloid(a, R, E_star) - pull(a, E_star, dgamma));
+};
+
+const _force_2 = (a, R, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return ((((4.0 * E_star) / (3.0 * R)) * (a * (a * a))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  }
+  return _force_3(a, R, E_star, dgamma);
+};
+
+const force_of_paraboloid = (a, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, R, E_star, dgamma) : NaN);
+};
+
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
+  if ((r <= a)) {
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
+    }
+    return 0.0;
   }
   return 0.0;
 };
 
-const displacement = (r, a, R) => {
-  let v14, v16, v4, value;
-  v4 = (a * a);
-  if ((r > a)) {
-    v14 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-    v16 = (v14 * v14);
-    value = (((2.0 * v4) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v16 * ((((((((((((((((((-0.7327347664453868) * v16) + (-32.15553480435792)) * v16) + (-332.23363563146734)) * v16) + (-1070.7082873491413)) * v16) + (-85.27694715374247)) * v16) + 5044.821368830373) * v16) + 8082.413158212496) * v16) + 3759.725330928701) * v16) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v16) + 32.12935731379798) * v16) + 746.8124983579742) * v16) + 6202.125133759036) * v16) + 23553.080984642995) * v16) + 44404.005348491315) * v16) + 40380.01430284195) * v16) + 14099.684276696918) * v16) + 1.0))))));
-    return value;
-  }
-  return ((v4 / R) - ((r * r) / (2.0 * R)));
+const _pressure_3 = (r, a, R, E_star, dgamma) => {
+  return (_pressure_of_paraboloid(r, a, R, E_star) - tension(r, a, E_star, dgamma));
 };
 
-const stiffness = (a, E_star, R = 1.0) => {
-  return ((2.0 * E_star) * a);
-};
-
-const mean_pressure = (a, R, E_star) => {
-  return (((4.0 * E_star) / (9.42477796076938 * R)) * a);
-};
-
-const energy = (a, R, E_star) => {
-  return (((8.0 * E_star) / (15.0 * (R * R))) * Math.pow(a, 5.0));
-};
-
-const load_within = (r, a, R, E_star) => {
-  let v15, v19, v7;
-  v15 = ((4.0 * E_star) / (3.0 * R));
-  v19 = (a * a);
-  if ((r < a)) {
-    if ((r > 0.0)) {
-      v7 = Math.sqrt(((a - r) * (a + r)));
-      return ((v15 * (r * r)) * (v7 + (v19 / (v7 + a))));
+const _pressure_2 = (r, a, R, E_star, dgamma) => {
+  let v23, v33, v5, v6;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v5 = (a - r);
+    v6 = (a + r);
+    if ((r <= a)) {
+      v23 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      v33 = ((v23 > 0.0) ? ((E_star * v23) / (3.141592653589793 * Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * v6)))) : 0.0);
+    } else {
+      v33 = 0.0;
     }
-    return 0.0;
+    return (((r < a) ? (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt((v5 * v6))) : 0.0) - v33);
   }
-  return (v15 * (a * v19));
-};
-
-const radius_from_depth = (d, R) => {
-  return Math.sqrt((R * d));
-};
-
-const radius_from_force = (F, R, E_star) => {
-  return Math.cbrt((((3.0 * R) / (4.0 * E_star)) * F));
-};
-
-const force_from_depth = (d, R, E_star) => {
-  return ((((4.0 * E_star) / 3.0) * d) * Math.sqrt((R * d)));
-};
-
-const depth_from_force = (F, R, E_star) => {
-  return Math.cbrt(((9.0 * (F * F)) / ((16.0 * (E_star * E_star)) * R)));
-};
-
-const depth_of_paraboloid = (a, R, E_star, dgamma) => {
-  return (((a * a) / R) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
-};
-
-const force_of_paraboloid = (a, R, E_star, dgamma) => {
-  return ((((4.0 * E_star) / (3.0 * R)) * (a * (a * a))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  return _pressure_3(r, a, R, E_star, dgamma);
 };
 
 const pressure_of_paraboloid = (r, a, R, E_star, dgamma) => {
-  let v23, v33, v5, v6;
-  v5 = (a - r);
-  v6 = (a + r);
-  if ((r <= a)) {
-    v23 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    v33 = ((v23 > 0.0) ? ((E_star * v23) / (3.141592653589793 * Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * v6)))) : 0.0);
-  } else {
-    v33 = 0.0;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  return (((r < a) ? (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt((v5 * v6))) : 0.0) - v33);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, R, E_star, dgamma) => {
+  return (_displacement_of_paraboloid(r, a, R) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, R, E_star, dgamma) => {
+  let v11, v12, v16, v18, v6, v80, v81;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v6 = (a * a);
+    v11 = (r - a);
+    v12 = (r + a);
+    v80 = (r > a);
+    if (v80) {
+      v16 = (a / (r + Math.sqrt((v11 * v12))));
+      v18 = (v16 * v16);
+      v81 = (((2.0 * v6) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v18 * ((((((((((((((((((-0.7327347664453868) * v18) + (-32.15553480435792)) * v18) + (-332.23363563146734)) * v18) + (-1070.7082873491413)) * v18) + (-85.27694715374247)) * v18) + 5044.821368830373) * v18) + 8082.413158212496) * v18) + 3759.725330928701) * v18) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v18) + 32.12935731379798) * v18) + 746.8124983579742) * v18) + 6202.125133759036) * v18) + 23553.080984642995) * v18) + 44404.005348491315) * v18) + 40380.01430284195) * v18) + 14099.684276696918) * v18) + 1.0))))));
+    } else {
+      v81 = ((v6 / R) - ((r * r) / (2.0 * R)));
+    }
+    return (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v12)))) : 1.0)));
+  }
+  return _displacement_3(r, a, R, E_star, dgamma);
 };
 
 const displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
-  let v11, v12, v16, v18, v6, v80, v81, value;
-  v6 = (a * a);
-  v11 = (r - a);
-  v12 = (r + a);
-  v80 = (r > a);
-  if (v80) {
-    v16 = (a / (r + Math.sqrt((v11 * v12))));
-    v18 = (v16 * v16);
-    v81 = (((2.0 * v6) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v18 * ((((((((((((((((((-0.7327347664453868) * v18) + (-32.15553480435792)) * v18) + (-332.23363563146734)) * v18) + (-1070.7082873491413)) * v18) + (-85.27694715374247)) * v18) + 5044.821368830373) * v18) + 8082.413158212496) * v18) + 3759.725330928701) * v18) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v18) + 32.12935731379798) * v18) + 746.8124983579742) * v18) + 6202.125133759036) * v18) + 23553.080984642995) * v18) + 44404.005348491315) * v18) + 40380.01430284195) * v18) + 14099.684276696918) * v18) + 1.0))))));
-  } else {
-    v81 = ((v6 / R) - ((r * r) / (2.0 * R)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v12)))) : 1.0)));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
 const _pull_off_radius = (R, E_star, dgamma, control) => {
@@ -252,18 +549,10 @@ const _pull_off_radius = (R, E_star, dgamma, control) => {
   return ((dgamma > 0.0) ? radius : 0.0);
 };
 
-const _depth = (a, R) => {
-  return ((a * a) / R);
-};
-
 const XI = {'force': 3.0, 'depth': 1.0};
 
 const _pull_off_depth = (a, R, E_star, dgamma, control) => {
   return (_depth(a, R) * (1.0 - (4.0 / XI[control])));
-};
-
-const _radius_from_depth_of_paraboloid = (d, R) => {
-  return math.sqrt((R * d));
 };
 
 const ROUNDING = 1e-15;
@@ -406,101 +695,200 @@ const power_law_radius = (value, a_c, least, p, q, plain) => {
   return ((e < 0.0) ? NaN : (Number.isFinite(e) ? a : ((value >= 0.0) ? plain : NaN)));
 };
 
-const _radius_from_depth = (d, R, E_star, dgamma) => {
+const _radius_from_depth_of_paraboloid = (d, R, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(R, E_star, dgamma, 'depth');
   least = _pull_off_depth(a_c, R, E_star, dgamma, 'depth');
-  plain = _radius_from_depth_of_paraboloid(math.maximum(d, 0.0), R);
+  plain = _radius_from_depth(math.maximum(d, 0.0), R);
   return power_law_radius(d, a_c, least, 2.0, 0.5, plain);
 };
 
 const radius_from_depth_of_paraboloid = (d, R, E_star, dgamma) => {
-  let value;
-  value = _radius_from_depth(d, R, E_star, dgamma);
-  return value;
-};
-
-const _force = (a, R, E_star) => {
-  return (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_paraboloid(d, R, E_star, dgamma);
 };
 
 const _pull_off_force = (a, R, E_star, dgamma, control) => {
   return (_force(a, R, E_star) * (1.0 - (6.0 / XI[control])));
 };
 
-const _radius_from_force_of_paraboloid = (F, R, E_star) => {
-  return Math.cbrt((((3.0 * R) / (4.0 * E_star)) * F));
-};
-
-const _radius_from_force = (F, R, E_star, dgamma) => {
+const _radius_from_force_of_paraboloid = (F, R, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(R, E_star, dgamma, 'force');
   least = _pull_off_force(a_c, R, E_star, dgamma, 'force');
-  plain = _radius_from_force_of_paraboloid(math.maximum(F, 0.0), R, E_star);
+  plain = _radius_from_force(math.maximum(F, 0.0), R, E_star);
   return power_law_radius(F, a_c, least, 3.0, 1.5, plain);
 };
 
 const radius_from_force_of_paraboloid = (F, R, E_star, dgamma) => {
-  let value;
-  value = _radius_from_force(F, R, E_star, dgamma);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_of_paraboloid(F, R, E_star, dgamma);
+};
+
+const gained_share = (c, a, n) => {
+  return (-Math.expm1(((-n) * ((a > c) ? math.log1p(((a - c) / c)) : 0.0))));
+};
+
+const _tangential_force_of_paraboloid = (a, c, R, E_star, mu) => {
+  return ((mu * _force_of_paraboloid(a, R, E_star)) * gained_share(c, a, 3.0));
+};
+
+const _tangential_force = (a, c, R, E_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)))) * (-Math.expm1(((-3.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  }
+  return _tangential_force_of_paraboloid(a, c, R, E_star, mu);
 };
 
 const tangential_force = (a, c, R, E_star, mu) => {
-  let value;
-  value = ((mu * (((4.0 * E_star) / (3.0 * R)) * (a * (a * a)))) * (-Math.expm1(((-3.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-  return value;
-};
-
-const traction = (r, a, c, R, E_star, mu) => {
-  let v29, v36, v39, v6, v7;
-  v6 = (a - r);
-  v7 = (a + r);
-  if ((r < c)) {
-    if ((a > c)) {
-      v29 = (c - r);
-      v36 = (((a - c) * (a + c)) / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (c + r)))));
-    } else {
-      v36 = 0.0;
-    }
-    v39 = (((E_star / 3.141592653589793) * (2.0 / R)) * v36);
-  } else {
-    v39 = ((r < a) ? (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt((v6 * v7))) : 0.0);
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  return (mu * v39);
-};
-
-const tangential_displacement = (a, c, R, E_star, G_star, mu) => {
-  let value;
-  value = (((mu * (E_star / G_star)) * ((a * a) / R)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-  return value;
-};
-
-const stick_radius = (F_x, a, R, E_star, mu) => {
-  let v13, v15, v21, v6, v8, value;
-  if (((F_x === 0.0) && (a >= 0.0))) {
-    return a;
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  v6 = (4.0 * E_star);
-  v8 = (3.0 * R);
-  v13 = ((v6 / v8) * (a * (a * a)));
-  v15 = (v13 - (F_x / mu));
-  v21 = ((Math.abs(v15) <= (2e-16 * v13)) ? 0.0 : v15);
-  value = Math.cbrt(((v8 / v6) * ((v21 >= 0.0) ? v21 : NaN)));
-  return value;
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, R, E_star, mu) : NaN);
 };
 
-const full_slip_displacement = (a, R, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * ((a * a) / R));
+const _slope = (t, R) => {
+  return ((2 * t) / R);
 };
-
-const LEAST = 1e-09;
 
 const difference_root = (x, y) => {
   let v2;
   v2 = (x - y);
   return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
 };
+
+const root_gain = (r, c, a) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (difference_root(a, r) + difference_root(c, r))), 0.0);
+};
+
+const _traction_of_paraboloid = (r, a, c, R, E_star, mu) => {
+  let gain, sliding;
+  sliding = _pressure_of_paraboloid(r, a, R, E_star);
+  gain = (((E_star / Math.PI) * _slope(1.0, R)) * root_gain(r, c, a));
+  return (mu * math.where((r < c), gain, sliding));
+};
+
+const _traction = (r, a, c, R, E_star, mu) => {
+  let v29, v36, v39, v6, v7;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v6 = (a - r);
+    v7 = (a + r);
+    if ((r < c)) {
+      if ((a > c)) {
+        v29 = (c - r);
+        v36 = (((a - c) * (a + c)) / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (c + r)))));
+      } else {
+        v36 = 0.0;
+      }
+      v39 = (((E_star / 3.141592653589793) * (2.0 / R)) * v36);
+    } else {
+      v39 = ((r < a) ? (((2.0 * E_star) / (3.141592653589793 * R)) * Math.sqrt((v6 * v7))) : 0.0);
+    }
+    return (mu * v39);
+  }
+  return _traction_of_paraboloid(r, a, c, R, E_star, mu);
+};
+
+const traction = (r, a, c, R, E_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, R, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_paraboloid = (a, c, R, E_star, G_star, mu) => {
+  return (((mu * (E_star / G_star)) * _depth_of_paraboloid(a, R)) * gained_share(c, a, 2.0));
+};
+
+const _tangential_displacement = (a, c, R, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return (((mu * (E_star / G_star)) * ((a * a) / R)) * (-Math.expm1(((-2.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  }
+  return _tangential_displacement_of_paraboloid(a, c, R, E_star, G_star, mu);
+};
+
+const tangential_displacement = (a, c, R, E_star, G_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, R, E_star, G_star, mu) : NaN);
+};
+
+const stick_force = (F, F_x, mu) => {
+  let v10, v4;
+  v4 = (F - (F_x / mu));
+  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
+  if ((v10 >= 0.0)) {
+    return v10;
+  }
+  return NaN;
+};
+
+const _radius_from_force_2 = (F, R, E_star) => {
+  return Math.cbrt((((3 * R) / (4 * E_star)) * F));
+};
+
+const _stick_radius_of_paraboloid = (F_x, a, R, E_star, mu) => {
+  let F;
+  F = stick_force(_force_of_paraboloid(a, R, E_star), F_x, mu);
+  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, R, E_star));
+};
+
+const _stick_radius = (F_x, a, R, E_star, mu) => {
+  let v13, v15, v21, v6, v8;
+  if (((F_x > 1e-30) && (F_x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    if (((F_x === 0.0) && (a >= 0.0))) {
+      return a;
+    }
+    v6 = (4.0 * E_star);
+    v8 = (3.0 * R);
+    v13 = ((v6 / v8) * (a * (a * a)));
+    v15 = (v13 - (F_x / mu));
+    v21 = ((Math.abs(v15) <= (2e-16 * v13)) ? 0.0 : v15);
+    return Math.cbrt(((v8 / v6) * ((v21 >= 0.0) ? v21 : NaN)));
+  }
+  return _stick_radius_of_paraboloid(F_x, a, R, E_star, mu);
+};
+
+const stick_radius = (F_x, a, R, E_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, R, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_paraboloid = (a, R, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_paraboloid(a, R));
+};
+
+const _full_slip_displacement = (a, R, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * (E_star / G_star)) * ((a * a) / R));
+  }
+  return _full_slip_displacement_of_paraboloid(a, R, E_star, G_star, mu);
+};
+
+const full_slip_displacement = (a, R, E_star, G_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, R, E_star, G_star, mu) : NaN);
+};
+
+const LEAST = 1e-09;
 
 const NEAR = 0.14;
 
@@ -592,66 +980,86 @@ const _torque = (a, c, R, E_star, mu) => {
 };
 
 const torque = (a, c, R, E_star, mu) => {
-  let value;
-  value = _torque(a, c, R, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _torque(a, c, R, E_star, mu) : NaN);
+};
+
+const _slip_angle_of_paraboloid = (a, c, R, E_star, G, mu) => {
+  return ((((E_star * mu) / R) / (Math.PI * G)) * turned(a, c));
+};
+
+const _slip_angle = (a, c, R, E_star, G, mu) => {
+  let v101, v103, v106, v108, v11, v111, v113, v116, v118, v121, v123, v126, v13, v141, v20, v24, v25, v27, v29, v32, v35, v36, v38, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v77, v80, v81, v83, v90, v93, v97, v99;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G > 1e-30) && (G < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v11 = (c / a);
+    v13 = (v11 < 1e-08);
+    if (v13) {
+      v141 = (Math.log((4.0 / v11)) - 1.0);
+    } else {
+      v20 = (v13 ? 1.0 : v11);
+      v24 = (((v20 > 1e-09) || (v20 !== v20)) ? v20 : 1e-09);
+      v25 = (1.0 + v24);
+      v27 = (2.0 * v25);
+      v29 = (2.0 * Math.sqrt(v24));
+      v32 = (2.0 + (v27 / v25));
+      v35 = (2.0 * (v27 + (2.0 * v29)));
+      v36 = (v29 + v25);
+      v38 = (2.0 * Math.sqrt((v29 * v25)));
+      v41 = (v32 + (v35 / v36));
+      v44 = (2.0 * (v35 + (v32 * v38)));
+      v45 = (v38 + v36);
+      v47 = (2.0 * Math.sqrt((v38 * v36)));
+      v50 = (v41 + (v44 / v45));
+      v53 = (2.0 * (v44 + (v41 * v47)));
+      v54 = (v47 + v45);
+      v56 = (2.0 * Math.sqrt((v47 * v45)));
+      v59 = (v50 + (v53 / v54));
+      v62 = (2.0 * (v53 + (v50 * v56)));
+      v63 = (v56 + v54);
+      v65 = (2.0 * Math.sqrt((v56 * v54)));
+      v68 = (v59 + (v62 / v63));
+      v71 = (2.0 * (v62 + (v59 * v65)));
+      v72 = (v65 + v63);
+      v74 = (2.0 * Math.sqrt((v65 * v63)));
+      v77 = (v68 + (v71 / v72));
+      v80 = (2.0 * (v71 + (v68 * v74)));
+      v81 = (v74 + v72);
+      v83 = (2.0 * Math.sqrt((v74 * v72)));
+      v90 = (v83 + v81);
+      v93 = (v90 * v90);
+      v97 = (2.0 * (0.0 + v24));
+      v99 = (1.0 + (v97 / v25));
+      v101 = (2.0 * (v97 + v29));
+      v103 = (v99 + (v101 / v36));
+      v106 = (2.0 * (v101 + (v99 * v38)));
+      v108 = (v103 + (v106 / v45));
+      v111 = (2.0 * (v106 + (v103 * v47)));
+      v113 = (v108 + (v111 / v54));
+      v116 = (2.0 * (v111 + (v108 * v56)));
+      v118 = (v113 + (v116 / v63));
+      v121 = (2.0 * (v116 + (v113 * v65)));
+      v123 = (v118 + (v121 / v72));
+      v126 = (2.0 * (v121 + (v118 * v74)));
+      v141 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v80 + (v77 * v83))) + ((v77 + (v80 / v81)) * v90)) / v93) - (((2.0 * (v126 + (v123 * v83))) + ((v123 + (v126 / v81)) * v90)) / v93)));
+    }
+    return ((((E_star * mu) / R) / (3.141592653589793 * G)) * (a * v141));
+  }
+  return _slip_angle_of_paraboloid(a, c, R, E_star, G, mu);
 };
 
 const slip_angle = (a, c, R, E_star, G, mu) => {
-  let v101, v103, v106, v108, v11, v111, v113, v116, v118, v121, v123, v126, v13, v141, v20, v24, v25, v27, v29, v32, v35, v36, v38, v41, v44, v45, v47, v50, v53, v54, v56, v59, v62, v63, v65, v68, v71, v72, v74, v77, v80, v81, v83, v90, v93, v97, v99, value;
-  v11 = (c / a);
-  v13 = (v11 < 1e-08);
-  if (v13) {
-    v141 = (Math.log((4.0 / v11)) - 1.0);
-  } else {
-    v20 = (v13 ? 1.0 : v11);
-    v24 = (((v20 > 1e-09) || (v20 !== v20)) ? v20 : 1e-09);
-    v25 = (1.0 + v24);
-    v27 = (2.0 * v25);
-    v29 = (2.0 * Math.sqrt(v24));
-    v32 = (2.0 + (v27 / v25));
-    v35 = (2.0 * (v27 + (2.0 * v29)));
-    v36 = (v29 + v25);
-    v38 = (2.0 * Math.sqrt((v29 * v25)));
-    v41 = (v32 + (v35 / v36));
-    v44 = (2.0 * (v35 + (v32 * v38)));
-    v45 = (v38 + v36);
-    v47 = (2.0 * Math.sqrt((v38 * v36)));
-    v50 = (v41 + (v44 / v45));
-    v53 = (2.0 * (v44 + (v41 * v47)));
-    v54 = (v47 + v45);
-    v56 = (2.0 * Math.sqrt((v47 * v45)));
-    v59 = (v50 + (v53 / v54));
-    v62 = (2.0 * (v53 + (v50 * v56)));
-    v63 = (v56 + v54);
-    v65 = (2.0 * Math.sqrt((v56 * v54)));
-    v68 = (v59 + (v62 / v63));
-    v71 = (2.0 * (v62 + (v59 * v65)));
-    v72 = (v65 + v63);
-    v74 = (2.0 * Math.sqrt((v65 * v63)));
-    v77 = (v68 + (v71 / v72));
-    v80 = (2.0 * (v71 + (v68 * v74)));
-    v81 = (v74 + v72);
-    v83 = (2.0 * Math.sqrt((v74 * v72)));
-    v90 = (v83 + v81);
-    v93 = (v90 * v90);
-    v97 = (2.0 * (0.0 + v24));
-    v99 = (1.0 + (v97 / v25));
-    v101 = (2.0 * (v97 + v29));
-    v103 = (v99 + (v101 / v36));
-    v106 = (2.0 * (v101 + (v99 * v38)));
-    v108 = (v103 + (v106 / v45));
-    v111 = (2.0 * (v106 + (v103 * v47)));
-    v113 = (v108 + (v111 / v54));
-    v116 = (2.0 * (v111 + (v108 * v56)));
-    v118 = (v113 + (v116 / v63));
-    v121 = (2.0 * (v116 + (v113 * v65)));
-    v123 = (v118 + (v121 / v72));
-    v126 = (2.0 * (v121 + (v118 * v74)));
-    v141 = ((0.7853981633974483 * (((a - c) / a) * ((a + c) / a))) * ((((2.0 * (v80 + (v77 * v83))) + ((v77 + (v80 / v81)) * v90)) / v93) - (((2.0 * (v126 + (v123 * v83))) + ((v123 + (v126 / v81)) * v90)) / v93)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G && G < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((((E_star * mu) / R) / (3.141592653589793 * G)) * (a * v141));
-  return value;
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _slip_angle(a, c, R, E_star, G, mu) : NaN);
 };
 
 const elliptic = (kc, b) => {
@@ -705,20 +1113,38 @@ const slipping_traction = (r, a, c) => {
   return (inside ? held : ((2.0 / Math.PI) * difference_root(a, math.minimum(r, a))));
 };
 
-const _traction = (r, a, c, R, E_star, mu) => {
+const _traction_2 = (r, a, c, R, E_star, mu) => {
   return (((E_star * mu) / R) * slipping_traction(r, a, c));
 };
 
 const traction_of_paraboloid = (r, a, c, R, E_star, mu) => {
-  let value;
-  value = _traction(r, a, c, R, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction_2(r, a, c, R, E_star, mu) : 0.0) : NaN);
+};
+
+const _full_slip_torque_of_paraboloid = (a, R, E_star, mu) => {
+  return (((((Math.PI / 4.0) * E_star) * mu) / R) * Math.pow(a, 4));
+};
+
+const _full_slip_torque = (a, R, E_star, mu) => {
+  let v10;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v10 = (a * a);
+    return ((((0.7853981633974483 * E_star) * mu) / R) * (v10 * v10));
+  }
+  return _full_slip_torque_of_paraboloid(a, R, E_star, mu);
 };
 
 const full_slip_torque = (a, R, E_star, mu) => {
-  let v10;
-  v10 = (a * a);
-  return ((((0.7853981633974483 * E_star) * mu) / R) * (v10 * v10));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_torque(a, R, E_star, mu) : NaN);
 };
 
 const formulas = {
@@ -726,7 +1152,7 @@ const formulas = {
   "F": (v) => force(v.a, v.R, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.R, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.R),
-  "k": (v) => stiffness(v.a, v.E_star, v.R),
+  "k": (v) => stiffness(v.a, v.R, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
   "U": (v) => energy(v.a, v.R, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.R, v.E_star),
@@ -734,6 +1160,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.R, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.R, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_paraboloid(v.a, v.R, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_paraboloid(v.a, v.R, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_paraboloid(v.r, v.a, v.R, v.E_star, v.dgamma),
@@ -958,8 +1385,8 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
-    "R"
+    "R",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1041,6 +1468,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,56 +157,147 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const pressure = (x, P, a, h, E_star) => {
-  let v11, v17;
-  v11 = ((3.141592653589793 * E_star) * h);
-  v17 = (v11 / 2.0);
-  if (((v17 * 0.999999999999999) <= P)) {
-    if (((x <= a) && (P > 0.0))) {
-      return (((P - v17) + ((v11 * (x * x)) / (a * a))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
-    }
-    return 0.0;
-  }
-  return NaN;
+const _minimum_load = (h, E_star) => {
+  return (((Math.PI * E_star) * h) / 2);
 };
 
-const slope = (x, P, a, h, E_star) => {
-  let v12, v21, v8;
-  v12 = (3.141592653589793 * E_star);
-  if (((((v12 * h) / 2.0) * 0.999999999999999) <= P)) {
-    v21 = (a * a);
-    if ((x >= a)) {
-      if ((P > 0.0)) {
-        v8 = Math.sqrt(((x - a) * (a + x)));
-        return ((((-2.0) * P) / (v12 * v8)) - ((h * v21) / ((((2.0 * (v8 * v8)) + ((2.0 * x) * v8)) + v21) * v8)));
+const _pressure_of_concave_parabola = (x, P, a, h, E_star) => {
+  let carried, complete, face, result, root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  face = ((((Math.PI * E_star) * h) * Math.pow(x, 2)) / Math.pow(a, 2));
+  carried = ((P - _minimum_load(h, E_star)) + face);
+  value = (carried / (Math.PI * root));
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where(((x <= a) & (P > 0.0)), value, 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const _pressure = (x, P, a, h, E_star) => {
+  let v11, v17;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v11 = ((3.141592653589793 * E_star) * h);
+    v17 = (v11 / 2.0);
+    if (((v17 * 0.999999999999999) <= P)) {
+      if (((x <= a) && (P > 0.0))) {
+        return (((P - v17) + ((v11 * (x * x)) / (a * a))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
       }
       return 0.0;
     }
-    return (-((((-2.0) * h) * x) / v21));
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_concave_parabola(x, P, a, h, E_star);
 };
 
-const depth = (L, P, a, h, E_star) => {
-  let v16, v5, v8;
-  v16 = (3.141592653589793 * E_star);
-  if (((((v16 * h) / 2.0) * 0.999999999999999) <= P)) {
-    if ((a <= L)) {
-      v5 = (L - a);
-      v8 = Math.sqrt((v5 * (a + L)));
-      return ((((2.0 * P) * Math.log1p(((v5 + v8) / a))) / v16) - ((h * L) / (v8 + L)));
+const pressure = (x, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), P, a, h, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, a, h) => {
+  return ((((-2) * h) * x) / Math.pow(a, 2));
+};
+
+const _slope_of_concave_parabola = (x, P, a, h, E_star) => {
+  let complete, conjugate, face, outside, result, root, strip, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  strip = (((-2) * P) / ((Math.PI * E_star) * root));
+  conjugate = (((2 * Math.pow(root, 2)) + ((2 * x) * root)) + Math.pow(a, 2));
+  face = ((h * Math.pow(a, 2)) / (conjugate * root));
+  value = (strip - face);
+  outside = math.where((P > 0.0), value, 0.0);
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((x >= a), outside, (-_profile_slope(x, a, h)));
+  return math.where(complete, result, NaN);
+};
+
+const _slope = (x, P, a, h, E_star) => {
+  let v12, v21, v8;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v12 = (3.141592653589793 * E_star);
+    if (((((v12 * h) / 2.0) * 0.999999999999999) <= P)) {
+      v21 = (a * a);
+      if ((x >= a)) {
+        if ((P > 0.0)) {
+          v8 = Math.sqrt(((x - a) * (a + x)));
+          return ((((-2.0) * P) / (v12 * v8)) - ((h * v21) / ((((2.0 * (v8 * v8)) + ((2.0 * x) * v8)) + v21) * v8)));
+        }
+        return 0.0;
+      }
+      return (-((((-2.0) * h) * x) / v21));
     }
     return NaN;
   }
-  return NaN;
+  return _slope_of_concave_parabola(x, P, a, h, E_star);
 };
 
-const zero_distance = (a, h = 1.0) => {
+const slope = (x, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), P, a, h, E_star) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const _depth_of_concave_parabola = (L, P, a, h, E_star) => {
+  let complete, conjugate, face, result, root, strip, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  strip = (((2 * P) * Math.log1p((((L - a) + root) / a))) / (Math.PI * E_star));
+  conjugate = (root + L);
+  face = ((h * L) / conjugate);
+  value = (strip - face);
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((a <= L), value, NaN);
+  return math.where(complete, result, NaN);
+};
+
+const _depth = (L, P, a, h, E_star) => {
+  let v16, v5, v8;
+  if (((L > 1e-30) && (L < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v16 = (3.141592653589793 * E_star);
+    if (((((v16 * h) / 2.0) * 0.999999999999999) <= P)) {
+      if ((a <= L)) {
+        v5 = (L - a);
+        v8 = Math.sqrt((v5 * (a + L)));
+        return ((((2.0 * P) * Math.log1p(((v5 + v8) / a))) / v16) - ((h * L) / (v8 + L)));
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _depth_of_concave_parabola(L, P, a, h, E_star);
+};
+
+const depth = (L, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (P >= 0.0)) ? _depth(L, P, a, h, E_star) : NaN);
+};
+
+const _zero_distance = (a) => {
   return (0.0 * a);
 };
 
-const minimum_load = (h, E_star, a = 1.0) => {
-  return (((3.141592653589793 * E_star) * h) / 2.0);
+const zero_distance = (a, h) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity)))) {
+    return NaN;
+  }
+  return _zero_distance(a);
+};
+
+const _minimum_load_of_concave_parabola = (h, E_star, a = 1.0) => {
+  if (((h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
+    return (((3.141592653589793 * E_star) * h) / 2.0);
+  }
+  return _minimum_load(h, E_star);
+};
+
+const minimum_load = (a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return _minimum_load_of_concave_parabola(h, E_star);
 };
 
 const formulas = {
@@ -190,7 +305,7 @@ const formulas = {
   "s": (v) => slope(v.x, v.P, v.a, v.h, v.E_star),
   "d": (v) => depth(v.L, v.P, v.a, v.h, v.E_star),
   "xz": (v) => zero_distance(v.a, v.h),
-  "Pmin": (v) => minimum_load(v.h, v.E_star, v.a),
+  "Pmin": (v) => minimum_load(v.a, v.h, v.E_star),
 };
 window.calculator = { ...{
  "fields": [
@@ -338,9 +453,9 @@ window.calculator = { ...{
   "Pmin": {
    "gives": "P",
    "needs": [
+    "a",
     "h",
-    "E_star",
-    "a"
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -139,797 +163,1037 @@ const RULE_0 = math.rule([[3.0, 32], [20.0, 64], [Infinity, 128]]);
 
 const RULE_2 = math.rule([[16.0, 64], [Infinity, 128]]);
 
-const pressure = (x, P, a, h, n, E_star) => {
-  let node, v100, v105, v106, v107, v112, v114, v115, v120, v123, v125, v134, v135, v136, v138, v148, v149, v152, v16, v164, v18, v193, v195, v196, v205, v211, v213, v214, v216, v222, v224, v225, v226, v228, v229, v23, v231, v233, v236, v239, v240, v244, v246, v247, v262, v263, v264, v269, v278, v279, v281, v286, v287, v289, v290, v292, v294, v296, v299, v300, v304, v306, v320, v321, v322, v335, v336, v338, v343, v344, v346, v347, v349, v351, v353, v356, v357, v36, v361, v363, v377, v378, v379, v392, v393, v395, v400, v401, v403, v404, v406, v408, v410, v413, v414, v418, v420, v434, v435, v436, v449, v450, v452, v457, v458, v460, v461, v463, v465, v467, v470, v471, v475, v477, v491, v492, v493, v510, v6, v81, v83, v9, v94, value, weight;
-  v148 = ((n / 2.0) + 0.5);
-  v149 = (v148 + 1.75);
-  v152 = ((v148 + 0.5) * (v148 + 1.5));
-  v164 = (1.0 / (v149 * v149));
-  v193 = (n > 2.0);
-  if (v193) {
-    v195 = (v193 ? n : 3.0);
-    v196 = (v195 - 2.0);
-    v205 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v196) / (v196 + 0.72))) / v196));
-    if ((v196 < 2.0)) {
-      v211 = (Math.log(((v196 * (v196 + 2.0)) / 2.0)) / v196);
-      v213 = (((v205 > v211) || (v205 !== v205)) ? v205 : v211);
-    } else {
-      v213 = v205;
-    }
-    v214 = ((-2.0) * v213);
-    v216 = (-Math.expm1(v214));
-    v222 = ((v195 - 1.0) + 0.0);
-    v224 = (v222 - (v195 * Math.exp(((-2.0) * (((v213 < 300.0) || (v213 !== v213)) ? v213 : 300.0)))));
-    v225 = (((v224 > 1.0) || (v224 !== v224)) ? v224 : 1.0);
-    v226 = (v196 + 1.0);
-    v228 = (1.0 / (v226 * v213));
-    v244 = (v196 * v213);
-    v247 = (0.5 * v196);
-    v263 = [];
-    for ([node, weight] of RULE_0((1.0 / v228))) {
-      v229 = (node * 1.0);
-      v231 = ((v229 * v229) * v229);
-      v233 = ((v231 * v231) * v229);
-      v236 = (v233 * v229);
-      v239 = (-Math.expm1((v214 * v236)));
-      v240 = (1.0 - v236);
-      v246 = Math.expm1((v244 * v236));
-      v262 = ((8.0 * v233) * (((Math.exp((v213 * v240)) * Math.pow((v239 / v216), (-0.5))) * (v246 - (((v247 * (v246 + 1.0)) * v239) * ((-Math.expm1((v214 * v240))) / v216)))) / v239));
-      v263.push((weight * v262));
-    }
-    v263 = (math.fsum(v263) * 1.0);
-    v264 = (v213 * v263);
-    v269 = (2.0 * v222);
-    v278 = (v213 - ((Math.log(v264) * v264) / ((Math.exp(v244) / (v216 * v225)) + ((v264 - 1.0) * ((v269 / v225) - (1.0 / v216))))));
-    v279 = ((-2.0) * v278);
-    v281 = (-Math.expm1(v279));
-    v286 = (v222 - (v195 * Math.exp(((-2.0) * (((v278 < 300.0) || (v278 !== v278)) ? v278 : 300.0)))));
-    v287 = (((v286 > 1.0) || (v286 !== v286)) ? v286 : 1.0);
-    v289 = (1.0 / (v226 * v278));
-    v304 = (v196 * v278);
-    v321 = [];
-    for ([node, weight] of RULE_0((1.0 / v289))) {
-      v290 = (node * 1.0);
-      v292 = ((v290 * v290) * v290);
-      v294 = ((v292 * v292) * v290);
-      v296 = (v294 * v290);
-      v299 = (-Math.expm1((v279 * v296)));
-      v300 = (1.0 - v296);
-      v306 = Math.expm1((v304 * v296));
-      v320 = ((8.0 * v294) * (((Math.exp((v278 * v300)) * Math.pow((v299 / v281), (-0.5))) * (v306 - (((v247 * (v306 + 1.0)) * v299) * ((-Math.expm1((v279 * v300))) / v281)))) / v299));
-      v321.push((weight * v320));
-    }
-    v321 = (math.fsum(v321) * 1.0);
-    v322 = (v278 * v321);
-    v335 = (v278 - ((Math.log(v322) * v322) / ((Math.exp(v304) / (v281 * v287)) + ((v322 - 1.0) * ((v269 / v287) - (1.0 / v281))))));
-    v336 = ((-2.0) * v335);
-    v338 = (-Math.expm1(v336));
-    v343 = (v222 - (v195 * Math.exp(((-2.0) * (((v335 < 300.0) || (v335 !== v335)) ? v335 : 300.0)))));
-    v344 = (((v343 > 1.0) || (v343 !== v343)) ? v343 : 1.0);
-    v346 = (1.0 / (v226 * v335));
-    v361 = (v196 * v335);
-    v378 = [];
-    for ([node, weight] of RULE_0((1.0 / v346))) {
-      v347 = (node * 1.0);
-      v349 = ((v347 * v347) * v347);
-      v351 = ((v349 * v349) * v347);
-      v353 = (v351 * v347);
-      v356 = (-Math.expm1((v336 * v353)));
-      v357 = (1.0 - v353);
-      v363 = Math.expm1((v361 * v353));
-      v377 = ((8.0 * v351) * (((Math.exp((v335 * v357)) * Math.pow((v356 / v338), (-0.5))) * (v363 - (((v247 * (v363 + 1.0)) * v356) * ((-Math.expm1((v336 * v357))) / v338)))) / v356));
-      v378.push((weight * v377));
-    }
-    v378 = (math.fsum(v378) * 1.0);
-    v379 = (v335 * v378);
-    v392 = (v335 - ((Math.log(v379) * v379) / ((Math.exp(v361) / (v338 * v344)) + ((v379 - 1.0) * ((v269 / v344) - (1.0 / v338))))));
-    v393 = ((-2.0) * v392);
-    v395 = (-Math.expm1(v393));
-    v400 = (v222 - (v195 * Math.exp(((-2.0) * (((v392 < 300.0) || (v392 !== v392)) ? v392 : 300.0)))));
-    v401 = (((v400 > 1.0) || (v400 !== v400)) ? v400 : 1.0);
-    v403 = (1.0 / (v226 * v392));
-    v418 = (v196 * v392);
-    v435 = [];
-    for ([node, weight] of RULE_0((1.0 / v403))) {
-      v404 = (node * 1.0);
-      v406 = ((v404 * v404) * v404);
-      v408 = ((v406 * v406) * v404);
-      v410 = (v408 * v404);
-      v413 = (-Math.expm1((v393 * v410)));
-      v414 = (1.0 - v410);
-      v420 = Math.expm1((v418 * v410));
-      v434 = ((8.0 * v408) * (((Math.exp((v392 * v414)) * Math.pow((v413 / v395), (-0.5))) * (v420 - (((v247 * (v420 + 1.0)) * v413) * ((-Math.expm1((v393 * v414))) / v395)))) / v413));
-      v435.push((weight * v434));
-    }
-    v435 = (math.fsum(v435) * 1.0);
-    v436 = (v392 * v435);
-    v449 = (v392 - ((Math.log(v436) * v436) / ((Math.exp(v418) / (v395 * v401)) + ((v436 - 1.0) * ((v269 / v401) - (1.0 / v395))))));
-    v450 = ((-2.0) * v449);
-    v452 = (-Math.expm1(v450));
-    v457 = (v222 - (v195 * Math.exp(((-2.0) * (((v449 < 300.0) || (v449 !== v449)) ? v449 : 300.0)))));
-    v458 = (((v457 > 1.0) || (v457 !== v457)) ? v457 : 1.0);
-    v460 = (1.0 / (v226 * v449));
-    v475 = (v196 * v449);
-    v492 = [];
-    for ([node, weight] of RULE_0((1.0 / v460))) {
-      v461 = (node * 1.0);
-      v463 = ((v461 * v461) * v461);
-      v465 = ((v463 * v463) * v461);
-      v467 = (v465 * v461);
-      v470 = (-Math.expm1((v450 * v467)));
-      v471 = (1.0 - v467);
-      v477 = Math.expm1((v475 * v467));
-      v491 = ((8.0 * v465) * (((Math.exp((v449 * v471)) * Math.pow((v470 / v452), (-0.5))) * (v477 - (((v247 * (v477 + 1.0)) * v470) * ((-Math.expm1((v450 * v471))) / v452)))) / v470));
-      v492.push((weight * v491));
-    }
-    v492 = (math.fsum(v492) * 1.0);
-    v493 = (v449 * v492);
-    v510 = (-Math.expm1(((-2.0) * (v449 - ((Math.log(v493) * v493) / ((Math.exp(v475) / (v452 * v458)) + ((v493 - 1.0) * ((v269 / v458) - (1.0 / v452)))))))));
-  } else {
-    v510 = 1.0;
+const gamma_ratio = (x) => {
+  let v2, v21, v7;
+  v2 = (x + 1.75);
+  v7 = ((x + 0.5) * (x + 1.5));
+  v21 = (1.0 / (v2 * v2));
+  return ((((x < 1.0) ? ((x * (x + 1.0)) / v7) : (1.0 - ((x + 0.75) / v7))) * math.sqrt(v2)) * (1.0 + (v21 * (((((((((((((0.01524698625788054 * v21) + 0.5334320651111477) * v21) + 2.250488865813539) * v21) + 2.8612106440066865) * v21) + 1.3794681629043655) * v21) + 0.2596058532893223) * v21) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v21) + 49.328555418276075) * v21) + 167.28648538571198) * v21) + 195.37226190335065) * v21) + 90.69722535867314) * v21) + 16.763212110504565) * v21) + 1.0)))));
+};
+
+const _log_ratio = (x, y) => {
+  let v3;
+  v3 = ((x - y) / y);
+  if (Number.isFinite(v3)) {
+    return math.log1p(v3);
   }
-  if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v510) - 1.0)) * ((((v148 < 1.0) ? ((v148 * (v148 + 1.0)) / v152) : (1.0 - ((v148 + 0.75) / v152))) * Math.sqrt(v149)) * (1.0 + (v164 * (((((((((((((0.01524698625788054 * v164) + 0.5334320651111477) * v164) + 2.250488865813539) * v164) + 2.8612106440066865) * v164) + 1.3794681629043655) * v164) + 0.2596058532893223) * v164) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v164) + 49.328555418276075) * v164) + 167.28648538571198) * v164) + 195.37226190335065) * v164) + 90.69722535867314) * v164) + 16.763212110504565) * v164) + 1.0))))))) * 0.999999999999999) <= P)) {
-    if (((x <= a) && (P > 0.0))) {
-      v6 = (a - x);
-      v9 = Math.sqrt((v6 * (a + x)));
-      v16 = ((n + 1.0) / 2.0);
-      v18 = (v16 + 1.75);
-      v23 = ((v16 + 0.5) * (v16 + 1.5));
-      v36 = (1.0 / (v18 * v18));
-      v81 = (n > 1.0);
-      v83 = Math.abs((n - 1.0));
-      if ((x > 0.0)) {
-        v94 = (v6 / x);
-        v100 = (Number.isFinite(v94) ? Math.log1p(v94) : (Math.log(a) - Math.log(x)));
-        if ((v100 > 0.0)) {
-          v105 = (v100 - (42.0 / (((v83 > 0.001) || (v83 !== v83)) ? v83 : 0.001)));
-          v106 = (((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0);
-          v107 = Math.sqrt(v100);
-          v112 = (v81 ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
-          v115 = (2.0 * v107);
-          v120 = (-v83);
-          v135 = [];
-          for ([node, weight] of RULE_2((v112 / 1.0))) {
-            v114 = (node * v112);
-            if (v81) {
-              v123 = (v107 - v114);
-              v125 = (((v123 > 0.0) || (v123 !== v123)) ? v123 : 0.0);
-            } else {
-              v125 = v114;
-            }
-            v134 = (Math.exp((v120 * (v81 ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
-            v135.push((weight * v134));
-          }
-          v135 = (math.fsum(v135) * v112);
-          v136 = v135;
-        } else {
-          v136 = 0.0;
-        }
-        v138 = ((v81 ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v136);
+  return (math.log(x) - math.log(y));
+};
+
+const RULE_0_of_powers = math.rule([[16.0, 64], [Infinity, 128]]);
+
+const _fallen_pressure = (depth, n) => {
+  let node, v10, v12, v13, v18, v20, v22, v27, v3, v30, v32, v41, v42, v5, weight;
+  if ((depth > 0.0)) {
+    v3 = (n > 1.0);
+    v5 = Math.abs((n - 1.0));
+    v10 = (depth - (42.0 / (((v5 > 0.001) || (v5 !== v5)) ? v5 : 0.001)));
+    v12 = (((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0);
+    v13 = math.sqrt(depth);
+    v18 = (v3 ? (v13 - math.sqrt(v12)) : math.sqrt((depth - v12)));
+    v22 = (2.0 * v13);
+    v27 = (-v5);
+    v42 = [];
+    for ([node, weight] of RULE_0_of_powers((v18 / 1.0))) {
+      v20 = (node * v18);
+      if (v3) {
+        v30 = (v13 - v20);
+        v32 = (((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0);
       } else {
-        v138 = (v81 ? (1.0 / v83) : Infinity);
+        v32 = v20;
       }
-      value = ((P / (3.141592653589793 * v9)) + ((((E_star * n) * h) * ((1.0 / v9) - ((n * v138) / a))) / (3.5449077018110318 * ((((v16 < 1.0) ? ((v16 * (v16 + 1.0)) / v23) : (1.0 - ((v16 + 0.75) / v23))) * Math.sqrt(v18)) * (1.0 + (v36 * (((((((((((((0.01524698625788054 * v36) + 0.5334320651111477) * v36) + 2.250488865813539) * v36) + 2.8612106440066865) * v36) + 1.3794681629043655) * v36) + 0.2596058532893223) * v36) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v36) + 49.328555418276075) * v36) + 167.28648538571198) * v36) + 195.37226190335065) * v36) + 90.69722535867314) * v36) + 16.763212110504565) * v36) + 1.0))))))));
-      return value;
+      v41 = (Math.exp((v27 * (v3 ? (v20 * (v22 - v20)) : (v20 * v20)))) * ((2.0 * v32) / math.sqrt((-Math.expm1((((-2.0) * v32) * v32))))));
+      v42.push((weight * v41));
     }
-    value = 0.0;
-    return value;
+    v42 = (math.fsum(v42) * v18);
+    return v42;
   }
-  value = NaN;
-  return value;
+  return 0.0;
+};
+
+const power_pressure = (r, a, n) => {
+  let centre, largest;
+  centre = ((n > 1.0) ? (1.0 / Math.abs((n - 1.0))) : Infinity);
+  largest = ((n > 1.0) ? 1.0 : (Math.pow((r / a), n) * (a / r)));
+  return ((r > 0.0) ? (largest * _fallen_pressure(_log_ratio(a, r), n)) : centre);
+};
+
+const _start = (m, k) => {
+  let bend, c, length, middle, small;
+  small = (((4.0 / Math.PI) * Math.sin(((Math.PI / 2.0) * (1.0 - k)))) / (1.0 + k));
+  middle = (2.0 * Math.expm1((((-0.5) * (1.0 - k)) * Math.log(((1.0 - k) / 4.0)))));
+  bend = (0.36 + (0.4 * k));
+  c = (small + ((((middle - small) * (1.0 + bend)) * m) / (m + (2.0 * math.maximum(bend, 0.0)))));
+  length = (Math.log1p((c / m)) / (1.0 - k));
+  return math.where((m < 2.0), math.maximum(length, (Math.log(((m * (m + 2.0)) / (2.0 * (1.0 - k)))) / m)), length);
+};
+
+const STEPS = 5;
+
+const GONE = 300.0;
+
+const LENGTHS = [[3.0, 32], [20.0, 64], [Infinity, 128]];
+
+const _integral = (integrand, length) => {
+  let rooted;
+  rooted = (x) => {
+    let power;
+    power = (Math.pow(x, 2) * x);
+    power = ((power * power) * x);
+    return ((8.0 * power) * integrand((power * x)));
+  };
+  return math.integral_by_length(rooted, math.ones_like(length), (1.0 / length), LENGTHS);
+};
+
+const _balance = (length, m, k) => {
+  let integrand, z;
+  z = (-Math.expm1(((-2.0) * length)));
+  integrand = (y) => {
+    let inner, outer, rest, risen;
+    [inner, outer] = [(-Math.expm1((((-2.0) * length) * y))), (-Math.expm1((((-2.0) * length) * (1.0 - y))))];
+    risen = Math.expm1(((m * length) * y));
+    rest = (risen - ((((0.5 * m) * (risen + 1.0)) * inner) * (outer / z)));
+    return (((Math.exp((((1.0 - k) * length) * (1.0 - y))) * Math.pow((inner / z), ((k - 1.0) / 2.0))) * rest) / inner);
+  };
+  return (((1.0 - k) * length) * _integral(integrand, ((m + 1.0) * length)));
+};
+
+const _log_ratio_of_ring = (n, k) => {
+  let _, length, lifted, slope, square, value, z;
+  n = math.where((n > 2.0), n, 3.0);
+  length = _start((n - 2.0), k);
+  for (_ of math.range(STEPS)) {
+    [z, square] = [(-Math.expm1(((-2.0) * length))), Math.exp(((-2.0) * math.minimum(length, GONE)))];
+    lifted = math.maximum((((n - 1.0) + k) - (n * square)), (1.0 + k));
+    value = _balance(length, (n - 2.0), k);
+    slope = ((((1.0 - k) * (1.0 + k)) * Math.exp(((n - 2.0) * length))) / (z * lifted));
+    slope = (slope + ((value - 1.0) * (((2.0 * ((n - 1.0) + k)) / lifted) - ((1.0 + k) / z))));
+    length = (length - ((Math.log(value) * value) / slope));
+  }
+  return length;
+};
+
+const outside_zero_pressure = (n, k = 0.0) => {
+  return math.where((n > 2.0), (-Math.expm1(((-2.0) * _log_ratio_of_ring(n, k)))), 1.0);
+};
+
+const _minimum_load = (h, n, E_star) => {
+  let kappa, zeta;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  zeta = outside_zero_pressure(n);
+  return ((((Math.sqrt(Math.PI) * E_star) * n) * h) / ((2 * ((n * zeta) - 1)) * kappa));
+};
+
+const _pressure_of_concave_power = (x, P, a, h, n, E_star) => {
+  let complete, face, kappa, result, root, strip, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  strip = (P / (Math.PI * root));
+  kappa = gamma_ratio(((n + 1) / 2));
+  face = ((((E_star * n) * h) * ((1 / root) - ((n * power_pressure(x, a, n)) / a))) / ((2 * Math.sqrt(Math.PI)) * kappa));
+  value = (strip + face);
+  complete = ((_minimum_load(h, n, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where(((x <= a) & (P > 0.0)), value, 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const _pressure = (x, P, a, h, n, E_star) => {
+  let node, v100, v105, v106, v107, v112, v114, v115, v120, v123, v125, v134, v135, v136, v138, v148, v149, v152, v16, v164, v18, v193, v195, v196, v205, v211, v213, v214, v216, v222, v224, v225, v226, v228, v229, v23, v231, v233, v236, v239, v240, v244, v246, v247, v262, v263, v264, v269, v278, v279, v281, v286, v287, v289, v290, v292, v294, v296, v299, v300, v304, v306, v320, v321, v322, v335, v336, v338, v343, v344, v346, v347, v349, v351, v353, v356, v357, v36, v361, v363, v377, v378, v379, v392, v393, v395, v400, v401, v403, v404, v406, v408, v410, v413, v414, v418, v420, v434, v435, v436, v449, v450, v452, v457, v458, v460, v461, v463, v465, v467, v470, v471, v475, v477, v491, v492, v493, v510, v6, v81, v83, v9, v94, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v148 = ((n / 2.0) + 0.5);
+    v149 = (v148 + 1.75);
+    v152 = ((v148 + 0.5) * (v148 + 1.5));
+    v164 = (1.0 / (v149 * v149));
+    v193 = (n > 2.0);
+    if (v193) {
+      v195 = (v193 ? n : 3.0);
+      v196 = (v195 - 2.0);
+      v205 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v196) / (v196 + 0.72))) / v196));
+      if ((v196 < 2.0)) {
+        v211 = (Math.log(((v196 * (v196 + 2.0)) / 2.0)) / v196);
+        v213 = (((v205 > v211) || (v205 !== v205)) ? v205 : v211);
+      } else {
+        v213 = v205;
+      }
+      v214 = ((-2.0) * v213);
+      v216 = (-Math.expm1(v214));
+      v222 = ((v195 - 1.0) + 0.0);
+      v224 = (v222 - (v195 * Math.exp(((-2.0) * (((v213 < 300.0) || (v213 !== v213)) ? v213 : 300.0)))));
+      v225 = (((v224 > 1.0) || (v224 !== v224)) ? v224 : 1.0);
+      v226 = (v196 + 1.0);
+      v228 = (1.0 / (v226 * v213));
+      v244 = (v196 * v213);
+      v247 = (0.5 * v196);
+      v263 = [];
+      for ([node, weight] of RULE_0((1.0 / v228))) {
+        v229 = (node * 1.0);
+        v231 = ((v229 * v229) * v229);
+        v233 = ((v231 * v231) * v229);
+        v236 = (v233 * v229);
+        v239 = (-Math.expm1((v214 * v236)));
+        v240 = (1.0 - v236);
+        v246 = Math.expm1((v244 * v236));
+        v262 = ((8.0 * v233) * (((Math.exp((v213 * v240)) * Math.pow((v239 / v216), (-0.5))) * (v246 - (((v247 * (v246 + 1.0)) * v239) * ((-Math.expm1((v214 * v240))) / v216)))) / v239));
+        v263.push((weight * v262));
+      }
+      v263 = (math.fsum(v263) * 1.0);
+      v264 = (v213 * v263);
+      v269 = (2.0 * v222);
+      v278 = (v213 - ((Math.log(v264) * v264) / ((Math.exp(v244) / (v216 * v225)) + ((v264 - 1.0) * ((v269 / v225) - (1.0 / v216))))));
+      v279 = ((-2.0) * v278);
+      v281 = (-Math.expm1(v279));
+      v286 = (v222 - (v195 * Math.exp(((-2.0) * (((v278 < 300.0) || (v278 !== v278)) ? v278 : 300.0)))));
+      v287 = (((v286 > 1.0) || (v286 !== v286)) ? v286 : 1.0);
+      v289 = (1.0 / (v226 * v278));
+      v304 = (v196 * v278);
+      v321 = [];
+      for ([node, weight] of RULE_0((1.0 / v289))) {
+        v290 = (node * 1.0);
+        v292 = ((v290 * v290) * v290);
+        v294 = ((v292 * v292) * v290);
+        v296 = (v294 * v290);
+        v299 = (-Math.expm1((v279 * v296)));
+        v300 = (1.0 - v296);
+        v306 = Math.expm1((v304 * v296));
+        v320 = ((8.0 * v294) * (((Math.exp((v278 * v300)) * Math.pow((v299 / v281), (-0.5))) * (v306 - (((v247 * (v306 + 1.0)) * v299) * ((-Math.expm1((v279 * v300))) / v281)))) / v299));
+        v321.push((weight * v320));
+      }
+      v321 = (math.fsum(v321) * 1.0);
+      v322 = (v278 * v321);
+      v335 = (v278 - ((Math.log(v322) * v322) / ((Math.exp(v304) / (v281 * v287)) + ((v322 - 1.0) * ((v269 / v287) - (1.0 / v281))))));
+      v336 = ((-2.0) * v335);
+      v338 = (-Math.expm1(v336));
+      v343 = (v222 - (v195 * Math.exp(((-2.0) * (((v335 < 300.0) || (v335 !== v335)) ? v335 : 300.0)))));
+      v344 = (((v343 > 1.0) || (v343 !== v343)) ? v343 : 1.0);
+      v346 = (1.0 / (v226 * v335));
+      v361 = (v196 * v335);
+      v378 = [];
+      for ([node, weight] of RULE_0((1.0 / v346))) {
+        v347 = (node * 1.0);
+        v349 = ((v347 * v347) * v347);
+        v351 = ((v349 * v349) * v347);
+        v353 = (v351 * v347);
+        v356 = (-Math.expm1((v336 * v353)));
+        v357 = (1.0 - v353);
+        v363 = Math.expm1((v361 * v353));
+        v377 = ((8.0 * v351) * (((Math.exp((v335 * v357)) * Math.pow((v356 / v338), (-0.5))) * (v363 - (((v247 * (v363 + 1.0)) * v356) * ((-Math.expm1((v336 * v357))) / v338)))) / v356));
+        v378.push((weight * v377));
+      }
+      v378 = (math.fsum(v378) * 1.0);
+      v379 = (v335 * v378);
+      v392 = (v335 - ((Math.log(v379) * v379) / ((Math.exp(v361) / (v338 * v344)) + ((v379 - 1.0) * ((v269 / v344) - (1.0 / v338))))));
+      v393 = ((-2.0) * v392);
+      v395 = (-Math.expm1(v393));
+      v400 = (v222 - (v195 * Math.exp(((-2.0) * (((v392 < 300.0) || (v392 !== v392)) ? v392 : 300.0)))));
+      v401 = (((v400 > 1.0) || (v400 !== v400)) ? v400 : 1.0);
+      v403 = (1.0 / (v226 * v392));
+      v418 = (v196 * v392);
+      v435 = [];
+      for ([node, weight] of RULE_0((1.0 / v403))) {
+        v404 = (node * 1.0);
+        v406 = ((v404 * v404) * v404);
+        v408 = ((v406 * v406) * v404);
+        v410 = (v408 * v404);
+        v413 = (-Math.expm1((v393 * v410)));
+        v414 = (1.0 - v410);
+        v420 = Math.expm1((v418 * v410));
+        v434 = ((8.0 * v408) * (((Math.exp((v392 * v414)) * Math.pow((v413 / v395), (-0.5))) * (v420 - (((v247 * (v420 + 1.0)) * v413) * ((-Math.expm1((v393 * v414))) / v395)))) / v413));
+        v435.push((weight * v434));
+      }
+      v435 = (math.fsum(v435) * 1.0);
+      v436 = (v392 * v435);
+      v449 = (v392 - ((Math.log(v436) * v436) / ((Math.exp(v418) / (v395 * v401)) + ((v436 - 1.0) * ((v269 / v401) - (1.0 / v395))))));
+      v450 = ((-2.0) * v449);
+      v452 = (-Math.expm1(v450));
+      v457 = (v222 - (v195 * Math.exp(((-2.0) * (((v449 < 300.0) || (v449 !== v449)) ? v449 : 300.0)))));
+      v458 = (((v457 > 1.0) || (v457 !== v457)) ? v457 : 1.0);
+      v460 = (1.0 / (v226 * v449));
+      v475 = (v196 * v449);
+      v492 = [];
+      for ([node, weight] of RULE_0((1.0 / v460))) {
+        v461 = (node * 1.0);
+        v463 = ((v461 * v461) * v461);
+        v465 = ((v463 * v463) * v461);
+        v467 = (v465 * v461);
+        v470 = (-Math.expm1((v450 * v467)));
+        v471 = (1.0 - v467);
+        v477 = Math.expm1((v475 * v467));
+        v491 = ((8.0 * v465) * (((Math.exp((v449 * v471)) * Math.pow((v470 / v452), (-0.5))) * (v477 - (((v247 * (v477 + 1.0)) * v470) * ((-Math.expm1((v450 * v471))) / v452)))) / v470));
+        v492.push((weight * v491));
+      }
+      v492 = (math.fsum(v492) * 1.0);
+      v493 = (v449 * v492);
+      v510 = (-Math.expm1(((-2.0) * (v449 - ((Math.log(v493) * v493) / ((Math.exp(v475) / (v452 * v458)) + ((v493 - 1.0) * ((v269 / v458) - (1.0 / v452)))))))));
+    } else {
+      v510 = 1.0;
+    }
+    if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v510) - 1.0)) * ((((v148 < 1.0) ? ((v148 * (v148 + 1.0)) / v152) : (1.0 - ((v148 + 0.75) / v152))) * Math.sqrt(v149)) * (1.0 + (v164 * (((((((((((((0.01524698625788054 * v164) + 0.5334320651111477) * v164) + 2.250488865813539) * v164) + 2.8612106440066865) * v164) + 1.3794681629043655) * v164) + 0.2596058532893223) * v164) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v164) + 49.328555418276075) * v164) + 167.28648538571198) * v164) + 195.37226190335065) * v164) + 90.69722535867314) * v164) + 16.763212110504565) * v164) + 1.0))))))) * 0.999999999999999) <= P)) {
+      if (((x <= a) && (P > 0.0))) {
+        v6 = (a - x);
+        v9 = Math.sqrt((v6 * (a + x)));
+        v16 = ((n + 1.0) / 2.0);
+        v18 = (v16 + 1.75);
+        v23 = ((v16 + 0.5) * (v16 + 1.5));
+        v36 = (1.0 / (v18 * v18));
+        v81 = (n > 1.0);
+        v83 = Math.abs((n - 1.0));
+        if ((x > 0.0)) {
+          v94 = (v6 / x);
+          v100 = (Number.isFinite(v94) ? Math.log1p(v94) : (Math.log(a) - Math.log(x)));
+          if ((v100 > 0.0)) {
+            v105 = (v100 - (42.0 / (((v83 > 0.001) || (v83 !== v83)) ? v83 : 0.001)));
+            v106 = (((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0);
+            v107 = Math.sqrt(v100);
+            v112 = (v81 ? (v107 - Math.sqrt(v106)) : Math.sqrt((v100 - v106)));
+            v115 = (2.0 * v107);
+            v120 = (-v83);
+            v135 = [];
+            for ([node, weight] of RULE_2((v112 / 1.0))) {
+              v114 = (node * v112);
+              if (v81) {
+                v123 = (v107 - v114);
+                v125 = (((v123 > 0.0) || (v123 !== v123)) ? v123 : 0.0);
+              } else {
+                v125 = v114;
+              }
+              v134 = (Math.exp((v120 * (v81 ? (v114 * (v115 - v114)) : (v114 * v114)))) * ((2.0 * v125) / Math.sqrt((-Math.expm1((((-2.0) * v125) * v125))))));
+              v135.push((weight * v134));
+            }
+            v135 = (math.fsum(v135) * v112);
+            v136 = v135;
+          } else {
+            v136 = 0.0;
+          }
+          v138 = ((v81 ? 1.0 : (Math.pow((x / a), n) * (a / x))) * v136);
+        } else {
+          v138 = (v81 ? (1.0 / v83) : Infinity);
+        }
+        return ((P / (3.141592653589793 * v9)) + ((((E_star * n) * h) * ((1.0 / v9) - ((n * v138) / a))) / (3.5449077018110318 * ((((v16 < 1.0) ? ((v16 * (v16 + 1.0)) / v23) : (1.0 - ((v16 + 0.75) / v23))) * Math.sqrt(v18)) * (1.0 + (v36 * (((((((((((((0.01524698625788054 * v36) + 0.5334320651111477) * v36) + 2.250488865813539) * v36) + 2.8612106440066865) * v36) + 1.3794681629043655) * v36) + 0.2596058532893223) * v36) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v36) + 49.328555418276075) * v36) + 167.28648538571198) * v36) + 195.37226190335065) * v36) + 90.69722535867314) * v36) + 16.763212110504565) * v36) + 1.0))))))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _pressure_of_concave_power(x, P, a, h, n, E_star);
+};
+
+const pressure = (x, P, a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), P, a, h, n, E_star) : 0.0) : NaN);
 };
 
 const RULE_1 = math.rule([[Infinity, 64]]);
 
-const slope = (x, P, a, h, n, E_star) => {
-  let node, v100, v103, v104, v109, v110, v112, v120, v121, v124, v136, v137, v140, v152, v181, v183, v184, v19, v193, v199, v201, v202, v204, v21, v210, v212, v213, v214, v216, v217, v219, v221, v224, v227, v228, v232, v234, v235, v250, v251, v252, v257, v26, v266, v267, v269, v274, v275, v277, v278, v280, v282, v284, v287, v288, v292, v294, v308, v309, v310, v323, v324, v326, v331, v332, v334, v335, v337, v339, v341, v344, v345, v349, v351, v365, v366, v367, v380, v381, v383, v388, v389, v39, v391, v392, v394, v396, v398, v401, v402, v406, v408, v422, v423, v424, v437, v438, v440, v445, v446, v448, v449, v451, v453, v455, v458, v459, v463, v465, v479, v480, v481, v498, v6, v82, v89, v9, v90, v92, v97, value, weight;
-  v136 = ((n / 2.0) + 0.5);
-  v137 = (v136 + 1.75);
-  v140 = ((v136 + 0.5) * (v136 + 1.5));
-  v152 = (1.0 / (v137 * v137));
-  v181 = (n > 2.0);
-  if (v181) {
-    v183 = (v181 ? n : 3.0);
-    v184 = (v183 - 2.0);
-    v193 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v184) / (v184 + 0.72))) / v184));
-    if ((v184 < 2.0)) {
-      v199 = (Math.log(((v184 * (v184 + 2.0)) / 2.0)) / v184);
-      v201 = (((v193 > v199) || (v193 !== v193)) ? v193 : v199);
-    } else {
-      v201 = v193;
-    }
-    v202 = ((-2.0) * v201);
-    v204 = (-Math.expm1(v202));
-    v210 = ((v183 - 1.0) + 0.0);
-    v212 = (v210 - (v183 * Math.exp(((-2.0) * (((v201 < 300.0) || (v201 !== v201)) ? v201 : 300.0)))));
-    v213 = (((v212 > 1.0) || (v212 !== v212)) ? v212 : 1.0);
-    v214 = (v184 + 1.0);
-    v216 = (1.0 / (v214 * v201));
-    v232 = (v184 * v201);
-    v235 = (0.5 * v184);
-    v251 = [];
-    for ([node, weight] of RULE_0((1.0 / v216))) {
-      v217 = (node * 1.0);
-      v219 = ((v217 * v217) * v217);
-      v221 = ((v219 * v219) * v217);
-      v224 = (v221 * v217);
-      v227 = (-Math.expm1((v202 * v224)));
-      v228 = (1.0 - v224);
-      v234 = Math.expm1((v232 * v224));
-      v250 = ((8.0 * v221) * (((Math.exp((v201 * v228)) * Math.pow((v227 / v204), (-0.5))) * (v234 - (((v235 * (v234 + 1.0)) * v227) * ((-Math.expm1((v202 * v228))) / v204)))) / v227));
-      v251.push((weight * v250));
-    }
-    v251 = (math.fsum(v251) * 1.0);
-    v252 = (v201 * v251);
-    v257 = (2.0 * v210);
-    v266 = (v201 - ((Math.log(v252) * v252) / ((Math.exp(v232) / (v204 * v213)) + ((v252 - 1.0) * ((v257 / v213) - (1.0 / v204))))));
-    v267 = ((-2.0) * v266);
-    v269 = (-Math.expm1(v267));
-    v274 = (v210 - (v183 * Math.exp(((-2.0) * (((v266 < 300.0) || (v266 !== v266)) ? v266 : 300.0)))));
-    v275 = (((v274 > 1.0) || (v274 !== v274)) ? v274 : 1.0);
-    v277 = (1.0 / (v214 * v266));
-    v292 = (v184 * v266);
-    v309 = [];
-    for ([node, weight] of RULE_0((1.0 / v277))) {
-      v278 = (node * 1.0);
-      v280 = ((v278 * v278) * v278);
-      v282 = ((v280 * v280) * v278);
-      v284 = (v282 * v278);
-      v287 = (-Math.expm1((v267 * v284)));
-      v288 = (1.0 - v284);
-      v294 = Math.expm1((v292 * v284));
-      v308 = ((8.0 * v282) * (((Math.exp((v266 * v288)) * Math.pow((v287 / v269), (-0.5))) * (v294 - (((v235 * (v294 + 1.0)) * v287) * ((-Math.expm1((v267 * v288))) / v269)))) / v287));
-      v309.push((weight * v308));
-    }
-    v309 = (math.fsum(v309) * 1.0);
-    v310 = (v266 * v309);
-    v323 = (v266 - ((Math.log(v310) * v310) / ((Math.exp(v292) / (v269 * v275)) + ((v310 - 1.0) * ((v257 / v275) - (1.0 / v269))))));
-    v324 = ((-2.0) * v323);
-    v326 = (-Math.expm1(v324));
-    v331 = (v210 - (v183 * Math.exp(((-2.0) * (((v323 < 300.0) || (v323 !== v323)) ? v323 : 300.0)))));
-    v332 = (((v331 > 1.0) || (v331 !== v331)) ? v331 : 1.0);
-    v334 = (1.0 / (v214 * v323));
-    v349 = (v184 * v323);
-    v366 = [];
-    for ([node, weight] of RULE_0((1.0 / v334))) {
-      v335 = (node * 1.0);
-      v337 = ((v335 * v335) * v335);
-      v339 = ((v337 * v337) * v335);
-      v341 = (v339 * v335);
-      v344 = (-Math.expm1((v324 * v341)));
-      v345 = (1.0 - v341);
-      v351 = Math.expm1((v349 * v341));
-      v365 = ((8.0 * v339) * (((Math.exp((v323 * v345)) * Math.pow((v344 / v326), (-0.5))) * (v351 - (((v235 * (v351 + 1.0)) * v344) * ((-Math.expm1((v324 * v345))) / v326)))) / v344));
-      v366.push((weight * v365));
-    }
-    v366 = (math.fsum(v366) * 1.0);
-    v367 = (v323 * v366);
-    v380 = (v323 - ((Math.log(v367) * v367) / ((Math.exp(v349) / (v326 * v332)) + ((v367 - 1.0) * ((v257 / v332) - (1.0 / v326))))));
-    v381 = ((-2.0) * v380);
-    v383 = (-Math.expm1(v381));
-    v388 = (v210 - (v183 * Math.exp(((-2.0) * (((v380 < 300.0) || (v380 !== v380)) ? v380 : 300.0)))));
-    v389 = (((v388 > 1.0) || (v388 !== v388)) ? v388 : 1.0);
-    v391 = (1.0 / (v214 * v380));
-    v406 = (v184 * v380);
-    v423 = [];
-    for ([node, weight] of RULE_0((1.0 / v391))) {
-      v392 = (node * 1.0);
-      v394 = ((v392 * v392) * v392);
-      v396 = ((v394 * v394) * v392);
-      v398 = (v396 * v392);
-      v401 = (-Math.expm1((v381 * v398)));
-      v402 = (1.0 - v398);
-      v408 = Math.expm1((v406 * v398));
-      v422 = ((8.0 * v396) * (((Math.exp((v380 * v402)) * Math.pow((v401 / v383), (-0.5))) * (v408 - (((v235 * (v408 + 1.0)) * v401) * ((-Math.expm1((v381 * v402))) / v383)))) / v401));
-      v423.push((weight * v422));
-    }
-    v423 = (math.fsum(v423) * 1.0);
-    v424 = (v380 * v423);
-    v437 = (v380 - ((Math.log(v424) * v424) / ((Math.exp(v406) / (v383 * v389)) + ((v424 - 1.0) * ((v257 / v389) - (1.0 / v383))))));
-    v438 = ((-2.0) * v437);
-    v440 = (-Math.expm1(v438));
-    v445 = (v210 - (v183 * Math.exp(((-2.0) * (((v437 < 300.0) || (v437 !== v437)) ? v437 : 300.0)))));
-    v446 = (((v445 > 1.0) || (v445 !== v445)) ? v445 : 1.0);
-    v448 = (1.0 / (v214 * v437));
-    v463 = (v184 * v437);
-    v480 = [];
-    for ([node, weight] of RULE_0((1.0 / v448))) {
-      v449 = (node * 1.0);
-      v451 = ((v449 * v449) * v449);
-      v453 = ((v451 * v451) * v449);
-      v455 = (v453 * v449);
-      v458 = (-Math.expm1((v438 * v455)));
-      v459 = (1.0 - v455);
-      v465 = Math.expm1((v463 * v455));
-      v479 = ((8.0 * v453) * (((Math.exp((v437 * v459)) * Math.pow((v458 / v440), (-0.5))) * (v465 - (((v235 * (v465 + 1.0)) * v458) * ((-Math.expm1((v438 * v459))) / v440)))) / v458));
-      v480.push((weight * v479));
-    }
-    v480 = (math.fsum(v480) * 1.0);
-    v481 = (v437 * v480);
-    v498 = (-Math.expm1(((-2.0) * (v437 - ((Math.log(v481) * v481) / ((Math.exp(v463) / (v440 * v446)) + ((v481 - 1.0) * ((v257 / v446) - (1.0 / v440)))))))));
-  } else {
-    v498 = 1.0;
-  }
-  if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v498) - 1.0)) * ((((v136 < 1.0) ? ((v136 * (v136 + 1.0)) / v140) : (1.0 - ((v136 + 0.75) / v140))) * Math.sqrt(v137)) * (1.0 + (v152 * (((((((((((((0.01524698625788054 * v152) + 0.5334320651111477) * v152) + 2.250488865813539) * v152) + 2.8612106440066865) * v152) + 1.3794681629043655) * v152) + 0.2596058532893223) * v152) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v152) + 49.328555418276075) * v152) + 167.28648538571198) * v152) + 195.37226190335065) * v152) + 90.69722535867314) * v152) + 16.763212110504565) * v152) + 1.0))))))) * 0.999999999999999) <= P)) {
-    if ((x >= a)) {
-      if ((P > 0.0)) {
-        v6 = (x - a);
-        v9 = Math.sqrt((v6 * (a + x)));
-        v19 = ((n + 1.0) / 2.0);
-        v21 = (v19 + 1.75);
-        v26 = ((v19 + 0.5) * (v19 + 1.5));
-        v39 = (1.0 / (v21 * v21));
-        if ((a > 0.0)) {
-          v82 = (v6 / a);
-          v89 = Math.sqrt((Number.isFinite(v82) ? Math.log1p(v82) : (Math.log(x) - Math.log(a))));
-          v90 = (n + 2.0);
-          v92 = (42.0 / v90);
-          v97 = (v92 / (Math.sqrt(((v89 * v89) + v92)) + v89));
-          v100 = (a / x);
-          v110 = (-v90);
-          v112 = (2.0 * v89);
-          v121 = [];
-          for ([node, weight] of RULE_1((v97 / 1.0))) {
-            v103 = (node * v97);
-            v104 = (v89 + v103);
-            v109 = Math.sqrt((-Math.expm1((((-2.0) * v104) * v104))));
-            v120 = ((Math.exp(((v110 * v103) * (v112 + v103))) * ((2.0 * v104) / v109)) / (1.0 + v109));
-            v121.push((weight * v120));
-          }
-          v121 = (math.fsum(v121) * v97);
-          v124 = (1.0 + ((n * (v100 * v100)) * v121));
-        } else {
-          v124 = 1.0;
-        }
-        value = ((((-2.0) * P) / ((3.141592653589793 * E_star) * v9)) + (((n * h) * ((v124 / x) - (1.0 / v9))) / (1.7724538509055159 * ((((v19 < 1.0) ? ((v19 * (v19 + 1.0)) / v26) : (1.0 - ((v19 + 0.75) / v26))) * Math.sqrt(v21)) * (1.0 + (v39 * (((((((((((((0.01524698625788054 * v39) + 0.5334320651111477) * v39) + 2.250488865813539) * v39) + 2.8612106440066865) * v39) + 1.3794681629043655) * v39) + 0.2596058532893223) * v39) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v39) + 49.328555418276075) * v39) + 167.28648538571198) * v39) + 195.37226190335065) * v39) + 90.69722535867314) * v39) + 16.763212110504565) * v39) + 1.0))))))));
-        return value;
+const _log_ratio_of_powers = (x, y) => {
+  let excess;
+  excess = ((x - y) / y);
+  return math.where(Number.isFinite(excess), Math.log1p(excess), (Math.log(x) - Math.log(y)));
+};
+
+const _DECAY = 42.0;
+
+const _weight = (s) => {
+  return ((2.0 * s) / Math.sqrt((-Math.expm1((((-2.0) * s) * s)))));
+};
+
+const NODES = 64;
+
+const power_strips = (x, a, n) => {
+  let fall, integrand, reach, start;
+  start = Math.sqrt(_log_ratio_of_powers(x, a));
+  fall = (_DECAY / (n + 2.0));
+  integrand = (step) => {
+    let root, s;
+    s = (start + step);
+    root = Math.sqrt((-Math.expm1((((-2.0) * s) * s))));
+    return ((Math.exp((((-(n + 2.0)) * step) * ((2.0 * start) + step))) * _weight(s)) / (1.0 + root));
+  };
+  reach = (fall / (Math.sqrt(((start * start) + fall)) + start));
+  return (math.where((a > 0.0), (1.0 + ((n * Math.pow((a / x), 2)) * math.integral(integrand, reach, NODES))), 1.0) / x);
+};
+
+const lower_power = (x, n) => {
+  return math.where((x > 0.0), (Math.pow(x, n) / x), Math.pow(x, (n - 1.0)));
+};
+
+const _profile_slope = (x, a, h, n) => {
+  return ((((-n) * h) * lower_power(x, n)) / Math.pow(a, n));
+};
+
+const _slope_of_concave_power = (x, P, a, h, n, E_star) => {
+  let complete, face, kappa, outside, result, root, strip, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  strip = (((-2) * P) / ((Math.PI * E_star) * root));
+  kappa = gamma_ratio(((n + 1) / 2));
+  face = (((n * h) * (power_strips(x, a, n) - (1 / root))) / (Math.sqrt(Math.PI) * kappa));
+  value = (strip + face);
+  outside = math.where((P > 0.0), value, 0.0);
+  complete = ((_minimum_load(h, n, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((x >= a), outside, (-_profile_slope(x, a, h, n)));
+  return math.where(complete, result, NaN);
+};
+
+const _slope = (x, P, a, h, n, E_star) => {
+  let node, v100, v103, v104, v109, v110, v112, v120, v121, v124, v136, v137, v140, v152, v181, v183, v184, v19, v193, v199, v201, v202, v204, v21, v210, v212, v213, v214, v216, v217, v219, v221, v224, v227, v228, v232, v234, v235, v250, v251, v252, v257, v26, v266, v267, v269, v274, v275, v277, v278, v280, v282, v284, v287, v288, v292, v294, v308, v309, v310, v323, v324, v326, v331, v332, v334, v335, v337, v339, v341, v344, v345, v349, v351, v365, v366, v367, v380, v381, v383, v388, v389, v39, v391, v392, v394, v396, v398, v401, v402, v406, v408, v422, v423, v424, v437, v438, v440, v445, v446, v448, v449, v451, v453, v455, v458, v459, v463, v465, v479, v480, v481, v498, v6, v82, v89, v9, v90, v92, v97, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v136 = ((n / 2.0) + 0.5);
+    v137 = (v136 + 1.75);
+    v140 = ((v136 + 0.5) * (v136 + 1.5));
+    v152 = (1.0 / (v137 * v137));
+    v181 = (n > 2.0);
+    if (v181) {
+      v183 = (v181 ? n : 3.0);
+      v184 = (v183 - 2.0);
+      v193 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v184) / (v184 + 0.72))) / v184));
+      if ((v184 < 2.0)) {
+        v199 = (Math.log(((v184 * (v184 + 2.0)) / 2.0)) / v184);
+        v201 = (((v193 > v199) || (v193 !== v193)) ? v193 : v199);
+      } else {
+        v201 = v193;
       }
-      value = 0.0;
-      return value;
+      v202 = ((-2.0) * v201);
+      v204 = (-Math.expm1(v202));
+      v210 = ((v183 - 1.0) + 0.0);
+      v212 = (v210 - (v183 * Math.exp(((-2.0) * (((v201 < 300.0) || (v201 !== v201)) ? v201 : 300.0)))));
+      v213 = (((v212 > 1.0) || (v212 !== v212)) ? v212 : 1.0);
+      v214 = (v184 + 1.0);
+      v216 = (1.0 / (v214 * v201));
+      v232 = (v184 * v201);
+      v235 = (0.5 * v184);
+      v251 = [];
+      for ([node, weight] of RULE_0((1.0 / v216))) {
+        v217 = (node * 1.0);
+        v219 = ((v217 * v217) * v217);
+        v221 = ((v219 * v219) * v217);
+        v224 = (v221 * v217);
+        v227 = (-Math.expm1((v202 * v224)));
+        v228 = (1.0 - v224);
+        v234 = Math.expm1((v232 * v224));
+        v250 = ((8.0 * v221) * (((Math.exp((v201 * v228)) * Math.pow((v227 / v204), (-0.5))) * (v234 - (((v235 * (v234 + 1.0)) * v227) * ((-Math.expm1((v202 * v228))) / v204)))) / v227));
+        v251.push((weight * v250));
+      }
+      v251 = (math.fsum(v251) * 1.0);
+      v252 = (v201 * v251);
+      v257 = (2.0 * v210);
+      v266 = (v201 - ((Math.log(v252) * v252) / ((Math.exp(v232) / (v204 * v213)) + ((v252 - 1.0) * ((v257 / v213) - (1.0 / v204))))));
+      v267 = ((-2.0) * v266);
+      v269 = (-Math.expm1(v267));
+      v274 = (v210 - (v183 * Math.exp(((-2.0) * (((v266 < 300.0) || (v266 !== v266)) ? v266 : 300.0)))));
+      v275 = (((v274 > 1.0) || (v274 !== v274)) ? v274 : 1.0);
+      v277 = (1.0 / (v214 * v266));
+      v292 = (v184 * v266);
+      v309 = [];
+      for ([node, weight] of RULE_0((1.0 / v277))) {
+        v278 = (node * 1.0);
+        v280 = ((v278 * v278) * v278);
+        v282 = ((v280 * v280) * v278);
+        v284 = (v282 * v278);
+        v287 = (-Math.expm1((v267 * v284)));
+        v288 = (1.0 - v284);
+        v294 = Math.expm1((v292 * v284));
+        v308 = ((8.0 * v282) * (((Math.exp((v266 * v288)) * Math.pow((v287 / v269), (-0.5))) * (v294 - (((v235 * (v294 + 1.0)) * v287) * ((-Math.expm1((v267 * v288))) / v269)))) / v287));
+        v309.push((weight * v308));
+      }
+      v309 = (math.fsum(v309) * 1.0);
+      v310 = (v266 * v309);
+      v323 = (v266 - ((Math.log(v310) * v310) / ((Math.exp(v292) / (v269 * v275)) + ((v310 - 1.0) * ((v257 / v275) - (1.0 / v269))))));
+      v324 = ((-2.0) * v323);
+      v326 = (-Math.expm1(v324));
+      v331 = (v210 - (v183 * Math.exp(((-2.0) * (((v323 < 300.0) || (v323 !== v323)) ? v323 : 300.0)))));
+      v332 = (((v331 > 1.0) || (v331 !== v331)) ? v331 : 1.0);
+      v334 = (1.0 / (v214 * v323));
+      v349 = (v184 * v323);
+      v366 = [];
+      for ([node, weight] of RULE_0((1.0 / v334))) {
+        v335 = (node * 1.0);
+        v337 = ((v335 * v335) * v335);
+        v339 = ((v337 * v337) * v335);
+        v341 = (v339 * v335);
+        v344 = (-Math.expm1((v324 * v341)));
+        v345 = (1.0 - v341);
+        v351 = Math.expm1((v349 * v341));
+        v365 = ((8.0 * v339) * (((Math.exp((v323 * v345)) * Math.pow((v344 / v326), (-0.5))) * (v351 - (((v235 * (v351 + 1.0)) * v344) * ((-Math.expm1((v324 * v345))) / v326)))) / v344));
+        v366.push((weight * v365));
+      }
+      v366 = (math.fsum(v366) * 1.0);
+      v367 = (v323 * v366);
+      v380 = (v323 - ((Math.log(v367) * v367) / ((Math.exp(v349) / (v326 * v332)) + ((v367 - 1.0) * ((v257 / v332) - (1.0 / v326))))));
+      v381 = ((-2.0) * v380);
+      v383 = (-Math.expm1(v381));
+      v388 = (v210 - (v183 * Math.exp(((-2.0) * (((v380 < 300.0) || (v380 !== v380)) ? v380 : 300.0)))));
+      v389 = (((v388 > 1.0) || (v388 !== v388)) ? v388 : 1.0);
+      v391 = (1.0 / (v214 * v380));
+      v406 = (v184 * v380);
+      v423 = [];
+      for ([node, weight] of RULE_0((1.0 / v391))) {
+        v392 = (node * 1.0);
+        v394 = ((v392 * v392) * v392);
+        v396 = ((v394 * v394) * v392);
+        v398 = (v396 * v392);
+        v401 = (-Math.expm1((v381 * v398)));
+        v402 = (1.0 - v398);
+        v408 = Math.expm1((v406 * v398));
+        v422 = ((8.0 * v396) * (((Math.exp((v380 * v402)) * Math.pow((v401 / v383), (-0.5))) * (v408 - (((v235 * (v408 + 1.0)) * v401) * ((-Math.expm1((v381 * v402))) / v383)))) / v401));
+        v423.push((weight * v422));
+      }
+      v423 = (math.fsum(v423) * 1.0);
+      v424 = (v380 * v423);
+      v437 = (v380 - ((Math.log(v424) * v424) / ((Math.exp(v406) / (v383 * v389)) + ((v424 - 1.0) * ((v257 / v389) - (1.0 / v383))))));
+      v438 = ((-2.0) * v437);
+      v440 = (-Math.expm1(v438));
+      v445 = (v210 - (v183 * Math.exp(((-2.0) * (((v437 < 300.0) || (v437 !== v437)) ? v437 : 300.0)))));
+      v446 = (((v445 > 1.0) || (v445 !== v445)) ? v445 : 1.0);
+      v448 = (1.0 / (v214 * v437));
+      v463 = (v184 * v437);
+      v480 = [];
+      for ([node, weight] of RULE_0((1.0 / v448))) {
+        v449 = (node * 1.0);
+        v451 = ((v449 * v449) * v449);
+        v453 = ((v451 * v451) * v449);
+        v455 = (v453 * v449);
+        v458 = (-Math.expm1((v438 * v455)));
+        v459 = (1.0 - v455);
+        v465 = Math.expm1((v463 * v455));
+        v479 = ((8.0 * v453) * (((Math.exp((v437 * v459)) * Math.pow((v458 / v440), (-0.5))) * (v465 - (((v235 * (v465 + 1.0)) * v458) * ((-Math.expm1((v438 * v459))) / v440)))) / v458));
+        v480.push((weight * v479));
+      }
+      v480 = (math.fsum(v480) * 1.0);
+      v481 = (v437 * v480);
+      v498 = (-Math.expm1(((-2.0) * (v437 - ((Math.log(v481) * v481) / ((Math.exp(v463) / (v440 * v446)) + ((v481 - 1.0) * ((v257 / v446) - (1.0 / v440)))))))));
+    } else {
+      v498 = 1.0;
     }
-    value = (-((((-n) * h) * ((x > 0.0) ? (Math.pow(x, n) / x) : Math.pow(x, (n - 1.0)))) / Math.pow(a, n)));
-    return value;
+    if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v498) - 1.0)) * ((((v136 < 1.0) ? ((v136 * (v136 + 1.0)) / v140) : (1.0 - ((v136 + 0.75) / v140))) * Math.sqrt(v137)) * (1.0 + (v152 * (((((((((((((0.01524698625788054 * v152) + 0.5334320651111477) * v152) + 2.250488865813539) * v152) + 2.8612106440066865) * v152) + 1.3794681629043655) * v152) + 0.2596058532893223) * v152) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v152) + 49.328555418276075) * v152) + 167.28648538571198) * v152) + 195.37226190335065) * v152) + 90.69722535867314) * v152) + 16.763212110504565) * v152) + 1.0))))))) * 0.999999999999999) <= P)) {
+      if ((x >= a)) {
+        if ((P > 0.0)) {
+          v6 = (x - a);
+          v9 = Math.sqrt((v6 * (a + x)));
+          v19 = ((n + 1.0) / 2.0);
+          v21 = (v19 + 1.75);
+          v26 = ((v19 + 0.5) * (v19 + 1.5));
+          v39 = (1.0 / (v21 * v21));
+          if ((a > 0.0)) {
+            v82 = (v6 / a);
+            v89 = Math.sqrt((Number.isFinite(v82) ? Math.log1p(v82) : (Math.log(x) - Math.log(a))));
+            v90 = (n + 2.0);
+            v92 = (42.0 / v90);
+            v97 = (v92 / (Math.sqrt(((v89 * v89) + v92)) + v89));
+            v100 = (a / x);
+            v110 = (-v90);
+            v112 = (2.0 * v89);
+            v121 = [];
+            for ([node, weight] of RULE_1((v97 / 1.0))) {
+              v103 = (node * v97);
+              v104 = (v89 + v103);
+              v109 = Math.sqrt((-Math.expm1((((-2.0) * v104) * v104))));
+              v120 = ((Math.exp(((v110 * v103) * (v112 + v103))) * ((2.0 * v104) / v109)) / (1.0 + v109));
+              v121.push((weight * v120));
+            }
+            v121 = (math.fsum(v121) * v97);
+            v124 = (1.0 + ((n * (v100 * v100)) * v121));
+          } else {
+            v124 = 1.0;
+          }
+          return ((((-2.0) * P) / ((3.141592653589793 * E_star) * v9)) + (((n * h) * ((v124 / x) - (1.0 / v9))) / (1.7724538509055159 * ((((v19 < 1.0) ? ((v19 * (v19 + 1.0)) / v26) : (1.0 - ((v19 + 0.75) / v26))) * Math.sqrt(v21)) * (1.0 + (v39 * (((((((((((((0.01524698625788054 * v39) + 0.5334320651111477) * v39) + 2.250488865813539) * v39) + 2.8612106440066865) * v39) + 1.3794681629043655) * v39) + 0.2596058532893223) * v39) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v39) + 49.328555418276075) * v39) + 167.28648538571198) * v39) + 195.37226190335065) * v39) + 90.69722535867314) * v39) + 16.763212110504565) * v39) + 1.0))))))));
+        }
+        return 0.0;
+      }
+      return (-((((-n) * h) * ((x > 0.0) ? (Math.pow(x, n) / x) : Math.pow(x, (n - 1.0)))) / Math.pow(a, n)));
+    }
+    return NaN;
   }
-  value = NaN;
-  return value;
+  return _slope_of_concave_power(x, P, a, h, n, E_star);
+};
+
+const slope = (x, P, a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), P, a, h, n, E_star) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const _depth_of_concave_power = (L, P, a, h, n, E_star) => {
+  let complete, face, kappa, result, root, strip, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  strip = (((2 * P) * Math.log1p((((L - a) + root) / a))) / (Math.PI * E_star));
+  kappa = gamma_ratio(((n + 1) / 2));
+  face = (((h * L) * power_strips(L, a, n)) / (Math.sqrt(Math.PI) * kappa));
+  value = (strip - face);
+  complete = ((_minimum_load(h, n, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((a <= L), value, NaN);
+  return math.where(complete, result, NaN);
+};
+
+const _depth = (L, P, a, h, n, E_star) => {
+  let node, v102, v105, v106, v112, v113, v115, v123, v124, v127, v135, v136, v139, v151, v180, v182, v183, v192, v198, v200, v201, v203, v209, v21, v211, v212, v213, v215, v216, v218, v220, v223, v226, v227, v23, v231, v233, v234, v249, v250, v251, v256, v265, v266, v268, v273, v274, v276, v277, v279, v28, v281, v283, v286, v287, v291, v293, v307, v308, v309, v322, v323, v325, v330, v331, v333, v334, v336, v338, v340, v343, v344, v348, v350, v364, v365, v366, v379, v380, v382, v387, v388, v390, v391, v393, v395, v397, v400, v401, v405, v407, v41, v421, v422, v423, v436, v437, v439, v444, v445, v447, v448, v450, v452, v454, v457, v458, v462, v464, v478, v479, v480, v497, v6, v84, v91, v92, v94, v99, weight;
+  if (((L > 1e-30) && (L < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v135 = ((n / 2.0) + 0.5);
+    v136 = (v135 + 1.75);
+    v139 = ((v135 + 0.5) * (v135 + 1.5));
+    v151 = (1.0 / (v136 * v136));
+    v180 = (n > 2.0);
+    if (v180) {
+      v182 = (v180 ? n : 3.0);
+      v183 = (v182 - 2.0);
+      v192 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v183) / (v183 + 0.72))) / v183));
+      if ((v183 < 2.0)) {
+        v198 = (Math.log(((v183 * (v183 + 2.0)) / 2.0)) / v183);
+        v200 = (((v192 > v198) || (v192 !== v192)) ? v192 : v198);
+      } else {
+        v200 = v192;
+      }
+      v201 = ((-2.0) * v200);
+      v203 = (-Math.expm1(v201));
+      v209 = ((v182 - 1.0) + 0.0);
+      v211 = (v209 - (v182 * Math.exp(((-2.0) * (((v200 < 300.0) || (v200 !== v200)) ? v200 : 300.0)))));
+      v212 = (((v211 > 1.0) || (v211 !== v211)) ? v211 : 1.0);
+      v213 = (v183 + 1.0);
+      v215 = (1.0 / (v213 * v200));
+      v231 = (v183 * v200);
+      v234 = (0.5 * v183);
+      v250 = [];
+      for ([node, weight] of RULE_0((1.0 / v215))) {
+        v216 = (node * 1.0);
+        v218 = ((v216 * v216) * v216);
+        v220 = ((v218 * v218) * v216);
+        v223 = (v220 * v216);
+        v226 = (-Math.expm1((v201 * v223)));
+        v227 = (1.0 - v223);
+        v233 = Math.expm1((v231 * v223));
+        v249 = ((8.0 * v220) * (((Math.exp((v200 * v227)) * Math.pow((v226 / v203), (-0.5))) * (v233 - (((v234 * (v233 + 1.0)) * v226) * ((-Math.expm1((v201 * v227))) / v203)))) / v226));
+        v250.push((weight * v249));
+      }
+      v250 = (math.fsum(v250) * 1.0);
+      v251 = (v200 * v250);
+      v256 = (2.0 * v209);
+      v265 = (v200 - ((Math.log(v251) * v251) / ((Math.exp(v231) / (v203 * v212)) + ((v251 - 1.0) * ((v256 / v212) - (1.0 / v203))))));
+      v266 = ((-2.0) * v265);
+      v268 = (-Math.expm1(v266));
+      v273 = (v209 - (v182 * Math.exp(((-2.0) * (((v265 < 300.0) || (v265 !== v265)) ? v265 : 300.0)))));
+      v274 = (((v273 > 1.0) || (v273 !== v273)) ? v273 : 1.0);
+      v276 = (1.0 / (v213 * v265));
+      v291 = (v183 * v265);
+      v308 = [];
+      for ([node, weight] of RULE_0((1.0 / v276))) {
+        v277 = (node * 1.0);
+        v279 = ((v277 * v277) * v277);
+        v281 = ((v279 * v279) * v277);
+        v283 = (v281 * v277);
+        v286 = (-Math.expm1((v266 * v283)));
+        v287 = (1.0 - v283);
+        v293 = Math.expm1((v291 * v283));
+        v307 = ((8.0 * v281) * (((Math.exp((v265 * v287)) * Math.pow((v286 / v268), (-0.5))) * (v293 - (((v234 * (v293 + 1.0)) * v286) * ((-Math.expm1((v266 * v287))) / v268)))) / v286));
+        v308.push((weight * v307));
+      }
+      v308 = (math.fsum(v308) * 1.0);
+      v309 = (v265 * v308);
+      v322 = (v265 - ((Math.log(v309) * v309) / ((Math.exp(v291) / (v268 * v274)) + ((v309 - 1.0) * ((v256 / v274) - (1.0 / v268))))));
+      v323 = ((-2.0) * v322);
+      v325 = (-Math.expm1(v323));
+      v330 = (v209 - (v182 * Math.exp(((-2.0) * (((v322 < 300.0) || (v322 !== v322)) ? v322 : 300.0)))));
+      v331 = (((v330 > 1.0) || (v330 !== v330)) ? v330 : 1.0);
+      v333 = (1.0 / (v213 * v322));
+      v348 = (v183 * v322);
+      v365 = [];
+      for ([node, weight] of RULE_0((1.0 / v333))) {
+        v334 = (node * 1.0);
+        v336 = ((v334 * v334) * v334);
+        v338 = ((v336 * v336) * v334);
+        v340 = (v338 * v334);
+        v343 = (-Math.expm1((v323 * v340)));
+        v344 = (1.0 - v340);
+        v350 = Math.expm1((v348 * v340));
+        v364 = ((8.0 * v338) * (((Math.exp((v322 * v344)) * Math.pow((v343 / v325), (-0.5))) * (v350 - (((v234 * (v350 + 1.0)) * v343) * ((-Math.expm1((v323 * v344))) / v325)))) / v343));
+        v365.push((weight * v364));
+      }
+      v365 = (math.fsum(v365) * 1.0);
+      v366 = (v322 * v365);
+      v379 = (v322 - ((Math.log(v366) * v366) / ((Math.exp(v348) / (v325 * v331)) + ((v366 - 1.0) * ((v256 / v331) - (1.0 / v325))))));
+      v380 = ((-2.0) * v379);
+      v382 = (-Math.expm1(v380));
+      v387 = (v209 - (v182 * Math.exp(((-2.0) * (((v379 < 300.0) || (v379 !== v379)) ? v379 : 300.0)))));
+      v388 = (((v387 > 1.0) || (v387 !== v387)) ? v387 : 1.0);
+      v390 = (1.0 / (v213 * v379));
+      v405 = (v183 * v379);
+      v422 = [];
+      for ([node, weight] of RULE_0((1.0 / v390))) {
+        v391 = (node * 1.0);
+        v393 = ((v391 * v391) * v391);
+        v395 = ((v393 * v393) * v391);
+        v397 = (v395 * v391);
+        v400 = (-Math.expm1((v380 * v397)));
+        v401 = (1.0 - v397);
+        v407 = Math.expm1((v405 * v397));
+        v421 = ((8.0 * v395) * (((Math.exp((v379 * v401)) * Math.pow((v400 / v382), (-0.5))) * (v407 - (((v234 * (v407 + 1.0)) * v400) * ((-Math.expm1((v380 * v401))) / v382)))) / v400));
+        v422.push((weight * v421));
+      }
+      v422 = (math.fsum(v422) * 1.0);
+      v423 = (v379 * v422);
+      v436 = (v379 - ((Math.log(v423) * v423) / ((Math.exp(v405) / (v382 * v388)) + ((v423 - 1.0) * ((v256 / v388) - (1.0 / v382))))));
+      v437 = ((-2.0) * v436);
+      v439 = (-Math.expm1(v437));
+      v444 = (v209 - (v182 * Math.exp(((-2.0) * (((v436 < 300.0) || (v436 !== v436)) ? v436 : 300.0)))));
+      v445 = (((v444 > 1.0) || (v444 !== v444)) ? v444 : 1.0);
+      v447 = (1.0 / (v213 * v436));
+      v462 = (v183 * v436);
+      v479 = [];
+      for ([node, weight] of RULE_0((1.0 / v447))) {
+        v448 = (node * 1.0);
+        v450 = ((v448 * v448) * v448);
+        v452 = ((v450 * v450) * v448);
+        v454 = (v452 * v448);
+        v457 = (-Math.expm1((v437 * v454)));
+        v458 = (1.0 - v454);
+        v464 = Math.expm1((v462 * v454));
+        v478 = ((8.0 * v452) * (((Math.exp((v436 * v458)) * Math.pow((v457 / v439), (-0.5))) * (v464 - (((v234 * (v464 + 1.0)) * v457) * ((-Math.expm1((v437 * v458))) / v439)))) / v457));
+        v479.push((weight * v478));
+      }
+      v479 = (math.fsum(v479) * 1.0);
+      v480 = (v436 * v479);
+      v497 = (-Math.expm1(((-2.0) * (v436 - ((Math.log(v480) * v480) / ((Math.exp(v462) / (v439 * v445)) + ((v480 - 1.0) * ((v256 / v445) - (1.0 / v439)))))))));
+    } else {
+      v497 = 1.0;
+    }
+    if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v497) - 1.0)) * ((((v135 < 1.0) ? ((v135 * (v135 + 1.0)) / v139) : (1.0 - ((v135 + 0.75) / v139))) * Math.sqrt(v136)) * (1.0 + (v151 * (((((((((((((0.01524698625788054 * v151) + 0.5334320651111477) * v151) + 2.250488865813539) * v151) + 2.8612106440066865) * v151) + 1.3794681629043655) * v151) + 0.2596058532893223) * v151) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v151) + 49.328555418276075) * v151) + 167.28648538571198) * v151) + 195.37226190335065) * v151) + 90.69722535867314) * v151) + 16.763212110504565) * v151) + 1.0))))))) * 0.999999999999999) <= P)) {
+      if ((a <= L)) {
+        v6 = (L - a);
+        v21 = ((n + 1.0) / 2.0);
+        v23 = (v21 + 1.75);
+        v28 = ((v21 + 0.5) * (v21 + 1.5));
+        v41 = (1.0 / (v23 * v23));
+        if ((a > 0.0)) {
+          v84 = (v6 / a);
+          v91 = Math.sqrt((Number.isFinite(v84) ? Math.log1p(v84) : (Math.log(L) - Math.log(a))));
+          v92 = (n + 2.0);
+          v94 = (42.0 / v92);
+          v99 = (v94 / (Math.sqrt(((v91 * v91) + v94)) + v91));
+          v102 = (a / L);
+          v113 = (-v92);
+          v115 = (2.0 * v91);
+          v124 = [];
+          for ([node, weight] of RULE_1((v99 / 1.0))) {
+            v105 = (node * v99);
+            v106 = (v91 + v105);
+            v112 = Math.sqrt((-Math.expm1((((-2.0) * v106) * v106))));
+            v123 = ((Math.exp(((v113 * v105) * (v115 + v105))) * ((2.0 * v106) / v112)) / (1.0 + v112));
+            v124.push((weight * v123));
+          }
+          v124 = (math.fsum(v124) * v99);
+          v127 = (1.0 + ((n * (v102 * v102)) * v124));
+        } else {
+          v127 = 1.0;
+        }
+        return ((((2.0 * P) * Math.log1p(((v6 + Math.sqrt((v6 * (a + L)))) / a))) / (3.141592653589793 * E_star)) - (((h * L) * (v127 / L)) / (1.7724538509055159 * ((((v21 < 1.0) ? ((v21 * (v21 + 1.0)) / v28) : (1.0 - ((v21 + 0.75) / v28))) * Math.sqrt(v23)) * (1.0 + (v41 * (((((((((((((0.01524698625788054 * v41) + 0.5334320651111477) * v41) + 2.250488865813539) * v41) + 2.8612106440066865) * v41) + 1.3794681629043655) * v41) + 0.2596058532893223) * v41) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v41) + 49.328555418276075) * v41) + 167.28648538571198) * v41) + 195.37226190335065) * v41) + 90.69722535867314) * v41) + 16.763212110504565) * v41) + 1.0))))))));
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _depth_of_concave_power(L, P, a, h, n, E_star);
 };
 
 const depth = (L, P, a, h, n, E_star) => {
-  let node, v102, v105, v106, v112, v113, v115, v123, v124, v127, v135, v136, v139, v151, v180, v182, v183, v192, v198, v200, v201, v203, v209, v21, v211, v212, v213, v215, v216, v218, v220, v223, v226, v227, v23, v231, v233, v234, v249, v250, v251, v256, v265, v266, v268, v273, v274, v276, v277, v279, v28, v281, v283, v286, v287, v291, v293, v307, v308, v309, v322, v323, v325, v330, v331, v333, v334, v336, v338, v340, v343, v344, v348, v350, v364, v365, v366, v379, v380, v382, v387, v388, v390, v391, v393, v395, v397, v400, v401, v405, v407, v41, v421, v422, v423, v436, v437, v439, v444, v445, v447, v448, v450, v452, v454, v457, v458, v462, v464, v478, v479, v480, v497, v6, v84, v91, v92, v94, v99, value, weight;
-  v135 = ((n / 2.0) + 0.5);
-  v136 = (v135 + 1.75);
-  v139 = ((v135 + 0.5) * (v135 + 1.5));
-  v151 = (1.0 / (v136 * v136));
-  v180 = (n > 2.0);
-  if (v180) {
-    v182 = (v180 ? n : 3.0);
-    v183 = (v182 - 2.0);
-    v192 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v183) / (v183 + 0.72))) / v183));
-    if ((v183 < 2.0)) {
-      v198 = (Math.log(((v183 * (v183 + 2.0)) / 2.0)) / v183);
-      v200 = (((v192 > v198) || (v192 !== v192)) ? v192 : v198);
-    } else {
-      v200 = v192;
-    }
-    v201 = ((-2.0) * v200);
-    v203 = (-Math.expm1(v201));
-    v209 = ((v182 - 1.0) + 0.0);
-    v211 = (v209 - (v182 * Math.exp(((-2.0) * (((v200 < 300.0) || (v200 !== v200)) ? v200 : 300.0)))));
-    v212 = (((v211 > 1.0) || (v211 !== v211)) ? v211 : 1.0);
-    v213 = (v183 + 1.0);
-    v215 = (1.0 / (v213 * v200));
-    v231 = (v183 * v200);
-    v234 = (0.5 * v183);
-    v250 = [];
-    for ([node, weight] of RULE_0((1.0 / v215))) {
-      v216 = (node * 1.0);
-      v218 = ((v216 * v216) * v216);
-      v220 = ((v218 * v218) * v216);
-      v223 = (v220 * v216);
-      v226 = (-Math.expm1((v201 * v223)));
-      v227 = (1.0 - v223);
-      v233 = Math.expm1((v231 * v223));
-      v249 = ((8.0 * v220) * (((Math.exp((v200 * v227)) * Math.pow((v226 / v203), (-0.5))) * (v233 - (((v234 * (v233 + 1.0)) * v226) * ((-Math.expm1((v201 * v227))) / v203)))) / v226));
-      v250.push((weight * v249));
-    }
-    v250 = (math.fsum(v250) * 1.0);
-    v251 = (v200 * v250);
-    v256 = (2.0 * v209);
-    v265 = (v200 - ((Math.log(v251) * v251) / ((Math.exp(v231) / (v203 * v212)) + ((v251 - 1.0) * ((v256 / v212) - (1.0 / v203))))));
-    v266 = ((-2.0) * v265);
-    v268 = (-Math.expm1(v266));
-    v273 = (v209 - (v182 * Math.exp(((-2.0) * (((v265 < 300.0) || (v265 !== v265)) ? v265 : 300.0)))));
-    v274 = (((v273 > 1.0) || (v273 !== v273)) ? v273 : 1.0);
-    v276 = (1.0 / (v213 * v265));
-    v291 = (v183 * v265);
-    v308 = [];
-    for ([node, weight] of RULE_0((1.0 / v276))) {
-      v277 = (node * 1.0);
-      v279 = ((v277 * v277) * v277);
-      v281 = ((v279 * v279) * v277);
-      v283 = (v281 * v277);
-      v286 = (-Math.expm1((v266 * v283)));
-      v287 = (1.0 - v283);
-      v293 = Math.expm1((v291 * v283));
-      v307 = ((8.0 * v281) * (((Math.exp((v265 * v287)) * Math.pow((v286 / v268), (-0.5))) * (v293 - (((v234 * (v293 + 1.0)) * v286) * ((-Math.expm1((v266 * v287))) / v268)))) / v286));
-      v308.push((weight * v307));
-    }
-    v308 = (math.fsum(v308) * 1.0);
-    v309 = (v265 * v308);
-    v322 = (v265 - ((Math.log(v309) * v309) / ((Math.exp(v291) / (v268 * v274)) + ((v309 - 1.0) * ((v256 / v274) - (1.0 / v268))))));
-    v323 = ((-2.0) * v322);
-    v325 = (-Math.expm1(v323));
-    v330 = (v209 - (v182 * Math.exp(((-2.0) * (((v322 < 300.0) || (v322 !== v322)) ? v322 : 300.0)))));
-    v331 = (((v330 > 1.0) || (v330 !== v330)) ? v330 : 1.0);
-    v333 = (1.0 / (v213 * v322));
-    v348 = (v183 * v322);
-    v365 = [];
-    for ([node, weight] of RULE_0((1.0 / v333))) {
-      v334 = (node * 1.0);
-      v336 = ((v334 * v334) * v334);
-      v338 = ((v336 * v336) * v334);
-      v340 = (v338 * v334);
-      v343 = (-Math.expm1((v323 * v340)));
-      v344 = (1.0 - v340);
-      v350 = Math.expm1((v348 * v340));
-      v364 = ((8.0 * v338) * (((Math.exp((v322 * v344)) * Math.pow((v343 / v325), (-0.5))) * (v350 - (((v234 * (v350 + 1.0)) * v343) * ((-Math.expm1((v323 * v344))) / v325)))) / v343));
-      v365.push((weight * v364));
-    }
-    v365 = (math.fsum(v365) * 1.0);
-    v366 = (v322 * v365);
-    v379 = (v322 - ((Math.log(v366) * v366) / ((Math.exp(v348) / (v325 * v331)) + ((v366 - 1.0) * ((v256 / v331) - (1.0 / v325))))));
-    v380 = ((-2.0) * v379);
-    v382 = (-Math.expm1(v380));
-    v387 = (v209 - (v182 * Math.exp(((-2.0) * (((v379 < 300.0) || (v379 !== v379)) ? v379 : 300.0)))));
-    v388 = (((v387 > 1.0) || (v387 !== v387)) ? v387 : 1.0);
-    v390 = (1.0 / (v213 * v379));
-    v405 = (v183 * v379);
-    v422 = [];
-    for ([node, weight] of RULE_0((1.0 / v390))) {
-      v391 = (node * 1.0);
-      v393 = ((v391 * v391) * v391);
-      v395 = ((v393 * v393) * v391);
-      v397 = (v395 * v391);
-      v400 = (-Math.expm1((v380 * v397)));
-      v401 = (1.0 - v397);
-      v407 = Math.expm1((v405 * v397));
-      v421 = ((8.0 * v395) * (((Math.exp((v379 * v401)) * Math.pow((v400 / v382), (-0.5))) * (v407 - (((v234 * (v407 + 1.0)) * v400) * ((-Math.expm1((v380 * v401))) / v382)))) / v400));
-      v422.push((weight * v421));
-    }
-    v422 = (math.fsum(v422) * 1.0);
-    v423 = (v379 * v422);
-    v436 = (v379 - ((Math.log(v423) * v423) / ((Math.exp(v405) / (v382 * v388)) + ((v423 - 1.0) * ((v256 / v388) - (1.0 / v382))))));
-    v437 = ((-2.0) * v436);
-    v439 = (-Math.expm1(v437));
-    v444 = (v209 - (v182 * Math.exp(((-2.0) * (((v436 < 300.0) || (v436 !== v436)) ? v436 : 300.0)))));
-    v445 = (((v444 > 1.0) || (v444 !== v444)) ? v444 : 1.0);
-    v447 = (1.0 / (v213 * v436));
-    v462 = (v183 * v436);
-    v479 = [];
-    for ([node, weight] of RULE_0((1.0 / v447))) {
-      v448 = (node * 1.0);
-      v450 = ((v448 * v448) * v448);
-      v452 = ((v450 * v450) * v448);
-      v454 = (v452 * v448);
-      v457 = (-Math.expm1((v437 * v454)));
-      v458 = (1.0 - v454);
-      v464 = Math.expm1((v462 * v454));
-      v478 = ((8.0 * v452) * (((Math.exp((v436 * v458)) * Math.pow((v457 / v439), (-0.5))) * (v464 - (((v234 * (v464 + 1.0)) * v457) * ((-Math.expm1((v437 * v458))) / v439)))) / v457));
-      v479.push((weight * v478));
-    }
-    v479 = (math.fsum(v479) * 1.0);
-    v480 = (v436 * v479);
-    v497 = (-Math.expm1(((-2.0) * (v436 - ((Math.log(v480) * v480) / ((Math.exp(v462) / (v439 * v445)) + ((v480 - 1.0) * ((v256 / v445) - (1.0 / v439)))))))));
-  } else {
-    v497 = 1.0;
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  if (((((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v497) - 1.0)) * ((((v135 < 1.0) ? ((v135 * (v135 + 1.0)) / v139) : (1.0 - ((v135 + 0.75) / v139))) * Math.sqrt(v136)) * (1.0 + (v151 * (((((((((((((0.01524698625788054 * v151) + 0.5334320651111477) * v151) + 2.250488865813539) * v151) + 2.8612106440066865) * v151) + 1.3794681629043655) * v151) + 0.2596058532893223) * v151) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v151) + 49.328555418276075) * v151) + 167.28648538571198) * v151) + 195.37226190335065) * v151) + 90.69722535867314) * v151) + 16.763212110504565) * v151) + 1.0))))))) * 0.999999999999999) <= P)) {
-    if ((a <= L)) {
-      v6 = (L - a);
-      v21 = ((n + 1.0) / 2.0);
-      v23 = (v21 + 1.75);
-      v28 = ((v21 + 0.5) * (v21 + 1.5));
-      v41 = (1.0 / (v23 * v23));
-      if ((a > 0.0)) {
-        v84 = (v6 / a);
-        v91 = Math.sqrt((Number.isFinite(v84) ? Math.log1p(v84) : (Math.log(L) - Math.log(a))));
-        v92 = (n + 2.0);
-        v94 = (42.0 / v92);
-        v99 = (v94 / (Math.sqrt(((v91 * v91) + v94)) + v91));
-        v102 = (a / L);
-        v113 = (-v92);
-        v115 = (2.0 * v91);
-        v124 = [];
-        for ([node, weight] of RULE_1((v99 / 1.0))) {
-          v105 = (node * v99);
-          v106 = (v91 + v105);
-          v112 = Math.sqrt((-Math.expm1((((-2.0) * v106) * v106))));
-          v123 = ((Math.exp(((v113 * v105) * (v115 + v105))) * ((2.0 * v106) / v112)) / (1.0 + v112));
-          v124.push((weight * v123));
-        }
-        v124 = (math.fsum(v124) * v99);
-        v127 = (1.0 + ((n * (v102 * v102)) * v124));
+  return (((L >= 0.0) && (P >= 0.0)) ? _depth(L, P, a, h, n, E_star) : NaN);
+};
+
+const ring_of_zero_pressure = (n, k = 0.0) => {
+  return math.where((n > 2.0), Math.exp((-_log_ratio_of_ring(n, k))), 0.0);
+};
+
+const _zero_distance_of_concave_power = (a, n) => {
+  return (a * ring_of_zero_pressure(n));
+};
+
+const _zero_distance = (a, n, h = 1.0) => {
+  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v323, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (n > 1e-30) && (n < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
+    v3 = (n > 2.0);
+    if (v3) {
+      v5 = (v3 ? n : 3.0);
+      v6 = (v5 - 2.0);
+      v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
+      if ((v6 < 2.0)) {
+        v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
+        v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
       } else {
-        v127 = 1.0;
+        v24 = v15;
       }
-      value = ((((2.0 * P) * Math.log1p(((v6 + Math.sqrt((v6 * (a + L)))) / a))) / (3.141592653589793 * E_star)) - (((h * L) * (v127 / L)) / (1.7724538509055159 * ((((v21 < 1.0) ? ((v21 * (v21 + 1.0)) / v28) : (1.0 - ((v21 + 0.75) / v28))) * Math.sqrt(v23)) * (1.0 + (v41 * (((((((((((((0.01524698625788054 * v41) + 0.5334320651111477) * v41) + 2.250488865813539) * v41) + 2.8612106440066865) * v41) + 1.3794681629043655) * v41) + 0.2596058532893223) * v41) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v41) + 49.328555418276075) * v41) + 167.28648538571198) * v41) + 195.37226190335065) * v41) + 90.69722535867314) * v41) + 16.763212110504565) * v41) + 1.0))))))));
-      return value;
+      v26 = ((-2.0) * v24);
+      v28 = (-Math.expm1(v26));
+      v35 = ((v5 - 1.0) + 0.0);
+      v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
+      v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
+      v39 = (v6 + 1.0);
+      v41 = (1.0 / (v39 * v24));
+      v57 = (v6 * v24);
+      v61 = (0.5 * v6);
+      v77 = [];
+      for ([node, weight] of RULE_0((1.0 / v41))) {
+        v42 = (node * 1.0);
+        v44 = ((v42 * v42) * v42);
+        v46 = ((v44 * v44) * v42);
+        v49 = (v46 * v42);
+        v52 = (-Math.expm1((v26 * v49)));
+        v53 = (1.0 - v49);
+        v59 = Math.expm1((v57 * v49));
+        v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
+        v77.push((weight * v76));
+      }
+      v77 = (math.fsum(v77) * 1.0);
+      v78 = (v24 * v77);
+      v83 = (2.0 * v35);
+      v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
+      v93 = ((-2.0) * v92);
+      v95 = (-Math.expm1(v93));
+      v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
+      v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
+      v103 = (1.0 / (v39 * v92));
+      v118 = (v6 * v92);
+      v135 = [];
+      for ([node, weight] of RULE_0((1.0 / v103))) {
+        v104 = (node * 1.0);
+        v106 = ((v104 * v104) * v104);
+        v108 = ((v106 * v106) * v104);
+        v110 = (v108 * v104);
+        v113 = (-Math.expm1((v93 * v110)));
+        v114 = (1.0 - v110);
+        v120 = Math.expm1((v118 * v110));
+        v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
+        v135.push((weight * v134));
+      }
+      v135 = (math.fsum(v135) * 1.0);
+      v136 = (v92 * v135);
+      v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
+      v150 = ((-2.0) * v149);
+      v152 = (-Math.expm1(v150));
+      v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
+      v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
+      v160 = (1.0 / (v39 * v149));
+      v175 = (v6 * v149);
+      v192 = [];
+      for ([node, weight] of RULE_0((1.0 / v160))) {
+        v161 = (node * 1.0);
+        v163 = ((v161 * v161) * v161);
+        v165 = ((v163 * v163) * v161);
+        v167 = (v165 * v161);
+        v170 = (-Math.expm1((v150 * v167)));
+        v171 = (1.0 - v167);
+        v177 = Math.expm1((v175 * v167));
+        v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
+        v192.push((weight * v191));
+      }
+      v192 = (math.fsum(v192) * 1.0);
+      v193 = (v149 * v192);
+      v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
+      v207 = ((-2.0) * v206);
+      v209 = (-Math.expm1(v207));
+      v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
+      v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
+      v217 = (1.0 / (v39 * v206));
+      v232 = (v6 * v206);
+      v249 = [];
+      for ([node, weight] of RULE_0((1.0 / v217))) {
+        v218 = (node * 1.0);
+        v220 = ((v218 * v218) * v218);
+        v222 = ((v220 * v220) * v218);
+        v224 = (v222 * v218);
+        v227 = (-Math.expm1((v207 * v224)));
+        v228 = (1.0 - v224);
+        v234 = Math.expm1((v232 * v224));
+        v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
+        v249.push((weight * v248));
+      }
+      v249 = (math.fsum(v249) * 1.0);
+      v250 = (v206 * v249);
+      v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
+      v264 = ((-2.0) * v263);
+      v266 = (-Math.expm1(v264));
+      v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
+      v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
+      v274 = (1.0 / (v39 * v263));
+      v289 = (v6 * v263);
+      v306 = [];
+      for ([node, weight] of RULE_0((1.0 / v274))) {
+        v275 = (node * 1.0);
+        v277 = ((v275 * v275) * v275);
+        v279 = ((v277 * v277) * v275);
+        v281 = (v279 * v275);
+        v284 = (-Math.expm1((v264 * v281)));
+        v285 = (1.0 - v281);
+        v291 = Math.expm1((v289 * v281));
+        v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
+        v306.push((weight * v305));
+      }
+      v306 = (math.fsum(v306) * 1.0);
+      v307 = (v263 * v306);
+      v323 = Math.exp((-(v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266))))))));
+    } else {
+      v323 = 0.0;
     }
-    value = NaN;
-    return value;
+    return (a * v323);
   }
-  value = NaN;
-  return value;
+  return _zero_distance_of_concave_power(a, n);
 };
 
-const zero_distance = (a, n, h = 1.0) => {
-  let node, v100, v101, v103, v104, v106, v108, v110, v113, v114, v118, v120, v134, v135, v136, v149, v15, v150, v152, v157, v158, v160, v161, v163, v165, v167, v170, v171, v175, v177, v191, v192, v193, v206, v207, v209, v214, v215, v217, v218, v22, v220, v222, v224, v227, v228, v232, v234, v24, v248, v249, v250, v26, v263, v264, v266, v271, v272, v274, v275, v277, v279, v28, v281, v284, v285, v289, v291, v3, v305, v306, v307, v323, v35, v37, v38, v39, v41, v42, v44, v46, v49, v5, v52, v53, v57, v59, v6, v61, v76, v77, v78, v83, v92, v93, v95, value, weight;
-  v3 = (n > 2.0);
-  if (v3) {
-    v5 = (v3 ? n : 3.0);
-    v6 = (v5 - 2.0);
-    v15 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v6) / (v6 + 0.72))) / v6));
-    if ((v6 < 2.0)) {
-      v22 = (Math.log(((v6 * (v6 + 2.0)) / 2.0)) / v6);
-      v24 = (((v15 > v22) || (v15 !== v15)) ? v15 : v22);
-    } else {
-      v24 = v15;
-    }
-    v26 = ((-2.0) * v24);
-    v28 = (-Math.expm1(v26));
-    v35 = ((v5 - 1.0) + 0.0);
-    v37 = (v35 - (v5 * Math.exp(((-2.0) * (((v24 < 300.0) || (v24 !== v24)) ? v24 : 300.0)))));
-    v38 = (((v37 > 1.0) || (v37 !== v37)) ? v37 : 1.0);
-    v39 = (v6 + 1.0);
-    v41 = (1.0 / (v39 * v24));
-    v57 = (v6 * v24);
-    v61 = (0.5 * v6);
-    v77 = [];
-    for ([node, weight] of RULE_0((1.0 / v41))) {
-      v42 = (node * 1.0);
-      v44 = ((v42 * v42) * v42);
-      v46 = ((v44 * v44) * v42);
-      v49 = (v46 * v42);
-      v52 = (-Math.expm1((v26 * v49)));
-      v53 = (1.0 - v49);
-      v59 = Math.expm1((v57 * v49));
-      v76 = ((8.0 * v46) * (((Math.exp((v24 * v53)) * Math.pow((v52 / v28), (-0.5))) * (v59 - (((v61 * (v59 + 1.0)) * v52) * ((-Math.expm1((v26 * v53))) / v28)))) / v52));
-      v77.push((weight * v76));
-    }
-    v77 = (math.fsum(v77) * 1.0);
-    v78 = (v24 * v77);
-    v83 = (2.0 * v35);
-    v92 = (v24 - ((Math.log(v78) * v78) / ((Math.exp(v57) / (v28 * v38)) + ((v78 - 1.0) * ((v83 / v38) - (1.0 / v28))))));
-    v93 = ((-2.0) * v92);
-    v95 = (-Math.expm1(v93));
-    v100 = (v35 - (v5 * Math.exp(((-2.0) * (((v92 < 300.0) || (v92 !== v92)) ? v92 : 300.0)))));
-    v101 = (((v100 > 1.0) || (v100 !== v100)) ? v100 : 1.0);
-    v103 = (1.0 / (v39 * v92));
-    v118 = (v6 * v92);
-    v135 = [];
-    for ([node, weight] of RULE_0((1.0 / v103))) {
-      v104 = (node * 1.0);
-      v106 = ((v104 * v104) * v104);
-      v108 = ((v106 * v106) * v104);
-      v110 = (v108 * v104);
-      v113 = (-Math.expm1((v93 * v110)));
-      v114 = (1.0 - v110);
-      v120 = Math.expm1((v118 * v110));
-      v134 = ((8.0 * v108) * (((Math.exp((v92 * v114)) * Math.pow((v113 / v95), (-0.5))) * (v120 - (((v61 * (v120 + 1.0)) * v113) * ((-Math.expm1((v93 * v114))) / v95)))) / v113));
-      v135.push((weight * v134));
-    }
-    v135 = (math.fsum(v135) * 1.0);
-    v136 = (v92 * v135);
-    v149 = (v92 - ((Math.log(v136) * v136) / ((Math.exp(v118) / (v95 * v101)) + ((v136 - 1.0) * ((v83 / v101) - (1.0 / v95))))));
-    v150 = ((-2.0) * v149);
-    v152 = (-Math.expm1(v150));
-    v157 = (v35 - (v5 * Math.exp(((-2.0) * (((v149 < 300.0) || (v149 !== v149)) ? v149 : 300.0)))));
-    v158 = (((v157 > 1.0) || (v157 !== v157)) ? v157 : 1.0);
-    v160 = (1.0 / (v39 * v149));
-    v175 = (v6 * v149);
-    v192 = [];
-    for ([node, weight] of RULE_0((1.0 / v160))) {
-      v161 = (node * 1.0);
-      v163 = ((v161 * v161) * v161);
-      v165 = ((v163 * v163) * v161);
-      v167 = (v165 * v161);
-      v170 = (-Math.expm1((v150 * v167)));
-      v171 = (1.0 - v167);
-      v177 = Math.expm1((v175 * v167));
-      v191 = ((8.0 * v165) * (((Math.exp((v149 * v171)) * Math.pow((v170 / v152), (-0.5))) * (v177 - (((v61 * (v177 + 1.0)) * v170) * ((-Math.expm1((v150 * v171))) / v152)))) / v170));
-      v192.push((weight * v191));
-    }
-    v192 = (math.fsum(v192) * 1.0);
-    v193 = (v149 * v192);
-    v206 = (v149 - ((Math.log(v193) * v193) / ((Math.exp(v175) / (v152 * v158)) + ((v193 - 1.0) * ((v83 / v158) - (1.0 / v152))))));
-    v207 = ((-2.0) * v206);
-    v209 = (-Math.expm1(v207));
-    v214 = (v35 - (v5 * Math.exp(((-2.0) * (((v206 < 300.0) || (v206 !== v206)) ? v206 : 300.0)))));
-    v215 = (((v214 > 1.0) || (v214 !== v214)) ? v214 : 1.0);
-    v217 = (1.0 / (v39 * v206));
-    v232 = (v6 * v206);
-    v249 = [];
-    for ([node, weight] of RULE_0((1.0 / v217))) {
-      v218 = (node * 1.0);
-      v220 = ((v218 * v218) * v218);
-      v222 = ((v220 * v220) * v218);
-      v224 = (v222 * v218);
-      v227 = (-Math.expm1((v207 * v224)));
-      v228 = (1.0 - v224);
-      v234 = Math.expm1((v232 * v224));
-      v248 = ((8.0 * v222) * (((Math.exp((v206 * v228)) * Math.pow((v227 / v209), (-0.5))) * (v234 - (((v61 * (v234 + 1.0)) * v227) * ((-Math.expm1((v207 * v228))) / v209)))) / v227));
-      v249.push((weight * v248));
-    }
-    v249 = (math.fsum(v249) * 1.0);
-    v250 = (v206 * v249);
-    v263 = (v206 - ((Math.log(v250) * v250) / ((Math.exp(v232) / (v209 * v215)) + ((v250 - 1.0) * ((v83 / v215) - (1.0 / v209))))));
-    v264 = ((-2.0) * v263);
-    v266 = (-Math.expm1(v264));
-    v271 = (v35 - (v5 * Math.exp(((-2.0) * (((v263 < 300.0) || (v263 !== v263)) ? v263 : 300.0)))));
-    v272 = (((v271 > 1.0) || (v271 !== v271)) ? v271 : 1.0);
-    v274 = (1.0 / (v39 * v263));
-    v289 = (v6 * v263);
-    v306 = [];
-    for ([node, weight] of RULE_0((1.0 / v274))) {
-      v275 = (node * 1.0);
-      v277 = ((v275 * v275) * v275);
-      v279 = ((v277 * v277) * v275);
-      v281 = (v279 * v275);
-      v284 = (-Math.expm1((v264 * v281)));
-      v285 = (1.0 - v281);
-      v291 = Math.expm1((v289 * v281));
-      v305 = ((8.0 * v279) * (((Math.exp((v263 * v285)) * Math.pow((v284 / v266), (-0.5))) * (v291 - (((v61 * (v291 + 1.0)) * v284) * ((-Math.expm1((v264 * v285))) / v266)))) / v284));
-      v306.push((weight * v305));
-    }
-    v306 = (math.fsum(v306) * 1.0);
-    v307 = (v263 * v306);
-    v323 = Math.exp((-(v263 - ((Math.log(v307) * v307) / ((Math.exp(v289) / (v266 * v272)) + ((v307 - 1.0) * ((v83 / v272) - (1.0 / v266))))))));
-  } else {
-    v323 = 0.0;
+const zero_distance = (a, h, n) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (n > 1)))) {
+    return NaN;
   }
-  value = (a * v323);
-  return value;
+  return _zero_distance(a, n);
 };
 
-const minimum_load = (h, n, E_star, a = 1.0) => {
-  let node, v101, v102, v103, v105, v106, v108, v110, v113, v116, v117, v12, v121, v123, v124, v139, v140, v141, v146, v155, v156, v158, v163, v164, v166, v167, v169, v171, v173, v176, v177, v181, v183, v197, v198, v199, v212, v213, v215, v220, v221, v223, v224, v226, v228, v230, v233, v234, v238, v240, v254, v255, v256, v26, v269, v270, v272, v277, v278, v280, v281, v283, v285, v287, v290, v291, v295, v297, v311, v312, v313, v326, v327, v329, v334, v335, v337, v338, v340, v342, v344, v347, v348, v352, v354, v368, v369, v370, v387, v6, v68, v70, v71, v8, v80, v86, v88, v90, v92, v99, value, weight;
-  v6 = ((n / 2.0) + 0.5);
-  v8 = (v6 + 1.75);
-  v12 = ((v6 + 0.5) * (v6 + 1.5));
-  v26 = (1.0 / (v8 * v8));
-  v68 = (n > 2.0);
-  if (v68) {
-    v70 = (v68 ? n : 3.0);
-    v71 = (v70 - 2.0);
-    v80 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v71) / (v71 + 0.72))) / v71));
-    if ((v71 < 2.0)) {
-      v86 = (Math.log(((v71 * (v71 + 2.0)) / 2.0)) / v71);
-      v88 = (((v80 > v86) || (v80 !== v80)) ? v80 : v86);
+const _minimum_load_of_concave_power = (h, n, E_star, a = 1.0) => {
+  let node, v101, v102, v103, v105, v106, v108, v110, v113, v116, v117, v12, v121, v123, v124, v139, v140, v141, v146, v155, v156, v158, v163, v164, v166, v167, v169, v171, v173, v176, v177, v181, v183, v197, v198, v199, v212, v213, v215, v220, v221, v223, v224, v226, v228, v230, v233, v234, v238, v240, v254, v255, v256, v26, v269, v270, v272, v277, v278, v280, v281, v283, v285, v287, v290, v291, v295, v297, v311, v312, v313, v326, v327, v329, v334, v335, v337, v338, v340, v342, v344, v347, v348, v352, v354, v368, v369, v370, v387, v6, v68, v70, v71, v8, v80, v86, v88, v90, v92, v99, weight;
+  if (((h > 1e-30) && (h < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
+    v6 = ((n / 2.0) + 0.5);
+    v8 = (v6 + 1.75);
+    v12 = ((v6 + 0.5) * (v6 + 1.5));
+    v26 = (1.0 / (v8 * v8));
+    v68 = (n > 2.0);
+    if (v68) {
+      v70 = (v68 ? n : 3.0);
+      v71 = (v70 - 2.0);
+      v80 = Math.log1p(((1.2732395447351628 + ((0.9883942191601786 * v71) / (v71 + 0.72))) / v71));
+      if ((v71 < 2.0)) {
+        v86 = (Math.log(((v71 * (v71 + 2.0)) / 2.0)) / v71);
+        v88 = (((v80 > v86) || (v80 !== v80)) ? v80 : v86);
+      } else {
+        v88 = v80;
+      }
+      v90 = ((-2.0) * v88);
+      v92 = (-Math.expm1(v90));
+      v99 = ((v70 - 1.0) + 0.0);
+      v101 = (v99 - (v70 * Math.exp(((-2.0) * (((v88 < 300.0) || (v88 !== v88)) ? v88 : 300.0)))));
+      v102 = (((v101 > 1.0) || (v101 !== v101)) ? v101 : 1.0);
+      v103 = (v71 + 1.0);
+      v105 = (1.0 / (v103 * v88));
+      v121 = (v71 * v88);
+      v124 = (0.5 * v71);
+      v140 = [];
+      for ([node, weight] of RULE_0((1.0 / v105))) {
+        v106 = (node * 1.0);
+        v108 = ((v106 * v106) * v106);
+        v110 = ((v108 * v108) * v106);
+        v113 = (v110 * v106);
+        v116 = (-Math.expm1((v90 * v113)));
+        v117 = (1.0 - v113);
+        v123 = Math.expm1((v121 * v113));
+        v139 = ((8.0 * v110) * (((Math.exp((v88 * v117)) * Math.pow((v116 / v92), (-0.5))) * (v123 - (((v124 * (v123 + 1.0)) * v116) * ((-Math.expm1((v90 * v117))) / v92)))) / v116));
+        v140.push((weight * v139));
+      }
+      v140 = (math.fsum(v140) * 1.0);
+      v141 = (v88 * v140);
+      v146 = (2.0 * v99);
+      v155 = (v88 - ((Math.log(v141) * v141) / ((Math.exp(v121) / (v92 * v102)) + ((v141 - 1.0) * ((v146 / v102) - (1.0 / v92))))));
+      v156 = ((-2.0) * v155);
+      v158 = (-Math.expm1(v156));
+      v163 = (v99 - (v70 * Math.exp(((-2.0) * (((v155 < 300.0) || (v155 !== v155)) ? v155 : 300.0)))));
+      v164 = (((v163 > 1.0) || (v163 !== v163)) ? v163 : 1.0);
+      v166 = (1.0 / (v103 * v155));
+      v181 = (v71 * v155);
+      v198 = [];
+      for ([node, weight] of RULE_0((1.0 / v166))) {
+        v167 = (node * 1.0);
+        v169 = ((v167 * v167) * v167);
+        v171 = ((v169 * v169) * v167);
+        v173 = (v171 * v167);
+        v176 = (-Math.expm1((v156 * v173)));
+        v177 = (1.0 - v173);
+        v183 = Math.expm1((v181 * v173));
+        v197 = ((8.0 * v171) * (((Math.exp((v155 * v177)) * Math.pow((v176 / v158), (-0.5))) * (v183 - (((v124 * (v183 + 1.0)) * v176) * ((-Math.expm1((v156 * v177))) / v158)))) / v176));
+        v198.push((weight * v197));
+      }
+      v198 = (math.fsum(v198) * 1.0);
+      v199 = (v155 * v198);
+      v212 = (v155 - ((Math.log(v199) * v199) / ((Math.exp(v181) / (v158 * v164)) + ((v199 - 1.0) * ((v146 / v164) - (1.0 / v158))))));
+      v213 = ((-2.0) * v212);
+      v215 = (-Math.expm1(v213));
+      v220 = (v99 - (v70 * Math.exp(((-2.0) * (((v212 < 300.0) || (v212 !== v212)) ? v212 : 300.0)))));
+      v221 = (((v220 > 1.0) || (v220 !== v220)) ? v220 : 1.0);
+      v223 = (1.0 / (v103 * v212));
+      v238 = (v71 * v212);
+      v255 = [];
+      for ([node, weight] of RULE_0((1.0 / v223))) {
+        v224 = (node * 1.0);
+        v226 = ((v224 * v224) * v224);
+        v228 = ((v226 * v226) * v224);
+        v230 = (v228 * v224);
+        v233 = (-Math.expm1((v213 * v230)));
+        v234 = (1.0 - v230);
+        v240 = Math.expm1((v238 * v230));
+        v254 = ((8.0 * v228) * (((Math.exp((v212 * v234)) * Math.pow((v233 / v215), (-0.5))) * (v240 - (((v124 * (v240 + 1.0)) * v233) * ((-Math.expm1((v213 * v234))) / v215)))) / v233));
+        v255.push((weight * v254));
+      }
+      v255 = (math.fsum(v255) * 1.0);
+      v256 = (v212 * v255);
+      v269 = (v212 - ((Math.log(v256) * v256) / ((Math.exp(v238) / (v215 * v221)) + ((v256 - 1.0) * ((v146 / v221) - (1.0 / v215))))));
+      v270 = ((-2.0) * v269);
+      v272 = (-Math.expm1(v270));
+      v277 = (v99 - (v70 * Math.exp(((-2.0) * (((v269 < 300.0) || (v269 !== v269)) ? v269 : 300.0)))));
+      v278 = (((v277 > 1.0) || (v277 !== v277)) ? v277 : 1.0);
+      v280 = (1.0 / (v103 * v269));
+      v295 = (v71 * v269);
+      v312 = [];
+      for ([node, weight] of RULE_0((1.0 / v280))) {
+        v281 = (node * 1.0);
+        v283 = ((v281 * v281) * v281);
+        v285 = ((v283 * v283) * v281);
+        v287 = (v285 * v281);
+        v290 = (-Math.expm1((v270 * v287)));
+        v291 = (1.0 - v287);
+        v297 = Math.expm1((v295 * v287));
+        v311 = ((8.0 * v285) * (((Math.exp((v269 * v291)) * Math.pow((v290 / v272), (-0.5))) * (v297 - (((v124 * (v297 + 1.0)) * v290) * ((-Math.expm1((v270 * v291))) / v272)))) / v290));
+        v312.push((weight * v311));
+      }
+      v312 = (math.fsum(v312) * 1.0);
+      v313 = (v269 * v312);
+      v326 = (v269 - ((Math.log(v313) * v313) / ((Math.exp(v295) / (v272 * v278)) + ((v313 - 1.0) * ((v146 / v278) - (1.0 / v272))))));
+      v327 = ((-2.0) * v326);
+      v329 = (-Math.expm1(v327));
+      v334 = (v99 - (v70 * Math.exp(((-2.0) * (((v326 < 300.0) || (v326 !== v326)) ? v326 : 300.0)))));
+      v335 = (((v334 > 1.0) || (v334 !== v334)) ? v334 : 1.0);
+      v337 = (1.0 / (v103 * v326));
+      v352 = (v71 * v326);
+      v369 = [];
+      for ([node, weight] of RULE_0((1.0 / v337))) {
+        v338 = (node * 1.0);
+        v340 = ((v338 * v338) * v338);
+        v342 = ((v340 * v340) * v338);
+        v344 = (v342 * v338);
+        v347 = (-Math.expm1((v327 * v344)));
+        v348 = (1.0 - v344);
+        v354 = Math.expm1((v352 * v344));
+        v368 = ((8.0 * v342) * (((Math.exp((v326 * v348)) * Math.pow((v347 / v329), (-0.5))) * (v354 - (((v124 * (v354 + 1.0)) * v347) * ((-Math.expm1((v327 * v348))) / v329)))) / v347));
+        v369.push((weight * v368));
+      }
+      v369 = (math.fsum(v369) * 1.0);
+      v370 = (v326 * v369);
+      v387 = (-Math.expm1(((-2.0) * (v326 - ((Math.log(v370) * v370) / ((Math.exp(v352) / (v329 * v335)) + ((v370 - 1.0) * ((v146 / v335) - (1.0 / v329)))))))));
     } else {
-      v88 = v80;
+      v387 = 1.0;
     }
-    v90 = ((-2.0) * v88);
-    v92 = (-Math.expm1(v90));
-    v99 = ((v70 - 1.0) + 0.0);
-    v101 = (v99 - (v70 * Math.exp(((-2.0) * (((v88 < 300.0) || (v88 !== v88)) ? v88 : 300.0)))));
-    v102 = (((v101 > 1.0) || (v101 !== v101)) ? v101 : 1.0);
-    v103 = (v71 + 1.0);
-    v105 = (1.0 / (v103 * v88));
-    v121 = (v71 * v88);
-    v124 = (0.5 * v71);
-    v140 = [];
-    for ([node, weight] of RULE_0((1.0 / v105))) {
-      v106 = (node * 1.0);
-      v108 = ((v106 * v106) * v106);
-      v110 = ((v108 * v108) * v106);
-      v113 = (v110 * v106);
-      v116 = (-Math.expm1((v90 * v113)));
-      v117 = (1.0 - v113);
-      v123 = Math.expm1((v121 * v113));
-      v139 = ((8.0 * v110) * (((Math.exp((v88 * v117)) * Math.pow((v116 / v92), (-0.5))) * (v123 - (((v124 * (v123 + 1.0)) * v116) * ((-Math.expm1((v90 * v117))) / v92)))) / v116));
-      v140.push((weight * v139));
-    }
-    v140 = (math.fsum(v140) * 1.0);
-    v141 = (v88 * v140);
-    v146 = (2.0 * v99);
-    v155 = (v88 - ((Math.log(v141) * v141) / ((Math.exp(v121) / (v92 * v102)) + ((v141 - 1.0) * ((v146 / v102) - (1.0 / v92))))));
-    v156 = ((-2.0) * v155);
-    v158 = (-Math.expm1(v156));
-    v163 = (v99 - (v70 * Math.exp(((-2.0) * (((v155 < 300.0) || (v155 !== v155)) ? v155 : 300.0)))));
-    v164 = (((v163 > 1.0) || (v163 !== v163)) ? v163 : 1.0);
-    v166 = (1.0 / (v103 * v155));
-    v181 = (v71 * v155);
-    v198 = [];
-    for ([node, weight] of RULE_0((1.0 / v166))) {
-      v167 = (node * 1.0);
-      v169 = ((v167 * v167) * v167);
-      v171 = ((v169 * v169) * v167);
-      v173 = (v171 * v167);
-      v176 = (-Math.expm1((v156 * v173)));
-      v177 = (1.0 - v173);
-      v183 = Math.expm1((v181 * v173));
-      v197 = ((8.0 * v171) * (((Math.exp((v155 * v177)) * Math.pow((v176 / v158), (-0.5))) * (v183 - (((v124 * (v183 + 1.0)) * v176) * ((-Math.expm1((v156 * v177))) / v158)))) / v176));
-      v198.push((weight * v197));
-    }
-    v198 = (math.fsum(v198) * 1.0);
-    v199 = (v155 * v198);
-    v212 = (v155 - ((Math.log(v199) * v199) / ((Math.exp(v181) / (v158 * v164)) + ((v199 - 1.0) * ((v146 / v164) - (1.0 / v158))))));
-    v213 = ((-2.0) * v212);
-    v215 = (-Math.expm1(v213));
-    v220 = (v99 - (v70 * Math.exp(((-2.0) * (((v212 < 300.0) || (v212 !== v212)) ? v212 : 300.0)))));
-    v221 = (((v220 > 1.0) || (v220 !== v220)) ? v220 : 1.0);
-    v223 = (1.0 / (v103 * v212));
-    v238 = (v71 * v212);
-    v255 = [];
-    for ([node, weight] of RULE_0((1.0 / v223))) {
-      v224 = (node * 1.0);
-      v226 = ((v224 * v224) * v224);
-      v228 = ((v226 * v226) * v224);
-      v230 = (v228 * v224);
-      v233 = (-Math.expm1((v213 * v230)));
-      v234 = (1.0 - v230);
-      v240 = Math.expm1((v238 * v230));
-      v254 = ((8.0 * v228) * (((Math.exp((v212 * v234)) * Math.pow((v233 / v215), (-0.5))) * (v240 - (((v124 * (v240 + 1.0)) * v233) * ((-Math.expm1((v213 * v234))) / v215)))) / v233));
-      v255.push((weight * v254));
-    }
-    v255 = (math.fsum(v255) * 1.0);
-    v256 = (v212 * v255);
-    v269 = (v212 - ((Math.log(v256) * v256) / ((Math.exp(v238) / (v215 * v221)) + ((v256 - 1.0) * ((v146 / v221) - (1.0 / v215))))));
-    v270 = ((-2.0) * v269);
-    v272 = (-Math.expm1(v270));
-    v277 = (v99 - (v70 * Math.exp(((-2.0) * (((v269 < 300.0) || (v269 !== v269)) ? v269 : 300.0)))));
-    v278 = (((v277 > 1.0) || (v277 !== v277)) ? v277 : 1.0);
-    v280 = (1.0 / (v103 * v269));
-    v295 = (v71 * v269);
-    v312 = [];
-    for ([node, weight] of RULE_0((1.0 / v280))) {
-      v281 = (node * 1.0);
-      v283 = ((v281 * v281) * v281);
-      v285 = ((v283 * v283) * v281);
-      v287 = (v285 * v281);
-      v290 = (-Math.expm1((v270 * v287)));
-      v291 = (1.0 - v287);
-      v297 = Math.expm1((v295 * v287));
-      v311 = ((8.0 * v285) * (((Math.exp((v269 * v291)) * Math.pow((v290 / v272), (-0.5))) * (v297 - (((v124 * (v297 + 1.0)) * v290) * ((-Math.expm1((v270 * v291))) / v272)))) / v290));
-      v312.push((weight * v311));
-    }
-    v312 = (math.fsum(v312) * 1.0);
-    v313 = (v269 * v312);
-    v326 = (v269 - ((Math.log(v313) * v313) / ((Math.exp(v295) / (v272 * v278)) + ((v313 - 1.0) * ((v146 / v278) - (1.0 / v272))))));
-    v327 = ((-2.0) * v326);
-    v329 = (-Math.expm1(v327));
-    v334 = (v99 - (v70 * Math.exp(((-2.0) * (((v326 < 300.0) || (v326 !== v326)) ? v326 : 300.0)))));
-    v335 = (((v334 > 1.0) || (v334 !== v334)) ? v334 : 1.0);
-    v337 = (1.0 / (v103 * v326));
-    v352 = (v71 * v326);
-    v369 = [];
-    for ([node, weight] of RULE_0((1.0 / v337))) {
-      v338 = (node * 1.0);
-      v340 = ((v338 * v338) * v338);
-      v342 = ((v340 * v340) * v338);
-      v344 = (v342 * v338);
-      v347 = (-Math.expm1((v327 * v344)));
-      v348 = (1.0 - v344);
-      v354 = Math.expm1((v352 * v344));
-      v368 = ((8.0 * v342) * (((Math.exp((v326 * v348)) * Math.pow((v347 / v329), (-0.5))) * (v354 - (((v124 * (v354 + 1.0)) * v347) * ((-Math.expm1((v327 * v348))) / v329)))) / v347));
-      v369.push((weight * v368));
-    }
-    v369 = (math.fsum(v369) * 1.0);
-    v370 = (v326 * v369);
-    v387 = (-Math.expm1(((-2.0) * (v326 - ((Math.log(v370) * v370) / ((Math.exp(v352) / (v329 * v335)) + ((v370 - 1.0) * ((v146 / v335) - (1.0 / v329)))))))));
-  } else {
-    v387 = 1.0;
+    return ((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v387) - 1.0)) * ((((v6 < 1.0) ? ((v6 * (v6 + 1.0)) / v12) : (1.0 - ((v6 + 0.75) / v12))) * Math.sqrt(v8)) * (1.0 + (v26 * (((((((((((((0.01524698625788054 * v26) + 0.5334320651111477) * v26) + 2.250488865813539) * v26) + 2.8612106440066865) * v26) + 1.3794681629043655) * v26) + 0.2596058532893223) * v26) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v26) + 49.328555418276075) * v26) + 167.28648538571198) * v26) + 195.37226190335065) * v26) + 90.69722535867314) * v26) + 16.763212110504565) * v26) + 1.0)))))));
   }
-  value = ((((1.7724538509055159 * E_star) * n) * h) / ((2.0 * ((n * v387) - 1.0)) * ((((v6 < 1.0) ? ((v6 * (v6 + 1.0)) / v12) : (1.0 - ((v6 + 0.75) / v12))) * Math.sqrt(v8)) * (1.0 + (v26 * (((((((((((((0.01524698625788054 * v26) + 0.5334320651111477) * v26) + 2.250488865813539) * v26) + 2.8612106440066865) * v26) + 1.3794681629043655) * v26) + 0.2596058532893223) * v26) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v26) + 49.328555418276075) * v26) + 167.28648538571198) * v26) + 195.37226190335065) * v26) + 90.69722535867314) * v26) + 16.763212110504565) * v26) + 1.0)))))));
-  return value;
+  return _minimum_load(h, n, E_star);
+};
+
+const minimum_load = (a, h, n, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (n > 1)))) {
+    return NaN;
+  }
+  return _minimum_load_of_concave_power(h, n, E_star);
 };
 
 const formulas = {
   "p": (v) => pressure(v.x, v.P, v.a, v.h, v.n, v.E_star),
   "s": (v) => slope(v.x, v.P, v.a, v.h, v.n, v.E_star),
   "d": (v) => depth(v.L, v.P, v.a, v.h, v.n, v.E_star),
-  "xz": (v) => zero_distance(v.a, v.n, v.h),
-  "Pmin": (v) => minimum_load(v.h, v.n, v.E_star, v.a),
+  "xz": (v) => zero_distance(v.a, v.h, v.n),
+  "Pmin": (v) => minimum_load(v.a, v.h, v.n, v.E_star),
 };
 window.calculator = { ...{
  "fields": [
@@ -1082,8 +1346,8 @@ window.calculator = { ...{
    "gives": "x_zero",
    "needs": [
     "a",
-    "n",
-    "h"
+    "h",
+    "n"
    ],
    "unit": "m",
    "place": "",
@@ -1092,10 +1356,10 @@ window.calculator = { ...{
   "Pmin": {
    "gives": "P",
    "needs": [
+    "a",
     "h",
     "n",
-    "E_star",
-    "a"
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",

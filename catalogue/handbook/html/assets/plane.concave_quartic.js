@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,65 +157,161 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const pressure = (x, P, a, h, E_star) => {
-  let v13, v14, v17, v21, v29, value;
-  v29 = (((9.42477796076938 * E_star) * h) / 8.0);
-  if (((v29 * 0.999999999999999) <= P)) {
-    if (((x <= a) && (P > 0.0))) {
-      v13 = (2.0 * x);
-      v14 = (v13 - a);
-      v17 = (a + v13);
-      v21 = (a * a);
-      value = (((P - v29) + (((((3.141592653589793 * E_star) * h) * (v14 * v14)) * (v17 * v17)) / (8.0 * (v21 * v21)))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
-      return value;
-    }
-    return 0.0;
-  }
-  return NaN;
+const _minimum_load = (h, E_star) => {
+  return ((((3 * Math.PI) * E_star) * h) / 8);
 };
 
-const slope = (x, P, a, h, E_star) => {
-  let v17, v22, v23, v27, v28, v8, value;
-  if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
-    v22 = (x * x);
-    v23 = (x * v22);
-    v27 = (a * a);
-    v28 = (v27 * v27);
-    if ((x >= a)) {
-      if ((P > 0.0)) {
-        v8 = Math.sqrt(((x - a) * (a + x)));
-        v17 = (v8 * v8);
-        value = ((((-2.0) * P) / ((3.141592653589793 * E_star) * v8)) - (((h * v27) * (v27 + (8.0 * v22))) / ((2.0 * ((((8.0 * (v17 * v17)) + ((8.0 * v23) * v8)) + (3.0 * v28)) + ((12.0 * v27) * v17))) * v8)));
-        return value;
+const _pressure_of_concave_quartic = (x, P, a, h, E_star) => {
+  let carried, complete, face, result, root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  face = (((((Math.PI * E_star) * h) * Math.pow(((2 * x) - a), 2)) * Math.pow((a + (2 * x)), 2)) / (8 * Math.pow(a, 4)));
+  carried = ((P - _minimum_load(h, E_star)) + face);
+  value = (carried / (Math.PI * root));
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where(((x <= a) & (P > 0.0)), value, 0.0);
+  return math.where(complete, result, NaN);
+};
+
+const _pressure = (x, P, a, h, E_star) => {
+  let v13, v14, v17, v21, v29;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v29 = (((9.42477796076938 * E_star) * h) / 8.0);
+    if (((v29 * 0.999999999999999) <= P)) {
+      if (((x <= a) && (P > 0.0))) {
+        v13 = (2.0 * x);
+        v14 = (v13 - a);
+        v17 = (a + v13);
+        v21 = (a * a);
+        return (((P - v29) + (((((3.141592653589793 * E_star) * h) * (v14 * v14)) * (v17 * v17)) / (8.0 * (v21 * v21)))) / (3.141592653589793 * Math.sqrt(((a - x) * (a + x)))));
       }
       return 0.0;
     }
-    return (-((((-4.0) * h) * v23) / v28));
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_concave_quartic(x, P, a, h, E_star);
 };
 
-const depth = (L, P, a, h, E_star) => {
-  let v18, v21, v5, v8;
-  if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
-    if ((a <= L)) {
-      v5 = (L - a);
-      v8 = Math.sqrt((v5 * (a + L)));
-      v18 = (a * a);
-      v21 = (L * L);
-      return ((((2.0 * P) * Math.log1p(((v5 + v8) / a))) / (3.141592653589793 * E_star)) - (((h * L) * (v18 + (3.0 * v21))) / (2.0 * (((v18 * v8) + (2.0 * (L * v21))) + ((2.0 * v21) * v8)))));
+const pressure = (x, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), P, a, h, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, a, h) => {
+  return ((((-4) * h) * Math.pow(x, 3)) / Math.pow(a, 4));
+};
+
+const _slope_of_concave_quartic = (x, P, a, h, E_star) => {
+  let complete, conjugate, face, outside, result, root, strip, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  strip = (((-2) * P) / ((Math.PI * E_star) * root));
+  conjugate = ((((8 * Math.pow(root, 4)) + ((8 * Math.pow(x, 3)) * root)) + (3 * Math.pow(a, 4))) + ((12 * Math.pow(a, 2)) * Math.pow(root, 2)));
+  face = (((h * Math.pow(a, 2)) * (Math.pow(a, 2) + (8 * Math.pow(x, 2)))) / ((2 * conjugate) * root));
+  value = (strip - face);
+  outside = math.where((P > 0.0), value, 0.0);
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((x >= a), outside, (-_profile_slope(x, a, h)));
+  return math.where(complete, result, NaN);
+};
+
+const _slope = (x, P, a, h, E_star) => {
+  let v17, v22, v23, v27, v28, v8;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
+      v22 = (x * x);
+      v23 = (x * v22);
+      v27 = (a * a);
+      v28 = (v27 * v27);
+      if ((x >= a)) {
+        if ((P > 0.0)) {
+          v8 = Math.sqrt(((x - a) * (a + x)));
+          v17 = (v8 * v8);
+          return ((((-2.0) * P) / ((3.141592653589793 * E_star) * v8)) - (((h * v27) * (v27 + (8.0 * v22))) / ((2.0 * ((((8.0 * (v17 * v17)) + ((8.0 * v23) * v8)) + (3.0 * v28)) + ((12.0 * v27) * v17))) * v8)));
+        }
+        return 0.0;
+      }
+      return (-((((-4.0) * h) * v23) / v28));
     }
     return NaN;
   }
-  return NaN;
+  return _slope_of_concave_quartic(x, P, a, h, E_star);
 };
 
-const zero_distance = (a, h = 1.0) => {
-  return (a / 2.0);
+const slope = (x, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), P, a, h, E_star) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
 };
 
-const minimum_load = (h, E_star, a = 1.0) => {
-  return (((9.42477796076938 * E_star) * h) / 8.0);
+const _depth_of_concave_quartic = (L, P, a, h, E_star) => {
+  let complete, conjugate, face, result, root, strip, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  strip = (((2 * P) * Math.log1p((((L - a) + root) / a))) / (Math.PI * E_star));
+  conjugate = (((Math.pow(a, 2) * root) + (2 * Math.pow(L, 3))) + ((2 * Math.pow(L, 2)) * root));
+  face = (((h * L) * (Math.pow(a, 2) + (3 * Math.pow(L, 2)))) / (2 * conjugate));
+  value = (strip - face);
+  complete = ((_minimum_load(h, E_star) * (1.0 - 1e-15)) <= P);
+  result = math.where((a <= L), value, NaN);
+  return math.where(complete, result, NaN);
+};
+
+const _depth = (L, P, a, h, E_star) => {
+  let v18, v21, v5, v8;
+  if (((L > 1e-30) && (L < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((((((9.42477796076938 * E_star) * h) / 8.0) * 0.999999999999999) <= P)) {
+      if ((a <= L)) {
+        v5 = (L - a);
+        v8 = Math.sqrt((v5 * (a + L)));
+        v18 = (a * a);
+        v21 = (L * L);
+        return ((((2.0 * P) * Math.log1p(((v5 + v8) / a))) / (3.141592653589793 * E_star)) - (((h * L) * (v18 + (3.0 * v21))) / (2.0 * (((v18 * v8) + (2.0 * (L * v21))) + ((2.0 * v21) * v8)))));
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _depth_of_concave_quartic(L, P, a, h, E_star);
+};
+
+const depth = (L, P, a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (P >= 0.0)) ? _depth(L, P, a, h, E_star) : NaN);
+};
+
+const _zero_distance_of_concave_quartic = (a) => {
+  return (a / 2);
+};
+
+const _zero_distance = (a, h = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30))) {
+    return (a / 2.0);
+  }
+  return _zero_distance_of_concave_quartic(a);
+};
+
+const zero_distance = (a, h) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity)))) {
+    return NaN;
+  }
+  return _zero_distance(a);
+};
+
+const _minimum_load_of_concave_quartic = (h, E_star, a = 1.0) => {
+  if (((h > 1e-30) && (h < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (a > 1e-30) && (a < 1e+30))) {
+    return (((9.42477796076938 * E_star) * h) / 8.0);
+  }
+  return _minimum_load(h, E_star);
+};
+
+const minimum_load = (a, h, E_star) => {
+  if ((!((0.0 < a && a < Infinity) && (0.0 < h && h < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return _minimum_load_of_concave_quartic(h, E_star);
 };
 
 const formulas = {
@@ -199,7 +319,7 @@ const formulas = {
   "s": (v) => slope(v.x, v.P, v.a, v.h, v.E_star),
   "d": (v) => depth(v.L, v.P, v.a, v.h, v.E_star),
   "xz": (v) => zero_distance(v.a, v.h),
-  "Pmin": (v) => minimum_load(v.h, v.E_star, v.a),
+  "Pmin": (v) => minimum_load(v.a, v.h, v.E_star),
 };
 window.calculator = { ...{
  "fields": [
@@ -347,9 +467,9 @@ window.calculator = { ...{
   "Pmin": {
    "gives": "P",
    "needs": [
+    "a",
     "h",
-    "E_star",
-    "a"
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",

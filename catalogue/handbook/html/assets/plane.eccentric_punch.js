@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,46 +157,65 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const pressure = (x, P, a, e) => {
-  let v20, v26, v29, v30, v36, v4, value;
-  if (((x <= a) && (P > 0.0))) {
-    v20 = Math.abs(e);
-    if ((v20 < (a / 2.0))) {
-      v4 = (a - x);
-      return ((P * ((x * ((2.0 * e) + a)) + (a * v4))) / ((3.141592653589793 * (a * a)) * Math.sqrt((v4 * (a + x)))));
+const _tilt_of_eccentric_punch = (P, a, e, E_star) => {
+  let short, side;
+  short = (a - Math.abs(e));
+  side = math.copysign(1.0, e);
+  return math.where((Math.abs(e) < (a / 2)), (((4 * e) * P) / ((Math.PI * E_star) * Math.pow(a, 2))), ((side / ((Math.PI * E_star) * short)) * P));
+};
+
+const _tilt = (P, a, e, E_star) => {
+  let v15, v4;
+  if (((P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (e > 1e-30) && (e < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v4 = Math.abs(e);
+    v15 = (3.141592653589793 * E_star);
+    if ((v4 < (a / 2.0))) {
+      return (((4.0 * e) * P) / (v15 * (a * a)));
     }
-    v26 = (math.copysign(1.0, e) * x);
-    v29 = (2.0 * ((2.0 * v20) - a));
-    v30 = (v29 - a);
-    v36 = ((v30 < ((-a) / 2.0)) ? ((a + v26) - v29) : (v26 - v30));
-    value = ((P * Math.sqrt(((((v36 > 0.0) || (v36 !== v36)) ? v36 : 0.0) / (a - v26)))) / (6.283185307179586 * (a - v20)));
-    return value;
+    return ((math.copysign(1.0, e) / (v15 * (a - v4))) * P);
   }
-  return 0.0;
+  return _tilt_of_eccentric_punch(P, a, e, E_star);
 };
 
 const tilt = (P, a, e, E_star) => {
-  let v15, v4, value;
-  v4 = Math.abs(e);
-  v15 = (3.141592653589793 * E_star);
-  if ((v4 < (a / 2.0))) {
-    return (((4.0 * e) * P) / (v15 * (a * a)));
+  if ((!((0.0 < a && a < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  value = ((math.copysign(1.0, e) / (v15 * (a - v4))) * P);
-  return value;
+  if ((!(Math.abs(e) < a))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _tilt(P, a, e, E_star) : NaN);
+};
+
+const _contact_width_of_eccentric_punch = (a, e) => {
+  let short;
+  short = (a - Math.abs(e));
+  return math.where((Math.abs(e) < (a / 2)), (2 * a), (4 * short));
+};
+
+const _contact_width = (a, e) => {
+  let v2;
+  if (((a > 1e-30) && (a < 1e+30) && (e > 1e-30) && (e < 1e+30))) {
+    v2 = Math.abs(e);
+    if ((v2 < (a / 2.0))) {
+      return (2.0 * a);
+    }
+    return (4.0 * (a - v2));
+  }
+  return _contact_width_of_eccentric_punch(a, e);
 };
 
 const contact_width = (a, e) => {
-  let v2;
-  v2 = Math.abs(e);
-  if ((v2 < (a / 2.0))) {
-    return (2.0 * a);
+  if ((!(0.0 < a && a < Infinity))) {
+    return NaN;
   }
-  return (4.0 * (a - v2));
+  if ((!(Math.abs(e) < a))) {
+    return NaN;
+  }
+  return _contact_width(a, e);
 };
 
 const formulas = {
-  "p": (v) => pressure(v.x, v.P, v.a, v.e),
   "phi": (v) => tilt(v.P, v.a, v.e, v.E_star),
   "cw": (v) => contact_width(v.a, v.e),
 };
@@ -232,17 +275,6 @@ window.calculator = { ...{
    "high": 0.5,
    "closed": "high",
    "value": ""
-  },
-  {
-   "name": "x",
-   "tex": "x",
-   "meaning": "distance from the middle of a plane contact; lower limit of a primitive",
-   "unit": "m",
-   "rule": "",
-   "low": null,
-   "high": null,
-   "closed": "",
-   "value": ""
   }
  ],
  "state": [
@@ -259,18 +291,6 @@ window.calculator = { ...{
   }
  ],
  "formulas": {
-  "p": {
-   "gives": "p",
-   "needs": [
-    "x",
-    "P",
-    "a",
-    "e"
-   ],
-   "unit": "Pa",
-   "place": "inside",
-   "suffix": "p"
-  },
   "phi": {
    "gives": "tilt",
    "needs": [

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,39 +157,124 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
+const _load_of_parabola = (a, R, E_star) => {
+  return (((Math.PI * E_star) / (4 * R)) * Math.pow(a, 2));
+};
+
+const _load = (a, R, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return (((3.141592653589793 * E_star) / (4.0 * R)) * (a * a));
+  }
+  return _load_of_parabola(a, R, E_star);
+};
+
 const load = (a, R, E_star) => {
-  return (((3.141592653589793 * E_star) / (4.0 * R)) * (a * a));
-};
-
-const pressure = (x, a, R, E_star) => {
-  if ((x < a)) {
-    return ((E_star / (2.0 * R)) * Math.sqrt(((a - x) * (a + x))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return 0.0;
+  return ((a >= 0.0) ? _load(a, R, E_star) : NaN);
 };
 
-const slope = (x, a, R) => {
-  if ((x > a)) {
-    return ((-(a * a)) / (R * (Math.sqrt(((x - a) * (a + x))) + x)));
-  }
-  return (-(x / R));
+const _pressure_of_parabola = (x, a, R, E_star) => {
+  let root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  value = ((E_star / (2 * R)) * root);
+  return math.where((x < a), value, 0.0);
 };
 
-const depth = (L, a, R) => {
-  let v3, v6;
-  if ((a <= L)) {
-    if ((a > 0.0)) {
-      v3 = (L - a);
-      v6 = Math.sqrt((v3 * (a + L)));
-      return (((a * a) * ((L / (v6 + L)) + Math.log1p(((v3 + v6) / a)))) / (2.0 * R));
+const _pressure = (x, a, R, E_star) => {
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((x < a)) {
+      return ((E_star / (2.0 * R)) * Math.sqrt(((a - x) * (a + x))));
     }
     return 0.0;
   }
-  return NaN;
+  return _pressure_of_parabola(x, a, R, E_star);
+};
+
+const pressure = (x, a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, R, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, R) => {
+  return (x / R);
+};
+
+const _slope_of_parabola = (x, a, R) => {
+  let conjugate, root, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  conjugate = (root + x);
+  value = ((-Math.pow(a, 2)) / (R * conjugate));
+  return math.where((x > a), value, (-_profile_slope(x, R)));
+};
+
+const _slope = (x, a, R) => {
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    if ((x > a)) {
+      return ((-(a * a)) / (R * (Math.sqrt(((x - a) * (a + x))) + x)));
+    }
+    return (-(x / R));
+  }
+  return _slope_of_parabola(x, a, R);
+};
+
+const slope = (x, a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, R) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const _depth_of_parabola = (L, a, R) => {
+  let root, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  value = ((Math.pow(a, 2) * ((L / (root + L)) + Math.log1p((((L - a) + root) / a)))) / (2 * R));
+  value = math.where((a > 0.0), value, 0.0);
+  return math.where((a <= L), value, NaN);
+};
+
+const _depth = (L, a, R) => {
+  let v3, v6;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    if ((a <= L)) {
+      if ((a > 0.0)) {
+        v3 = (L - a);
+        v6 = Math.sqrt((v3 * (a + L)));
+        return (((a * a) * ((L / (v6 + L)) + Math.log1p(((v3 + v6) / a)))) / (2.0 * R));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _depth_of_parabola(L, a, R);
+};
+
+const depth = (L, a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, R) : NaN);
+};
+
+const _half_width_from_load_of_parabola = (P, R, E_star) => {
+  return Math.sqrt((((4 * R) / (Math.PI * E_star)) * P));
+};
+
+const _half_width_from_load = (P, R, E_star) => {
+  if (((P > 1e-30) && (P < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return Math.sqrt((((4.0 * R) / (3.141592653589793 * E_star)) * P));
+  }
+  return _half_width_from_load_of_parabola(P, R, E_star);
 };
 
 const half_width_from_load = (P, R, E_star) => {
-  return Math.sqrt((((4.0 * R) / (3.141592653589793 * E_star)) * P));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, R, E_star) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,49 +157,133 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const load = (a, A, E_star) => {
+const _load_of_quartic = (a, A, E_star) => {
+  return (((((3 * Math.PI) * E_star) * A) * Math.pow(a, 4)) / 4);
+};
+
+const _load = (a, A, E_star) => {
   let v8;
-  v8 = (a * a);
-  return ((((9.42477796076938 * E_star) * A) * (v8 * v8)) / 4.0);
-};
-
-const pressure = (x, a, A, E_star) => {
-  if ((x < a)) {
-    return (((E_star * A) * ((a * a) + (2.0 * (x * x)))) * Math.sqrt(((a - x) * (a + x))));
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v8 = (a * a);
+    return ((((9.42477796076938 * E_star) * A) * (v8 * v8)) / 4.0);
   }
-  return 0.0;
+  return _load_of_quartic(a, A, E_star);
 };
 
-const slope = (x, a, A) => {
-  let v11, v15, v6, v8, value;
-  v8 = (x * x);
-  v15 = (x * v8);
-  if ((x > a)) {
-    v6 = Math.sqrt(((x - a) * (a + x)));
-    v11 = (a * a);
-    value = (((((-2.0) * A) * (v11 * v11)) * (v11 + (3.0 * v8))) / ((((2.0 * v8) * v6) + (v11 * v6)) + (2.0 * v15)));
-    return value;
+const load = (a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return (-((4.0 * A) * v15));
+  return ((a >= 0.0) ? _load(a, A, E_star) : NaN);
 };
 
-const depth = (L, a, A) => {
-  let v12, v6, v9, value;
-  if ((a <= L)) {
-    if ((a > 0.0)) {
-      v6 = Math.sqrt(((L - a) * (a + L)));
-      v9 = (L * L);
-      v12 = (a * a);
-      value = (((A * (v12 * v12)) * ((3.0 * Math.asinh((v6 / a))) + ((L * (v12 + (3.0 * v9))) / ((2.0 * (L * v9)) + ((v12 + (2.0 * v9)) * v6))))) / 2.0);
-      return value;
+const _pressure_of_quartic = (x, a, A, E_star) => {
+  let root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  value = (((E_star * A) * (Math.pow(a, 2) + (2 * Math.pow(x, 2)))) * root);
+  return math.where((x < a), value, 0.0);
+};
+
+const _pressure = (x, a, A, E_star) => {
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((x < a)) {
+      return (((E_star * A) * ((a * a) + (2.0 * (x * x)))) * Math.sqrt(((a - x) * (a + x))));
     }
     return 0.0;
   }
-  return NaN;
+  return _pressure_of_quartic(x, a, A, E_star);
+};
+
+const pressure = (x, a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, A, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, A) => {
+  return ((4 * A) * Math.pow(x, 3));
+};
+
+const _slope_of_quartic = (x, a, A) => {
+  let conjugate, root, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  conjugate = ((((2 * Math.pow(x, 2)) * root) + (Math.pow(a, 2) * root)) + (2 * Math.pow(x, 3)));
+  value = (((((-2) * A) * Math.pow(a, 4)) * (Math.pow(a, 2) + (3 * Math.pow(x, 2)))) / conjugate);
+  return math.where((x > a), value, (-_profile_slope(x, A)));
+};
+
+const _slope = (x, a, A) => {
+  let v11, v15, v6, v8;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
+    v8 = (x * x);
+    v15 = (x * v8);
+    if ((x > a)) {
+      v6 = Math.sqrt(((x - a) * (a + x)));
+      v11 = (a * a);
+      return (((((-2.0) * A) * (v11 * v11)) * (v11 + (3.0 * v8))) / ((((2.0 * v8) * v6) + (v11 * v6)) + (2.0 * v15)));
+    }
+    return (-((4.0 * A) * v15));
+  }
+  return _slope_of_quartic(x, a, A);
+};
+
+const slope = (x, a, A) => {
+  if ((!(0.0 < A && A < Infinity))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, A) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const _depth_of_quartic = (L, a, A) => {
+  let conjugate, root, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  conjugate = ((2 * Math.pow(L, 3)) + ((Math.pow(a, 2) + (2 * Math.pow(L, 2))) * root));
+  value = (((A * Math.pow(a, 4)) * ((3 * Math.asinh((root / a))) + ((L * (Math.pow(a, 2) + (3 * Math.pow(L, 2)))) / conjugate))) / 2);
+  value = math.where((a > 0.0), value, 0.0);
+  return math.where((a <= L), value, NaN);
+};
+
+const _depth = (L, a, A) => {
+  let v12, v6, v9;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
+    if ((a <= L)) {
+      if ((a > 0.0)) {
+        v6 = Math.sqrt(((L - a) * (a + L)));
+        v9 = (L * L);
+        v12 = (a * a);
+        return (((A * (v12 * v12)) * ((3.0 * Math.asinh((v6 / a))) + ((L * (v12 + (3.0 * v9))) / ((2.0 * (L * v9)) + ((v12 + (2.0 * v9)) * v6))))) / 2.0);
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _depth_of_quartic(L, a, A);
+};
+
+const depth = (L, a, A) => {
+  if ((!(0.0 < A && A < Infinity))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, A) : NaN);
+};
+
+const _half_width_from_load_of_quartic = (P, A, E_star) => {
+  return Math.sqrt(Math.sqrt(((4 * P) / (((3 * Math.PI) * E_star) * A))));
+};
+
+const _half_width_from_load = (P, A, E_star) => {
+  if (((P > 1e-30) && (P < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return Math.sqrt(Math.sqrt(((4.0 * P) / ((9.42477796076938 * E_star) * A))));
+  }
+  return _half_width_from_load_of_quartic(P, A, E_star);
 };
 
 const half_width_from_load = (P, A, E_star) => {
-  return Math.sqrt(Math.sqrt(((4.0 * P) / ((9.42477796076938 * E_star) * A))));
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, A, E_star) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -137,128 +161,240 @@ const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.101666761293
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const load = (a, R, b, E_star) => {
-  let node, v10, v11, v12, v18, v21, v23, v24, v33, v34, v42, v43, value, weight;
-  v10 = Math.sqrt(((a - b) * (a + b)));
-  v11 = (v10 / b);
-  if ((a < (2.0 * b))) {
-    v12 = Math.asinh(v11);
-    v18 = (0.0 - Math.expm1(((-2.0) * v12)));
-    v21 = ((v18 > 0.0) ? v18 : Infinity);
-    v23 = (((v12 < 42.0) || (v12 !== v12)) ? v12 : 42.0);
-    v34 = (b * b);
-    v43 = [];
-    for ([node, weight] of RULE_0((v23 / 1.0))) {
-      v24 = (node * v23);
-      v33 = (v10 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v12 - v24))))) / v21));
-      v42 = (((Math.sqrt((v34 + (v33 * v33))) * Math.atan((v33 / b))) / R) * v33);
-      v43.push((weight * v42));
+const _growth_beyond = (t, root, R, b) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return ((t * angle) / R);
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const FADED = 42.0;
+
+const load_beyond = math.in_groups((growth, root, b) => {
+  let fallen, integrand, stop;
+  stop = Math.asinh((root / b));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let side;
+    side = (root * fallen(v));
+    return (growth(Math.sqrt(((b * b) + (side * side))), side) * side);
+  };
+  return [integrand, math.minimum(stop, FADED), 1.0, true, 0.0];
+});
+
+const _load_at = (root, R, b, E_star) => {
+  return (E_star * load_beyond(_growth_beyond, [R, b], root, b));
+};
+
+const _load_below = (a, R, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return _load_at(root, R, b, E_star);
+};
+
+const _load_above = (a, R, b, E_star) => {
+  let angle, root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  return ((E_star / (2 * R)) * ((Math.pow(a, 2) * angle) - (b * root)));
+};
+
+const _load_of_rounded_punch = (a, R, b, E_star) => {
+  return math.where((a < (2.0 * b)), _load_below(a, R, b, E_star), _load_above(a, R, b, E_star));
+};
+
+const _load = (a, R, b, E_star) => {
+  let node, v10, v11, v12, v18, v21, v23, v24, v33, v34, v42, v43, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    v10 = Math.sqrt(((a - b) * (a + b)));
+    v11 = (v10 / b);
+    if ((a < (2.0 * b))) {
+      v12 = Math.asinh(v11);
+      v18 = (0.0 - Math.expm1(((-2.0) * v12)));
+      v21 = ((v18 > 0.0) ? v18 : Infinity);
+      v23 = (((v12 < 42.0) || (v12 !== v12)) ? v12 : 42.0);
+      v34 = (b * b);
+      v43 = [];
+      for ([node, weight] of RULE_0((v23 / 1.0))) {
+        v24 = (node * v23);
+        v33 = (v10 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v12 - v24))))) / v21));
+        v42 = (((Math.sqrt((v34 + (v33 * v33))) * Math.atan((v33 / b))) / R) * v33);
+        v43.push((weight * v42));
+      }
+      v43 = (math.fsum(v43) * v23);
+      return (E_star * v43);
     }
-    v43 = (math.fsum(v43) * v23);
-    value = (E_star * v43);
-    return value;
+    return ((E_star / (2.0 * R)) * (((a * a) * Math.atan(v11)) - (b * v10)));
   }
-  return ((E_star / (2.0 * R)) * (((a * a) * Math.atan(v11)) - (b * v10)));
+  return _load_of_rounded_punch(a, R, b, E_star);
+};
+
+const load = (a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _load(a, R, b, E_star) : NaN);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling_of_rules(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_rounded_punch = (x, a, R, b, E_star) => {
+  let beyond, value;
+  beyond = pressure_integral_beyond(_growth_beyond, [R, b], x, a, b);
+  value = ((E_star / Math.PI) * beyond);
+  return math.where((a >= b), math.where((x < a), value, 0.0), NaN);
+};
+
+const _pressure = (x, a, R, b, E_star) => {
+  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v53, v54, v57, v63, v64, v65, v8, v9, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((x < a)) {
+        v8 = ((x === b) ? math.nextafter(b, Infinity) : x);
+        if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+          v9 = (v8 < b);
+          v13 = (a - b);
+          v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+          if (v9) {
+            v23 = v17;
+          } else {
+            v18 = (a - v8);
+            v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          }
+          v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v33 = (1.0 - v32);
+          v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
+          v40 = ((v38 > 0.0) ? v38 : Infinity);
+          v54 = (b * b);
+          v64 = [];
+          for ([node, weight] of RULE_0((v30 / 1.0))) {
+            v43 = (node * v30);
+            v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
+            v57 = Math.sqrt((v54 + (v53 * v53)));
+            v63 = ((((v57 * Math.atan((v53 / b))) / R) * v53) / v57);
+            v64.push((weight * v63));
+          }
+          v64 = (math.fsum(v64) * v30);
+          v65 = v64;
+        } else {
+          v65 = 0.0;
+        }
+        return ((E_star / 3.141592653589793) * v65);
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _pressure_of_rounded_punch(x, a, R, b, E_star);
 };
 
 const pressure = (x, a, R, b, E_star) => {
-  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v53, v54, v57, v63, v64, v65, v8, v9, value, weight;
-  if ((a >= b)) {
-    if ((x < a)) {
-      v8 = ((x === b) ? math.nextafter(b, Infinity) : x);
-      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-        v9 = (v8 < b);
-        v13 = (a - b);
-        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-        if (v9) {
-          v23 = v17;
-        } else {
-          v18 = (a - v8);
-          v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-        }
-        v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-        v32 = (2.0 * (v9 ? 0.0 : 1.0));
-        v33 = (1.0 - v32);
-        v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
-        v40 = ((v38 > 0.0) ? v38 : Infinity);
-        v54 = (b * b);
-        v64 = [];
-        for ([node, weight] of RULE_0((v30 / 1.0))) {
-          v43 = (node * v30);
-          v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
-          v57 = Math.sqrt((v54 + (v53 * v53)));
-          v63 = ((((v57 * Math.atan((v53 / b))) / R) * v53) / v57);
-          v64.push((weight * v63));
-        }
-        v64 = (math.fsum(v64) * v30);
-        v65 = v64;
-      } else {
-        v65 = 0.0;
-      }
-      value = ((E_star / 3.141592653589793) * v65);
-      return value;
-    }
-    return 0.0;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, R, b, E_star) : 0.0) : NaN);
 };
 
-const slope = (x, a, R, b) => {
-  let node, v10, v15, v16, v18, v22, v26, v29, v32, v33, v35, v4, v43, v44, v46, v50, v51, v54, v56, v58, v68, v69, v71, v9, value, weight;
-  if ((a >= b)) {
-    if ((x > a)) {
-      if ((a > b)) {
-        v4 = (a - b);
-        v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + b)));
-        v10 = (x - a);
-        v15 = (b / x);
-        v16 = (v9 / Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (x + a))));
-        v18 = Math.asinh((v16 / v15));
-        v22 = Math.sqrt((1.0 + (v16 * v16)));
-        v26 = (0.0 - Math.expm1(((-2.0) * v18)));
-        v29 = ((v26 > 0.0) ? v26 : Infinity);
-        v32 = (42.0 + Math.asinh(v16));
-        v33 = (((v18 < v32) || (v18 !== v18)) ? v18 : v32);
-        v51 = (b * b);
-        v56 = (v15 / v16);
-        v58 = (v56 * v56);
-        v69 = [];
-        for ([node, weight] of RULE_0((v33 / 1.0))) {
-          v35 = (node * v33);
-          v43 = ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v18 - v35))))) / v29);
-          v44 = (v16 * v43);
-          v46 = (1.0 + (v44 * v44));
-          v50 = ((v9 * v43) * (v22 / Math.sqrt(v46)));
-          v54 = Math.sqrt((v51 + (v50 * v50)));
-          v68 = (((v54 * Math.atan((v50 / b))) / R) * ((v50 / v54) * (Math.sqrt((v58 + (v43 * v43))) / v46)));
-          v69.push((weight * v68));
-        }
-        v69 = (math.fsum(v69) * v33);
-        v71 = (v16 * v69);
-      } else {
-        v71 = 0.0;
-      }
-      value = ((-0.6366197723675814) * v71);
-      return value;
-    }
-    return (-((x > b) ? ((x - b) / R) : 0.0));
-  }
-  return NaN;
+const _beyond = (x, edge, far, b) => {
+  let end, fallen, place, ratio, stop, widest;
+  [ratio, end] = [(b / x), (edge / far)];
+  [stop, widest] = [Math.asinh((end / ratio)), Math.sqrt((1.0 + (end * end)))];
+  fallen = falling(stop);
+  stop = math.minimum(stop, (FADED + Math.asinh(end)));
+  place = (v) => {
+    let narrowed, part, root, square, t;
+    part = fallen(v);
+    square = (1.0 + ((end * part) * (end * part)));
+    narrowed = (widest / Math.sqrt(square));
+    root = ((edge * part) * narrowed);
+    t = Math.sqrt(((b * b) + (root * root)));
+    return [t, root, narrowed, ((root / t) * (Math.sqrt((Math.pow((ratio / end), 2) + (part * part))) / square))];
+  };
+  return [stop, place];
 };
 
-const depth = (L, a, R, b) => {
-  let node, v10, v14, v15, v16, v18, v22, v26, v29, v32, v33, v34, v35, v4, v43, v44, v46, v48, v50, v51, v54, v56, v58, v73, v74, v76, v9, value, weight;
-  if ((a >= b)) {
-    if ((a <= L)) {
-      v4 = (a - b);
-      v34 = (a > b);
-      if ((a < L)) {
-        if (v34) {
+const slope_beyond = math.in_groups((growth, x, a, b) => {
+  let edge, far, integrand, place, stop;
+  [edge, far] = [difference_root(a, b), difference_root(x, a)];
+  [stop, place] = _beyond(x, edge, far, b);
+  integrand = (v) => {
+    let _, root, stretch, t;
+    [t, root, _, stretch] = place(v);
+    return (growth(t, root) * stretch);
+  };
+  return [integrand, stop, (edge / far), (a > b), 0.0];
+});
+
+const _profile_slope = (x, R, b) => {
+  return math.where((x > b), ((x - b) / R), 0.0);
+};
+
+const _slope_of_rounded_punch = (x, a, R, b) => {
+  let beyond, value;
+  beyond = slope_beyond(_growth_beyond, [R, b], x, a, b);
+  value = (((-2) / Math.PI) * beyond);
+  return math.where((a >= b), math.where((x > a), value, (-_profile_slope(x, R, b))), NaN);
+};
+
+const _slope = (x, a, R, b) => {
+  let node, v10, v15, v16, v18, v22, v26, v29, v32, v33, v35, v4, v43, v44, v46, v50, v51, v54, v56, v58, v68, v69, v71, v9, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((x > a)) {
+        if ((a > b)) {
+          v4 = (a - b);
           v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + b)));
-          v10 = (L - a);
-          v14 = Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (L + a)));
-          v15 = (b / L);
-          v16 = (v9 / v14);
+          v10 = (x - a);
+          v15 = (b / x);
+          v16 = (v9 / Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (x + a))));
           v18 = Math.asinh((v16 / v15));
           v22 = Math.sqrt((1.0 + (v16 * v16)));
           v26 = (0.0 - Math.expm1(((-2.0) * v18)));
@@ -268,39 +404,132 @@ const depth = (L, a, R, b) => {
           v51 = (b * b);
           v56 = (v15 / v16);
           v58 = (v56 * v56);
-          v74 = [];
+          v69 = [];
           for ([node, weight] of RULE_0((v33 / 1.0))) {
             v35 = (node * v33);
             v43 = ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v18 - v35))))) / v29);
             v44 = (v16 * v43);
             v46 = (1.0 + (v44 * v44));
-            v48 = (v22 / Math.sqrt(v46));
-            v50 = ((v9 * v43) * v48);
+            v50 = ((v9 * v43) * (v22 / Math.sqrt(v46)));
             v54 = Math.sqrt((v51 + (v50 * v50)));
-            v73 = (((((v54 * Math.atan((v50 / b))) / R) * ((v50 / v54) * (Math.sqrt((v58 + (v43 * v43))) / v46))) * v48) * Math.asinh(((v14 * v48) / v54)));
-            v74.push((weight * v73));
+            v68 = (((v54 * Math.atan((v50 / b))) / R) * ((v50 / v54) * (Math.sqrt((v58 + (v43 * v43))) / v46)));
+            v69.push((weight * v68));
           }
-          v74 = (math.fsum(v74) * v33);
-          v76 = (v9 * v74);
+          v69 = (math.fsum(v69) * v33);
+          v71 = (v16 * v69);
         } else {
-          v76 = 0.0;
+          v71 = 0.0;
         }
-        value = (0.6366197723675814 * v76);
-        return value;
+        return ((-0.6366197723675814) * v71);
       }
-      if (v34) {
-        return ((v4 * v4) / (2.0 * R));
-      }
-      return 0.0;
+      return (-((x > b) ? ((x - b) / R) : 0.0));
     }
     return NaN;
   }
-  return NaN;
+  return _slope_of_rounded_punch(x, a, R, b);
+};
+
+const slope = (x, a, R, b) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, R, b) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const depth_beyond = math.in_groups((growth, L, a, b) => {
+  let edge, far, integrand, place, stop;
+  [edge, far] = [difference_root(a, b), difference_root(L, a)];
+  [stop, place] = _beyond(L, edge, far, b);
+  integrand = (v) => {
+    let narrowed, root, stretch, t;
+    [t, root, narrowed, stretch] = place(v);
+    return (((growth(t, root) * stretch) * narrowed) * Math.asinh(((far * narrowed) / t)));
+  };
+  return [integrand, stop, edge, (a > b), 0.0];
+});
+
+const _profile = (x, R, b) => {
+  return math.where((x > b), (Math.pow((x - b), 2) / (2 * R)), 0.0);
+};
+
+const _depth_of_rounded_punch = (L, a, R, b) => {
+  let beyond, value;
+  beyond = depth_beyond(_growth_beyond, [R, b], L, a, b);
+  value = ((2 / Math.PI) * beyond);
+  value = math.where((a < L), value, _profile(a, R, b));
+  return math.where((a >= b), math.where((a <= L), value, NaN), NaN);
+};
+
+const _depth = (L, a, R, b) => {
+  let node, v10, v14, v15, v16, v18, v22, v26, v29, v32, v33, v34, v35, v4, v43, v44, v46, v48, v50, v51, v54, v56, v58, v73, v74, v76, v9, weight;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((a <= L)) {
+        v4 = (a - b);
+        v34 = (a > b);
+        if ((a < L)) {
+          if (v34) {
+            v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (a + b)));
+            v10 = (L - a);
+            v14 = Math.sqrt(((((v10 > 0.0) || (v10 !== v10)) ? v10 : 0.0) * (L + a)));
+            v15 = (b / L);
+            v16 = (v9 / v14);
+            v18 = Math.asinh((v16 / v15));
+            v22 = Math.sqrt((1.0 + (v16 * v16)));
+            v26 = (0.0 - Math.expm1(((-2.0) * v18)));
+            v29 = ((v26 > 0.0) ? v26 : Infinity);
+            v32 = (42.0 + Math.asinh(v16));
+            v33 = (((v18 < v32) || (v18 !== v18)) ? v18 : v32);
+            v51 = (b * b);
+            v56 = (v15 / v16);
+            v58 = (v56 * v56);
+            v74 = [];
+            for ([node, weight] of RULE_0((v33 / 1.0))) {
+              v35 = (node * v33);
+              v43 = ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v18 - v35))))) / v29);
+              v44 = (v16 * v43);
+              v46 = (1.0 + (v44 * v44));
+              v48 = (v22 / Math.sqrt(v46));
+              v50 = ((v9 * v43) * v48);
+              v54 = Math.sqrt((v51 + (v50 * v50)));
+              v73 = (((((v54 * Math.atan((v50 / b))) / R) * ((v50 / v54) * (Math.sqrt((v58 + (v43 * v43))) / v46))) * v48) * Math.asinh(((v14 * v48) / v54)));
+              v74.push((weight * v73));
+            }
+            v74 = (math.fsum(v74) * v33);
+            v76 = (v9 * v74);
+          } else {
+            v76 = 0.0;
+          }
+          return (0.6366197723675814 * v76);
+        }
+        if (v34) {
+          return ((v4 * v4) / (2.0 * R));
+        }
+        return 0.0;
+      }
+      return NaN;
+    }
+    return NaN;
+  }
+  return _depth_of_rounded_punch(L, a, R, b);
+};
+
+const depth = (L, a, R, b) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, R, b) : NaN);
 };
 
 const RULE_0_of_rounded_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const _load_at = (root, R, b, E_star) => {
+const _load_at_of_rounded_punch = (root, R, b, E_star) => {
   let node, v11, v14, v16, v17, v26, v27, v35, v36, v5, weight;
   v5 = Math.asinh((root / b));
   v11 = (0.0 - Math.expm1(((-2.0) * v5)));
@@ -318,7 +547,7 @@ const _load_at = (root, R, b, E_star) => {
   return (E_star * v36);
 };
 
-const _growth_beyond = (t, root, R, b) => {
+const _growth_beyond_of_rounded_punch = (t, root, R, b) => {
   return ((t * Math.atan((root / b))) / R);
 };
 
@@ -433,17 +662,18 @@ const _half_width_from_load = (P, R, b, E_star) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _load_at(root, R, b, E_star);
-    return [value, (((((E_star * root) * root) / a) * _growth_beyond(a, root, R, b)) / value)];
+    value = _load_at_of_rounded_punch(root, R, b, E_star);
+    return [value, (((((E_star * root) * root) / a) * _growth_beyond_of_rounded_punch(a, root, R, b)) / value)];
   };
   t = inverse(curve, P, math.ones_like(P), [2.0, 3.0]);
   return (b * Math.sqrt((1.0 + (t * t))));
 };
 
 const half_width_from_load = (P, R, b, E_star) => {
-  let value;
-  value = _half_width_from_load(P, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, R, b, E_star) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,170 +159,6 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const load = (a, theta, b, E_star) => {
-  let v12, v17, v6;
-  v6 = Math.tan(theta);
-  v12 = (a * a);
-  if ((a < b)) {
-    return ((((3.141592653589793 * E_star) * v6) / (4.0 * b)) * v12);
-  }
-  v17 = Math.sqrt(((a - b) * (a + b)));
-  return (((E_star * v6) * (v17 + ((v12 * Math.atan((b / v17))) / b))) / 2.0);
-};
-
-const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
-
-const pressure = (x, a, theta, b, E_star) => {
-  let node, v10, v19, v20, v24, v28, v29, v34, v41, v42, v43, v48, v5, v50, v53, v63, v64, v67, v70, v74, v75, v76, value, weight;
-  if ((x < a)) {
-    v5 = (((a < b) || (a !== a)) ? a : b);
-    v10 = Math.tan(theta);
-    v19 = ((x === b) ? math.nextafter(b, Infinity) : x);
-    if ((a > (((v19 > b) || (v19 !== v19)) ? v19 : b))) {
-      v20 = (v19 < b);
-      v24 = (a - b);
-      v28 = Math.sqrt(((((v24 > 0.0) || (v24 !== v24)) ? v24 : 0.0) * (a + b)));
-      if (v20) {
-        v34 = v28;
-      } else {
-        v29 = (a - v19);
-        v34 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (a + v19)));
-      }
-      v41 = Math.asinh((v34 / Math.sqrt((Math.abs((v19 - b)) * (v19 + b)))));
-      v42 = (2.0 * (v20 ? 0.0 : 1.0));
-      v43 = (1.0 - v42);
-      v48 = (v42 - (v43 * Math.expm1(((-2.0) * v41))));
-      v50 = ((v48 > 0.0) ? v48 : Infinity);
-      v64 = (b * b);
-      v70 = (v10 / b);
-      v75 = [];
-      for ([node, weight] of RULE_0((v41 / 1.0))) {
-        v53 = (node * v41);
-        v63 = (v28 * ((Math.exp((-v53)) * (v42 - (v43 * Math.expm1(((-2.0) * (v41 - v53)))))) / v50));
-        v67 = Math.sqrt((v64 + (v63 * v63)));
-        v74 = ((((v70 * v67) * Math.atan((b / v63))) * v63) / v67);
-        v75.push((weight * v74));
-      }
-      v75 = (math.fsum(v75) * v41);
-      v76 = v75;
-    } else {
-      v76 = 0.0;
-    }
-    value = (((x < v5) ? (((E_star * v10) / (2.0 * b)) * Math.sqrt(((v5 - x) * (v5 + x)))) : 0.0) + ((E_star / 3.141592653589793) * v76));
-    return value;
-  }
-  return 0.0;
-};
-
-const slope = (x, a, theta, b) => {
-  let node, v10, v17, v22, v23, v28, v29, v31, v35, v39, v4, v42, v45, v46, v48, v56, v57, v59, v63, v64, v67, v69, v70, v78, v81, v82, v84, value, weight;
-  v10 = Math.tan(theta);
-  v78 = (v10 / b);
-  if ((x > a)) {
-    v4 = (((a < b) || (a !== a)) ? a : b);
-    if ((a > b)) {
-      v17 = (a - b);
-      v22 = Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (a + b)));
-      v23 = (x - a);
-      v28 = (b / x);
-      v29 = (v22 / Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (x + a))));
-      v31 = Math.asinh((v29 / v28));
-      v35 = Math.sqrt((1.0 + (v29 * v29)));
-      v39 = (0.0 - Math.expm1(((-2.0) * v31)));
-      v42 = ((v39 > 0.0) ? v39 : Infinity);
-      v45 = (42.0 + Math.asinh(v29));
-      v46 = (((v31 < v45) || (v31 !== v31)) ? v31 : v45);
-      v64 = (b * b);
-      v69 = (v28 / v29);
-      v70 = (v69 * v69);
-      v82 = [];
-      for ([node, weight] of RULE_0((v46 / 1.0))) {
-        v48 = (node * v46);
-        v56 = ((Math.exp((-v48)) * (0.0 - Math.expm1(((-2.0) * (v31 - v48))))) / v42);
-        v57 = (v29 * v56);
-        v59 = (1.0 + (v57 * v57));
-        v63 = ((v22 * v56) * (v35 / Math.sqrt(v59)));
-        v67 = Math.sqrt((v64 + (v63 * v63)));
-        v81 = (((v78 * v67) * Math.atan((b / v63))) * ((v63 / v67) * (Math.sqrt((v70 + (v56 * v56))) / v59)));
-        v82.push((weight * v81));
-      }
-      v82 = (math.fsum(v82) * v46);
-      v84 = (v29 * v82);
-    } else {
-      v84 = 0.0;
-    }
-    value = ((((-v10) * (v4 * v4)) / (b * (Math.sqrt(((x - v4) * (v4 + x))) + x))) - (0.6366197723675814 * v84));
-    return value;
-  }
-  return (-((x > b) ? v10 : (v78 * x)));
-};
-
-const depth = (L, a, theta, b) => {
-  let node, v12, v22, v27, v28, v32, v33, v34, v36, v4, v40, v44, v47, v5, v50, v51, v52, v53, v61, v62, v64, v66, v68, v69, v72, v74, v75, v8, v83, v9, v91, v92, v94, value, weight;
-  if ((a <= L)) {
-    if ((a > 0.0)) {
-      v9 = Math.tan(theta);
-      v12 = (v9 / (2.0 * b));
-      v52 = (a > b);
-      if ((a < L)) {
-        v4 = (((a < b) || (a !== a)) ? a : b);
-        v5 = (L - v4);
-        v8 = Math.sqrt((v5 * (v4 + L)));
-        if (v52) {
-          v22 = (a - b);
-          v27 = Math.sqrt(((((v22 > 0.0) || (v22 !== v22)) ? v22 : 0.0) * (a + b)));
-          v28 = (L - a);
-          v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (L + a)));
-          v33 = (b / L);
-          v34 = (v27 / v32);
-          v36 = Math.asinh((v34 / v33));
-          v40 = Math.sqrt((1.0 + (v34 * v34)));
-          v44 = (0.0 - Math.expm1(((-2.0) * v36)));
-          v47 = ((v44 > 0.0) ? v44 : Infinity);
-          v50 = (42.0 + Math.asinh(v34));
-          v51 = (((v36 < v50) || (v36 !== v36)) ? v36 : v50);
-          v69 = (b * b);
-          v74 = (v33 / v34);
-          v75 = (v74 * v74);
-          v83 = (v9 / b);
-          v92 = [];
-          for ([node, weight] of RULE_0((v51 / 1.0))) {
-            v53 = (node * v51);
-            v61 = ((Math.exp((-v53)) * (0.0 - Math.expm1(((-2.0) * (v36 - v53))))) / v47);
-            v62 = (v34 * v61);
-            v64 = (1.0 + (v62 * v62));
-            v66 = (v40 / Math.sqrt(v64));
-            v68 = ((v27 * v61) * v66);
-            v72 = Math.sqrt((v69 + (v68 * v68)));
-            v91 = (((((v83 * v72) * Math.atan((b / v68))) * ((v68 / v72) * (Math.sqrt((v75 + (v61 * v61))) / v64))) * v66) * Math.asinh(((v32 * v66) / v72)));
-            v92.push((weight * v91));
-          }
-          v92 = (math.fsum(v92) * v51);
-          v94 = (v27 * v92);
-        } else {
-          v94 = 0.0;
-        }
-        value = (((v12 * (v4 * v4)) * ((L / (v8 + L)) + Math.log1p(((v5 + v8) / v4)))) + (0.6366197723675814 * v94));
-        return value;
-      }
-      if (v52) {
-        return (v9 * (a - (b / 2.0)));
-      }
-      return (v12 * (a * a));
-    }
-    return 0.0;
-  }
-  return NaN;
-};
-
-const _growth = (t, theta, b) => {
-  return (((3.141592653589793 * Math.tan(theta)) / (2.0 * b)) * t);
-};
-
-const _growth_beyond = (t, root, theta, b) => {
-  return (((Math.tan(theta) / b) * t) * Math.atan((b / root)));
-};
-
 const _load = (a, theta, b, E_star) => {
   let v12, v17, v6;
   v6 = Math.tan(theta);
@@ -308,6 +168,328 @@ const _load = (a, theta, b, E_star) => {
   }
   v17 = math.sqrt(((a - b) * (a + b)));
   return (((E_star * v6) * (v17 + ((v12 * Math.atan((b / v17))) / b))) / 2.0);
+};
+
+const load = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _load(a, theta, b, E_star) : NaN);
+};
+
+const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const _growth_beyond = (t, root, theta, b) => {
+  let angle;
+  angle = Math.atan((b / root));
+  return (((Math.tan(theta) / b) * t) * angle);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_rounded_wedge = (x, a, theta, b, E_star) => {
+  let beyond, inner, root, tip, value;
+  inner = math.minimum(a, b);
+  root = Math.sqrt(((inner - x) * (inner + x)));
+  tip = (((E_star * Math.tan(theta)) / (2 * b)) * root);
+  beyond = pressure_integral_beyond(_growth_beyond, [theta, b], x, a, b);
+  value = (math.where((x < inner), tip, 0.0) + ((E_star / Math.PI) * beyond));
+  return math.where((x < a), value, 0.0);
+};
+
+const _pressure = (x, a, theta, b, E_star) => {
+  let node, v10, v19, v20, v24, v28, v29, v34, v41, v42, v43, v48, v5, v50, v53, v63, v64, v67, v70, v74, v75, v76, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((x < a)) {
+      v5 = (((a < b) || (a !== a)) ? a : b);
+      v10 = Math.tan(theta);
+      v19 = ((x === b) ? math.nextafter(b, Infinity) : x);
+      if ((a > (((v19 > b) || (v19 !== v19)) ? v19 : b))) {
+        v20 = (v19 < b);
+        v24 = (a - b);
+        v28 = Math.sqrt(((((v24 > 0.0) || (v24 !== v24)) ? v24 : 0.0) * (a + b)));
+        if (v20) {
+          v34 = v28;
+        } else {
+          v29 = (a - v19);
+          v34 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (a + v19)));
+        }
+        v41 = Math.asinh((v34 / Math.sqrt((Math.abs((v19 - b)) * (v19 + b)))));
+        v42 = (2.0 * (v20 ? 0.0 : 1.0));
+        v43 = (1.0 - v42);
+        v48 = (v42 - (v43 * Math.expm1(((-2.0) * v41))));
+        v50 = ((v48 > 0.0) ? v48 : Infinity);
+        v64 = (b * b);
+        v70 = (v10 / b);
+        v75 = [];
+        for ([node, weight] of RULE_0((v41 / 1.0))) {
+          v53 = (node * v41);
+          v63 = (v28 * ((Math.exp((-v53)) * (v42 - (v43 * Math.expm1(((-2.0) * (v41 - v53)))))) / v50));
+          v67 = Math.sqrt((v64 + (v63 * v63)));
+          v74 = ((((v70 * v67) * Math.atan((b / v63))) * v63) / v67);
+          v75.push((weight * v74));
+        }
+        v75 = (math.fsum(v75) * v41);
+        v76 = v75;
+      } else {
+        v76 = 0.0;
+      }
+      return (((x < v5) ? (((E_star * v10) / (2.0 * b)) * Math.sqrt(((v5 - x) * (v5 + x)))) : 0.0) + ((E_star / 3.141592653589793) * v76));
+    }
+    return 0.0;
+  }
+  return _pressure_of_rounded_wedge(x, a, theta, b, E_star);
+};
+
+const pressure = (x, a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, theta, b, E_star) : 0.0) : NaN);
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const FADED = 42.0;
+
+const _beyond = (x, edge, far, b) => {
+  let end, fallen, place, ratio, stop, widest;
+  [ratio, end] = [(b / x), (edge / far)];
+  [stop, widest] = [Math.asinh((end / ratio)), Math.sqrt((1.0 + (end * end)))];
+  fallen = falling_of_rules(stop);
+  stop = math.minimum(stop, (FADED + Math.asinh(end)));
+  place = (v) => {
+    let narrowed, part, root, square, t;
+    part = fallen(v);
+    square = (1.0 + ((end * part) * (end * part)));
+    narrowed = (widest / Math.sqrt(square));
+    root = ((edge * part) * narrowed);
+    t = Math.sqrt(((b * b) + (root * root)));
+    return [t, root, narrowed, ((root / t) * (Math.sqrt((Math.pow((ratio / end), 2) + (part * part))) / square))];
+  };
+  return [stop, place];
+};
+
+const slope_beyond = math.in_groups((growth, x, a, b) => {
+  let edge, far, integrand, place, stop;
+  [edge, far] = [difference_root(a, b), difference_root(x, a)];
+  [stop, place] = _beyond(x, edge, far, b);
+  integrand = (v) => {
+    let _, root, stretch, t;
+    [t, root, _, stretch] = place(v);
+    return (growth(t, root) * stretch);
+  };
+  return [integrand, stop, (edge / far), (a > b), 0.0];
+});
+
+const _profile_slope = (x, theta, b) => {
+  return math.where((x > b), Math.tan(theta), ((Math.tan(theta) / b) * x));
+};
+
+const _slope_of_rounded_wedge = (x, a, theta, b) => {
+  let beyond, conjugate, inner, root, tip, value;
+  inner = math.minimum(a, b);
+  root = Math.sqrt(((x - inner) * (inner + x)));
+  conjugate = (root + x);
+  tip = (((-Math.tan(theta)) * Math.pow(inner, 2)) / (b * conjugate));
+  beyond = slope_beyond(_growth_beyond, [theta, b], x, a, b);
+  value = (tip - ((2 / Math.PI) * beyond));
+  return math.where((x > a), value, (-_profile_slope(x, theta, b)));
+};
+
+const _slope = (x, a, theta, b) => {
+  let node, v10, v17, v22, v23, v28, v29, v31, v35, v39, v4, v42, v45, v46, v48, v56, v57, v59, v63, v64, v67, v69, v70, v78, v81, v82, v84, weight;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    v10 = Math.tan(theta);
+    v78 = (v10 / b);
+    if ((x > a)) {
+      v4 = (((a < b) || (a !== a)) ? a : b);
+      if ((a > b)) {
+        v17 = (a - b);
+        v22 = Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (a + b)));
+        v23 = (x - a);
+        v28 = (b / x);
+        v29 = (v22 / Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (x + a))));
+        v31 = Math.asinh((v29 / v28));
+        v35 = Math.sqrt((1.0 + (v29 * v29)));
+        v39 = (0.0 - Math.expm1(((-2.0) * v31)));
+        v42 = ((v39 > 0.0) ? v39 : Infinity);
+        v45 = (42.0 + Math.asinh(v29));
+        v46 = (((v31 < v45) || (v31 !== v31)) ? v31 : v45);
+        v64 = (b * b);
+        v69 = (v28 / v29);
+        v70 = (v69 * v69);
+        v82 = [];
+        for ([node, weight] of RULE_0((v46 / 1.0))) {
+          v48 = (node * v46);
+          v56 = ((Math.exp((-v48)) * (0.0 - Math.expm1(((-2.0) * (v31 - v48))))) / v42);
+          v57 = (v29 * v56);
+          v59 = (1.0 + (v57 * v57));
+          v63 = ((v22 * v56) * (v35 / Math.sqrt(v59)));
+          v67 = Math.sqrt((v64 + (v63 * v63)));
+          v81 = (((v78 * v67) * Math.atan((b / v63))) * ((v63 / v67) * (Math.sqrt((v70 + (v56 * v56))) / v59)));
+          v82.push((weight * v81));
+        }
+        v82 = (math.fsum(v82) * v46);
+        v84 = (v29 * v82);
+      } else {
+        v84 = 0.0;
+      }
+      return ((((-v10) * (v4 * v4)) / (b * (Math.sqrt(((x - v4) * (v4 + x))) + x))) - (0.6366197723675814 * v84));
+    }
+    return (-((x > b) ? v10 : (v78 * x)));
+  }
+  return _slope_of_rounded_wedge(x, a, theta, b);
+};
+
+const slope = (x, a, theta, b) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, theta, b) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const depth_beyond = math.in_groups((growth, L, a, b) => {
+  let edge, far, integrand, place, stop;
+  [edge, far] = [difference_root(a, b), difference_root(L, a)];
+  [stop, place] = _beyond(L, edge, far, b);
+  integrand = (v) => {
+    let narrowed, root, stretch, t;
+    [t, root, narrowed, stretch] = place(v);
+    return (((growth(t, root) * stretch) * narrowed) * Math.asinh(((far * narrowed) / t)));
+  };
+  return [integrand, stop, edge, (a > b), 0.0];
+});
+
+const _profile = (x, theta, b) => {
+  return math.where((x > b), (Math.tan(theta) * (x - (b / 2))), ((Math.tan(theta) / (2 * b)) * Math.pow(x, 2)));
+};
+
+const _depth_of_rounded_wedge = (L, a, theta, b) => {
+  let beyond, inner, root, tip, value;
+  inner = math.minimum(a, b);
+  root = Math.sqrt(((L - inner) * (inner + L)));
+  tip = (((Math.tan(theta) / (2 * b)) * Math.pow(inner, 2)) * ((L / (root + L)) + Math.log1p((((L - inner) + root) / inner))));
+  beyond = depth_beyond(_growth_beyond, [theta, b], L, a, b);
+  value = (tip + ((2 / Math.PI) * beyond));
+  value = math.where((a < L), value, _profile(a, theta, b));
+  value = math.where((a > 0.0), value, 0.0);
+  return math.where((a <= L), value, NaN);
+};
+
+const _depth = (L, a, theta, b) => {
+  let node, v12, v22, v27, v28, v32, v33, v34, v36, v4, v40, v44, v47, v5, v50, v51, v52, v53, v61, v62, v64, v66, v68, v69, v72, v74, v75, v8, v83, v9, v91, v92, v94, weight;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    if ((a <= L)) {
+      if ((a > 0.0)) {
+        v9 = Math.tan(theta);
+        v12 = (v9 / (2.0 * b));
+        v52 = (a > b);
+        if ((a < L)) {
+          v4 = (((a < b) || (a !== a)) ? a : b);
+          v5 = (L - v4);
+          v8 = Math.sqrt((v5 * (v4 + L)));
+          if (v52) {
+            v22 = (a - b);
+            v27 = Math.sqrt(((((v22 > 0.0) || (v22 !== v22)) ? v22 : 0.0) * (a + b)));
+            v28 = (L - a);
+            v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (L + a)));
+            v33 = (b / L);
+            v34 = (v27 / v32);
+            v36 = Math.asinh((v34 / v33));
+            v40 = Math.sqrt((1.0 + (v34 * v34)));
+            v44 = (0.0 - Math.expm1(((-2.0) * v36)));
+            v47 = ((v44 > 0.0) ? v44 : Infinity);
+            v50 = (42.0 + Math.asinh(v34));
+            v51 = (((v36 < v50) || (v36 !== v36)) ? v36 : v50);
+            v69 = (b * b);
+            v74 = (v33 / v34);
+            v75 = (v74 * v74);
+            v83 = (v9 / b);
+            v92 = [];
+            for ([node, weight] of RULE_0((v51 / 1.0))) {
+              v53 = (node * v51);
+              v61 = ((Math.exp((-v53)) * (0.0 - Math.expm1(((-2.0) * (v36 - v53))))) / v47);
+              v62 = (v34 * v61);
+              v64 = (1.0 + (v62 * v62));
+              v66 = (v40 / Math.sqrt(v64));
+              v68 = ((v27 * v61) * v66);
+              v72 = Math.sqrt((v69 + (v68 * v68)));
+              v91 = (((((v83 * v72) * Math.atan((b / v68))) * ((v68 / v72) * (Math.sqrt((v75 + (v61 * v61))) / v64))) * v66) * Math.asinh(((v32 * v66) / v72)));
+              v92.push((weight * v91));
+            }
+            v92 = (math.fsum(v92) * v51);
+            v94 = (v27 * v92);
+          } else {
+            v94 = 0.0;
+          }
+          return (((v12 * (v4 * v4)) * ((L / (v8 + L)) + Math.log1p(((v5 + v8) / v4)))) + (0.6366197723675814 * v94));
+        }
+        if (v52) {
+          return (v9 * (a - (b / 2.0)));
+        }
+        return (v12 * (a * a));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _depth_of_rounded_wedge(L, a, theta, b);
+};
+
+const depth = (L, a, theta, b) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, theta, b) : NaN);
+};
+
+const _growth = (t, theta, b) => {
+  return (((3.141592653589793 * Math.tan(theta)) / (2.0 * b)) * t);
+};
+
+const _growth_beyond_of_rounded_wedge = (t, root, theta, b) => {
+  return (((Math.tan(theta) / b) * t) * Math.atan((b / root)));
 };
 
 const _missed = (value, y) => {
@@ -421,7 +603,7 @@ const _half_width_from_load = (P, theta, b, E_star) => {
   curve = (a) => {
     let growth, root, value;
     root = Math.sqrt(((a - b) * (a + b)));
-    growth = ((a < b) ? _growth(a, theta, b) : _growth_beyond(a, root, theta, b));
+    growth = ((a < b) ? _growth(a, theta, b) : _growth_beyond_of_rounded_wedge(a, root, theta, b));
     value = _load(a, theta, b, E_star);
     return [value, (((E_star * a) * growth) / value)];
   };
@@ -429,9 +611,10 @@ const _half_width_from_load = (P, theta, b, E_star) => {
 };
 
 const half_width_from_load = (P, theta, b, E_star) => {
-  let value;
-  value = _half_width_from_load(P, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, theta, b, E_star) : NaN);
 };
 
 const formulas = {

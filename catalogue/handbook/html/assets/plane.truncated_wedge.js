@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,112 +159,286 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
+const _load_of_truncated_wedge = (a, theta, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return ((E_star * Math.tan(theta)) * root);
+};
+
+const _load = (a, theta, b, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    return ((E_star * Math.tan(theta)) * Math.sqrt(((a - b) * (a + b))));
+  }
+  return _load_of_truncated_wedge(a, theta, b, E_star);
+};
+
 const load = (a, theta, b, E_star) => {
-  return ((E_star * Math.tan(theta)) * Math.sqrt(((a - b) * (a + b))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _load(a, theta, b, E_star) : NaN);
+};
+
+const _pressure_of_truncated_wedge = (x, a, theta, b, E_star) => {
+  let above, below, root, root_ax, root_bx, root_xb, value;
+  root = Math.sqrt(((a - b) * (a + b)));
+  root_bx = Math.sqrt(((b - x) * (x + b)));
+  below = (((E_star * Math.tan(theta)) / Math.PI) * Math.asinh((root / root_bx)));
+  root_ax = Math.sqrt(((a - x) * (a + x)));
+  root_xb = Math.sqrt(((x - b) * (x + b)));
+  above = (((E_star * Math.tan(theta)) / Math.PI) * Math.asinh((root_ax / root_xb)));
+  value = math.where((x < b), below, above);
+  return math.where((a >= b), math.where((x < a), value, 0.0), NaN);
+};
+
+const _pressure = (x, a, theta, b, E_star) => {
+  let v10, v16;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((x < a)) {
+        v10 = (x + b);
+        v16 = ((E_star * Math.tan(theta)) / 3.141592653589793);
+        if ((x < b)) {
+          return (v16 * Math.asinh((Math.sqrt(((a - b) * (a + b))) / Math.sqrt(((b - x) * v10)))));
+        }
+        return (v16 * Math.asinh((Math.sqrt(((a - x) * (a + x))) / Math.sqrt(((x - b) * v10)))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _pressure_of_truncated_wedge(x, a, theta, b, E_star);
 };
 
 const pressure = (x, a, theta, b, E_star) => {
-  let v10, v16;
-  if ((a >= b)) {
-    if ((x < a)) {
-      v10 = (x + b);
-      v16 = ((E_star * Math.tan(theta)) / 3.141592653589793);
-      if ((x < b)) {
-        return (v16 * Math.asinh((Math.sqrt(((a - b) * (a + b))) / Math.sqrt(((b - x) * v10)))));
-      }
-      return (v16 * Math.asinh((Math.sqrt(((a - x) * (a + x))) / Math.sqrt(((x - b) * v10)))));
-    }
-    return 0.0;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, theta, b, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, theta, b) => {
+  return math.where((x > b), Math.tan(theta), 0.0);
+};
+
+const _slope_of_truncated_wedge = (x, a, theta, b) => {
+  let root, root_xa, value;
+  root = Math.sqrt(((a - b) * (a + b)));
+  root_xa = Math.sqrt(((x - a) * (a + x)));
+  value = ((((-2) * Math.tan(theta)) / Math.PI) * Math.atan2(root, root_xa));
+  return math.where((a >= b), math.where((x > a), value, (-_profile_slope(x, theta, b))), NaN);
+};
+
+const _slope = (x, a, theta, b) => {
+  let v12;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v12 = Math.tan(theta);
+      if ((x > a)) {
+        return ((((-2.0) * v12) / 3.141592653589793) * Math.atan2(Math.sqrt(((a - b) * (a + b))), Math.sqrt(((x - a) * (a + x)))));
+      }
+      return (-((x > b) ? v12 : 0.0));
+    }
+    return NaN;
+  }
+  return _slope_of_truncated_wedge(x, a, theta, b);
 };
 
 const slope = (x, a, theta, b) => {
-  let v12;
-  if ((a >= b)) {
-    v12 = Math.tan(theta);
-    if ((x > a)) {
-      return ((((-2.0) * v12) / 3.141592653589793) * Math.atan2(Math.sqrt(((a - b) * (a + b))), Math.sqrt(((x - a) * (a + x)))));
-    }
-    return (-((x > b) ? v12 : 0.0));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, theta, b) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const depth = (L, a, theta, b) => {
-  let node, v10, v12, v13, v17, v18, v19, v21, v25, v29, v32, v35, v36, v37, v38, v46, v47, v49, v51, v53, v54, v57, v59, v61, v67, v69, v7, v79, v80, v82, v89, v90, v96, v98, value, weight;
-  v7 = (a - b);
-  v10 = (a + b);
-  v13 = (L - a);
-  v67 = Math.tan(theta);
-  v89 = (a >= b);
-  v90 = (a <= L);
-  if ((a < (128.0 * b))) {
+const _growth_beyond = (t, root, theta, b) => {
+  return ((Math.tan(theta) * Math.sqrt((Math.pow(root, 2) + Math.pow(b, 2)))) / root);
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const FADED = 42.0;
+
+const _beyond = (x, edge, far, b) => {
+  let end, fallen, place, ratio, stop, widest;
+  [ratio, end] = [(b / x), (edge / far)];
+  [stop, widest] = [Math.asinh((end / ratio)), Math.sqrt((1.0 + (end * end)))];
+  fallen = falling(stop);
+  stop = math.minimum(stop, (FADED + Math.asinh(end)));
+  place = (v) => {
+    let narrowed, part, root, square, t;
+    part = fallen(v);
+    square = (1.0 + ((end * part) * (end * part)));
+    narrowed = (widest / Math.sqrt(square));
+    root = ((edge * part) * narrowed);
+    t = Math.sqrt(((b * b) + (root * root)));
+    return [t, root, narrowed, ((root / t) * (Math.sqrt((Math.pow((ratio / end), 2) + (part * part))) / square))];
+  };
+  return [stop, place];
+};
+
+const depth_beyond = math.in_groups((growth, L, a, b) => {
+  let edge, far, integrand, place, stop;
+  [edge, far] = [difference_root(a, b), difference_root(L, a)];
+  [stop, place] = _beyond(L, edge, far, b);
+  integrand = (v) => {
+    let narrowed, root, stretch, t;
+    [t, root, narrowed, stretch] = place(v);
+    return (((growth(t, root) * stretch) * narrowed) * Math.asinh(((far * narrowed) / t)));
+  };
+  return [integrand, stop, edge, (a > b), 0.0];
+});
+
+const _profile = (x, theta, b) => {
+  return math.where((x > b), (Math.tan(theta) * (x - b)), 0.0);
+};
+
+const _depth_below = (L, a, theta, b) => {
+  let beyond, value;
+  beyond = depth_beyond(_growth_beyond, [theta, b], L, a, b);
+  value = ((2 / Math.PI) * beyond);
+  value = math.where((a < L), value, _profile(a, theta, b));
+  return math.where((a >= b), math.where((a <= L), value, NaN), NaN);
+};
+
+const _depth_above = (L, a, theta, b) => {
+  let angle, angle_1, root, root_ab, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  root_ab = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root_ab / root));
+  angle_1 = Math.atan(((L * root_ab) / (b * root)));
+  value = (((2 * Math.tan(theta)) / Math.PI) * (((Math.asinh((root / a)) * root_ab) + (L * angle)) - (b * angle_1)));
+  return math.where((a >= b), math.where((a <= L), value, NaN), NaN);
+};
+
+const _depth_of_truncated_wedge = (L, a, theta, b) => {
+  return math.where((a < (128.0 * b)), _depth_below(L, a, theta, b), _depth_above(L, a, theta, b));
+};
+
+const _depth = (L, a, theta, b) => {
+  let node, v10, v12, v13, v17, v18, v19, v21, v25, v29, v32, v35, v36, v37, v38, v46, v47, v49, v51, v53, v54, v57, v59, v61, v67, v69, v7, v79, v80, v82, v89, v90, v96, v98, weight;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    v7 = (a - b);
+    v10 = (a + b);
+    v13 = (L - a);
+    v67 = Math.tan(theta);
+    v89 = (a >= b);
+    v90 = (a <= L);
+    if ((a < (128.0 * b))) {
+      if (v89) {
+        if (v90) {
+          v37 = (a > b);
+          if ((a < L)) {
+            if (v37) {
+              v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v10));
+              v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (L + a)));
+              v18 = (b / L);
+              v19 = (v12 / v17);
+              v21 = Math.asinh((v19 / v18));
+              v25 = Math.sqrt((1.0 + (v19 * v19)));
+              v29 = (0.0 - Math.expm1(((-2.0) * v21)));
+              v32 = ((v29 > 0.0) ? v29 : Infinity);
+              v35 = (42.0 + Math.asinh(v19));
+              v36 = (((v21 < v35) || (v21 !== v21)) ? v21 : v35);
+              v54 = (b * b);
+              v59 = (v18 / v19);
+              v61 = (v59 * v59);
+              v69 = (b * b);
+              v80 = [];
+              for ([node, weight] of RULE_0((v36 / 1.0))) {
+                v38 = (node * v36);
+                v46 = ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v21 - v38))))) / v32);
+                v47 = (v19 * v46);
+                v49 = (1.0 + (v47 * v47));
+                v51 = (v25 / Math.sqrt(v49));
+                v53 = ((v12 * v46) * v51);
+                v57 = Math.sqrt((v54 + (v53 * v53)));
+                v79 = (((((v67 * Math.sqrt(((v53 * v53) + v69))) / v53) * ((v53 / v57) * (Math.sqrt((v61 + (v46 * v46))) / v49))) * v51) * Math.asinh(((v17 * v51) / v57)));
+                v80.push((weight * v79));
+              }
+              v80 = (math.fsum(v80) * v36);
+              v82 = (v12 * v80);
+            } else {
+              v82 = 0.0;
+            }
+            return (0.6366197723675814 * v82);
+          }
+          if (v37) {
+            return (v67 * v7);
+          }
+          return 0.0;
+        }
+        return NaN;
+      }
+      return NaN;
+    }
     if (v89) {
       if (v90) {
-        v37 = (a > b);
-        if ((a < L)) {
-          if (v37) {
-            v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v10));
-            v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (L + a)));
-            v18 = (b / L);
-            v19 = (v12 / v17);
-            v21 = Math.asinh((v19 / v18));
-            v25 = Math.sqrt((1.0 + (v19 * v19)));
-            v29 = (0.0 - Math.expm1(((-2.0) * v21)));
-            v32 = ((v29 > 0.0) ? v29 : Infinity);
-            v35 = (42.0 + Math.asinh(v19));
-            v36 = (((v21 < v35) || (v21 !== v21)) ? v21 : v35);
-            v54 = (b * b);
-            v59 = (v18 / v19);
-            v61 = (v59 * v59);
-            v69 = (b * b);
-            v80 = [];
-            for ([node, weight] of RULE_0((v36 / 1.0))) {
-              v38 = (node * v36);
-              v46 = ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v21 - v38))))) / v32);
-              v47 = (v19 * v46);
-              v49 = (1.0 + (v47 * v47));
-              v51 = (v25 / Math.sqrt(v49));
-              v53 = ((v12 * v46) * v51);
-              v57 = Math.sqrt((v54 + (v53 * v53)));
-              v79 = (((((v67 * Math.sqrt(((v53 * v53) + v69))) / v53) * ((v53 / v57) * (Math.sqrt((v61 + (v46 * v46))) / v49))) * v51) * Math.asinh(((v17 * v51) / v57)));
-              v80.push((weight * v79));
-            }
-            v80 = (math.fsum(v80) * v36);
-            v82 = (v12 * v80);
-          } else {
-            v82 = 0.0;
-          }
-          value = (0.6366197723675814 * v82);
-          return value;
-        }
-        if (v37) {
-          return (v67 * v7);
-        }
-        return 0.0;
+        v96 = Math.sqrt((v13 * (a + L)));
+        v98 = Math.sqrt((v7 * v10));
+        return (((2.0 * v67) / 3.141592653589793) * (((Math.asinh((v96 / a)) * v98) + (L * Math.atan((v98 / v96)))) - (b * Math.atan(((L * v98) / (b * v96))))));
       }
       return NaN;
     }
     return NaN;
   }
-  if (v89) {
-    if (v90) {
-      v96 = Math.sqrt((v13 * (a + L)));
-      v98 = Math.sqrt((v7 * v10));
-      return (((2.0 * v67) / 3.141592653589793) * (((Math.asinh((v96 / a)) * v98) + (L * Math.atan((v98 / v96)))) - (b * Math.atan(((L * v98) / (b * v96))))));
-    }
+  return _depth_of_truncated_wedge(L, a, theta, b);
+};
+
+const depth = (L, a, theta, b) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
     return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, theta, b) : NaN);
+};
+
+const _half_width_from_load_of_truncated_wedge = (P, theta, b, E_star) => {
+  return Math.sqrt(((Math.pow(P, 2) / (Math.pow(E_star, 2) * Math.pow(Math.tan(theta), 2))) + Math.pow(b, 2)));
+};
+
+const _half_width_from_load = (P, theta, b, E_star) => {
+  let v7;
+  if (((P > 1e-30) && (P < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v7 = Math.tan(theta);
+    return Math.sqrt((((P * P) / ((E_star * E_star) * (v7 * v7))) + (b * b)));
+  }
+  return _half_width_from_load_of_truncated_wedge(P, theta, b, E_star);
 };
 
 const half_width_from_load = (P, theta, b, E_star) => {
-  let v7;
-  v7 = Math.tan(theta);
-  return Math.sqrt((((P * P) / ((E_star * E_star) * (v7 * v7))) + (b * b)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, theta, b, E_star) : NaN);
 };
 
 const formulas = {

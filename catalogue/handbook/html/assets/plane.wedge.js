@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -133,43 +157,129 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
-const load = (a, theta, E_star) => {
+const _load_of_wedge = (a, theta, E_star) => {
   return ((E_star * Math.tan(theta)) * a);
 };
 
-const pressure = (x, a, theta, E_star) => {
+const _load = (a, theta, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return ((E_star * Math.tan(theta)) * a);
+  }
+  return _load_of_wedge(a, theta, E_star);
+};
+
+const load = (a, theta, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _load(a, theta, E_star) : NaN);
+};
+
+const _pressure_of_wedge = (x, a, theta, E_star) => {
+  let root, value;
+  root = Math.sqrt(((a - x) * (a + x)));
+  value = (((E_star * Math.tan(theta)) / Math.PI) * Math.log1p((((a - x) + root) / x)));
+  return math.where((x < a), value, 0.0);
+};
+
+const _pressure = (x, a, theta, E_star) => {
   let v4;
-  if ((x < a)) {
-    v4 = (a - x);
-    return (((E_star * Math.tan(theta)) / 3.141592653589793) * Math.log1p(((v4 + Math.sqrt((v4 * (a + x)))) / x)));
-  }
-  return 0.0;
-};
-
-const slope = (x, a, theta) => {
-  let v8;
-  v8 = Math.tan(theta);
-  if ((x > a)) {
-    return ((((-2.0) * v8) / 3.141592653589793) * Math.atan2(a, Math.sqrt(((x - a) * (a + x)))));
-  }
-  return (-v8);
-};
-
-const depth = (L, a, theta) => {
-  let v3, v6;
-  if ((a <= L)) {
-    if ((a > 0.0)) {
-      v3 = (L - a);
-      v6 = Math.sqrt((v3 * (a + L)));
-      return (((2.0 * Math.tan(theta)) / 3.141592653589793) * ((L * Math.atan2(a, v6)) + (a * Math.log1p(((v3 + v6) / a)))));
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((x < a)) {
+      v4 = (a - x);
+      return (((E_star * Math.tan(theta)) / 3.141592653589793) * Math.log1p(((v4 + Math.sqrt((v4 * (a + x)))) / x)));
     }
     return 0.0;
   }
-  return NaN;
+  return _pressure_of_wedge(x, a, theta, E_star);
+};
+
+const pressure = (x, a, theta, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, theta, E_star) : 0.0) : NaN);
+};
+
+const _profile_slope = (x, theta) => {
+  return (Math.tan(theta) * math.ones_like(x));
+};
+
+const _slope_of_wedge = (x, a, theta) => {
+  let angle, root, value;
+  root = Math.sqrt(((x - a) * (a + x)));
+  angle = Math.atan2(a, root);
+  value = ((((-2) * Math.tan(theta)) / Math.PI) * angle);
+  return math.where((x > a), value, (-_profile_slope(x, theta)));
+};
+
+const _slope = (x, a, theta) => {
+  let v8;
+  if (((x > 1e-30) && (x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966))) {
+    v8 = Math.tan(theta);
+    if ((x > a)) {
+      return ((((-2.0) * v8) / 3.141592653589793) * Math.atan2(a, Math.sqrt(((x - a) * (a + x)))));
+    }
+    return (-v8);
+  }
+  return _slope_of_wedge(x, a, theta);
+};
+
+const slope = (x, a, theta) => {
+  if ((!(0.0 < theta && theta < 1.5707963267948966))) {
+    return NaN;
+  }
+  return (((((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _slope(Math.abs(x), a, theta) : 0.0) : NaN) * ((x < 0.0) ? -1.0 : 1.0)) + 0.0);
+};
+
+const _depth_of_wedge = (L, a, theta) => {
+  let angle, root, value;
+  root = Math.sqrt(((L - a) * (a + L)));
+  angle = Math.atan2(a, root);
+  value = (((2 * Math.tan(theta)) / Math.PI) * ((L * angle) + (a * Math.log1p((((L - a) + root) / a)))));
+  value = math.where((a > 0.0), value, 0.0);
+  return math.where((a <= L), value, NaN);
+};
+
+const _depth = (L, a, theta) => {
+  let v3, v6;
+  if (((L > 1e-30) && (L < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966))) {
+    if ((a <= L)) {
+      if ((a > 0.0)) {
+        v3 = (L - a);
+        v6 = Math.sqrt((v3 * (a + L)));
+        return (((2.0 * Math.tan(theta)) / 3.141592653589793) * ((L * Math.atan2(a, v6)) + (a * Math.log1p(((v3 + v6) / a)))));
+      }
+      return 0.0;
+    }
+    return NaN;
+  }
+  return _depth_of_wedge(L, a, theta);
+};
+
+const depth = (L, a, theta) => {
+  if ((!(0.0 < theta && theta < 1.5707963267948966))) {
+    return NaN;
+  }
+  return (((L >= 0.0) && (a >= 0.0)) ? _depth(L, a, theta) : NaN);
+};
+
+const _half_width_from_load_of_wedge = (P, theta, E_star) => {
+  return (P / (E_star * Math.tan(theta)));
+};
+
+const _half_width_from_load = (P, theta, E_star) => {
+  if (((P > 1e-30) && (P < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return (P / (E_star * Math.tan(theta)));
+  }
+  return _half_width_from_load_of_wedge(P, theta, E_star);
 };
 
 const half_width_from_load = (P, theta, E_star) => {
-  return (P / (E_star * Math.tan(theta)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((P >= 0.0) ? _half_width_from_load(P, theta, E_star) : NaN);
 };
 
 const formulas = {

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -146,9 +170,7 @@ const _depth = (a, A) => {
 };
 
 const depth = (a, A) => {
-  let value;
-  value = _depth(a, A);
-  return value;
+  return ((a >= 0.0) ? _depth(a, A) : NaN);
 };
 
 const _force = (a, A, E_star) => {
@@ -157,10 +179,11 @@ const _force = (a, A, E_star) => {
   return ((2 * E_star) * math.sum(terms));
 };
 
-const force = (a, E_star, A) => {
-  let value;
-  value = _force(a, A, E_star);
-  return value;
+const force = (a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, A, E_star) : NaN);
 };
 
 const _log_ratio = (x, y) => {
@@ -216,10 +239,11 @@ const _pressure = (r, a, A, E_star) => {
   return ((r < a) ? ((E_star / Math.PI) * math.sum(terms)) : 0.0);
 };
 
-const pressure = (r, a, E_star, A) => {
-  let value;
-  value = _pressure(r, a, A, E_star);
-  return value;
+const pressure = (r, a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, A, E_star) : 0.0) : NaN);
 };
 
 const _DECAY = 42.0;
@@ -259,13 +283,25 @@ const _displacement = (r, a, A) => {
 };
 
 const displacement = (r, a, A) => {
-  let value;
-  value = _displacement(r, a, A);
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, A) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_polynomial = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_polynomial(a, E_star);
+};
+
+const stiffness = (a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
 };
 
 const _mean_pressure = (a, A, E_star) => {
@@ -274,10 +310,11 @@ const _mean_pressure = (a, A, E_star) => {
   return (((2 * E_star) / Math.PI) * math.sum(terms));
 };
 
-const mean_pressure = (a, E_star, A) => {
-  let value;
-  value = _mean_pressure(a, A, E_star);
-  return value;
+const mean_pressure = (a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, A, E_star) : NaN);
 };
 
 const falling = (stop, even = 0.0) => {
@@ -311,10 +348,11 @@ const _energy = (a, A, E_star) => {
   return (E_star * tip);
 };
 
-const energy = (a, E_star, A) => {
-  let value;
-  value = _energy(a, A, E_star);
-  return value;
+const energy = (a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, A, E_star) : NaN);
 };
 
 const _slope = (a, A) => {
@@ -347,10 +385,11 @@ const _load_within = (r, a, A, E_star) => {
   return (_force(math.minimum(r, a), A, E_star) + ((2 * E_star) * tip));
 };
 
-const load_within = (r, a, E_star, A) => {
-  let value;
-  value = _load_within(r, a, A, E_star);
-  return value;
+const load_within = (r, a, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, A, E_star) : 0.0) : NaN);
 };
 
 const _missed = (value, y) => {
@@ -473,9 +512,7 @@ const _radius_from_depth = (d, A) => {
 };
 
 const radius_from_depth = (d, A) => {
-  let value;
-  value = _radius_from_depth(d, A);
-  return value;
+  return ((d >= 0.0) ? _radius_from_depth(d, A) : NaN);
 };
 
 const _radius_from_force = (F, A, E_star) => {
@@ -491,10 +528,11 @@ const _radius_from_force = (F, A, E_star) => {
   return inverse(curve, F, start, [2.0, (math.length(A) + 1.0)], undefined, undefined, true);
 };
 
-const radius_from_force = (F, E_star, A) => {
-  let value;
-  value = _radius_from_force(F, A, E_star);
-  return value;
+const radius_from_force = (F, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, A, E_star) : NaN);
 };
 
 const _force_from_depth = (d, A, E_star) => {
@@ -504,10 +542,11 @@ const _force_from_depth = (d, A, E_star) => {
   return (_force(a, A, E_star) + change);
 };
 
-const force_from_depth = (d, E_star, A) => {
-  let value;
-  value = _force_from_depth(d, A, E_star);
-  return value;
+const force_from_depth = (d, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, A, E_star) : NaN);
 };
 
 const _depth_from_force = (F, A, E_star) => {
@@ -517,24 +556,33 @@ const _depth_from_force = (F, A, E_star) => {
   return (_depth(a, A) + change);
 };
 
-const depth_from_force = (F, E_star, A) => {
-  let value;
-  value = _depth_from_force(F, A, E_star);
-  return value;
+const depth_from_force = (F, A, E_star) => {
+  if ((!(0.0 < E_star && E_star < Infinity))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, A, E_star) : NaN);
 };
 
 const hess_retraction = (a, E_star, dgamma) => {
   return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
 };
 
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
 const _depth_of_polynomial = (a, A, E_star, dgamma) => {
   return (_depth(a, A) - hess_retraction(a, E_star, dgamma));
 };
 
-const depth_of_polynomial = (a, E_star, dgamma, A) => {
-  let value;
-  value = _depth_of_polynomial(a, A, E_star, dgamma);
-  return value;
+const depth_of_polynomial = (a, A, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_of_polynomial(a, A, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -545,10 +593,11 @@ const _force_of_polynomial = (a, A, E_star, dgamma) => {
   return (_force(a, A, E_star) - pull(a, E_star, dgamma));
 };
 
-const force_of_polynomial = (a, E_star, dgamma, A) => {
-  let value;
-  value = _force_of_polynomial(a, A, E_star, dgamma);
-  return value;
+const force_of_polynomial = (a, A, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_of_polynomial(a, A, E_star, dgamma) : NaN);
 };
 
 const tension = (r, a, E_star, dgamma) => {
@@ -568,10 +617,11 @@ const _pressure_of_polynomial = (r, a, A, E_star, dgamma) => {
   return (_pressure(r, a, A, E_star) - tension(r, a, E_star, dgamma));
 };
 
-const pressure_of_polynomial = (r, a, E_star, dgamma, A) => {
-  let value;
-  value = _pressure_of_polynomial(r, a, A, E_star, dgamma);
-  return value;
+const pressure_of_polynomial = (r, a, A, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_of_polynomial(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
 const lift = (r, a, E_star, dgamma) => {
@@ -589,10 +639,11 @@ const _displacement_of_polynomial = (r, a, A, E_star, dgamma) => {
   return (_displacement(r, a, A) - lift(r, a, E_star, dgamma));
 };
 
-const displacement_of_polynomial = (r, a, E_star, dgamma, A) => {
-  let value;
-  value = _displacement_of_polynomial(r, a, A, E_star, dgamma);
-  return value;
+const displacement_of_polynomial = (r, a, A, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_polynomial(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
 const gained_share = (c, a, n) => {
@@ -605,10 +656,14 @@ const _tangential_force = (a, c, A, E_star, mu) => {
   return (mu * math.sum(gains));
 };
 
-const tangential_force = (a, c, E_star, mu, A) => {
-  let value;
-  value = _tangential_force(a, c, A, E_star, mu);
-  return value;
+const tangential_force = (a, c, A, E_star, mu) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, A, E_star, mu) : NaN);
 };
 
 const log_ratio = (a, c) => {
@@ -671,10 +726,14 @@ const _traction = (r, a, c, A, E_star, mu) => {
   return (mu * ((r < c) ? ((E_star / Math.PI) * math.sum(gains)) : sliding));
 };
 
-const traction = (r, a, c, E_star, mu, A) => {
-  let value;
-  value = _traction(r, a, c, A, E_star, mu);
-  return value;
+const traction = (r, a, c, A, E_star, mu) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, A, E_star, mu) : 0.0) : NaN);
 };
 
 const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
@@ -683,10 +742,14 @@ const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
   return ((mu * (E_star / G_star)) * math.sum(gains));
 };
 
-const tangential_displacement = (a, c, E_star, G_star, mu, A) => {
-  let value;
-  value = _tangential_displacement(a, c, A, E_star, G_star, mu);
-  return value;
+const tangential_displacement = (a, c, A, E_star, G_star, mu) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, A, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -705,44 +768,47 @@ const _stick_radius = (F_x, a, A, E_star, mu) => {
   return (((F_x === 0.0) & (a >= 0.0)) ? a : _radius_from_force(F, A, E_star));
 };
 
-const stick_radius = (F_x, a, E_star, mu, A) => {
-  let value;
-  value = _stick_radius(F_x, a, A, E_star, mu);
-  return value;
+const stick_radius = (F_x, a, A, E_star, mu) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, A, E_star, mu) : NaN);
 };
 
 const _full_slip_displacement = (a, A, E_star, G_star, mu) => {
   return ((mu * (E_star / G_star)) * _depth(a, A));
 };
 
-const full_slip_displacement = (a, E_star, G_star, mu, A) => {
-  let value;
-  value = _full_slip_displacement(a, A, E_star, G_star, mu);
-  return value;
+const full_slip_displacement = (a, A, E_star, G_star, mu) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, A, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
   "d": (v) => depth(v.a, v.A),
-  "F": (v) => force(v.a, v.E_star, v.A),
-  "p": (v) => pressure(v.r, v.a, v.E_star, v.A),
+  "F": (v) => force(v.a, v.A, v.E_star),
+  "p": (v) => pressure(v.r, v.a, v.A, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.A),
-  "k": (v) => stiffness(v.a, v.E_star),
-  "pm": (v) => mean_pressure(v.a, v.E_star, v.A),
-  "U": (v) => energy(v.a, v.E_star, v.A),
-  "Fr": (v) => load_within(v.r, v.a, v.E_star, v.A),
+  "k": (v) => stiffness(v.a, v.A, v.E_star),
+  "pm": (v) => mean_pressure(v.a, v.A, v.E_star),
+  "U": (v) => energy(v.a, v.A, v.E_star),
+  "Fr": (v) => load_within(v.r, v.a, v.A, v.E_star),
   "ad": (v) => radius_from_depth(v.d, v.A),
-  "aF": (v) => radius_from_force(v.F, v.E_star, v.A),
-  "Fd": (v) => force_from_depth(v.d, v.E_star, v.A),
-  "dF": (v) => depth_from_force(v.F, v.E_star, v.A),
-  "adh.d": (v) => depth_of_polynomial(v.a, v.E_star, v.dgamma, v.A),
-  "adh.F": (v) => force_of_polynomial(v.a, v.E_star, v.dgamma, v.A),
-  "adh.p": (v) => pressure_of_polynomial(v.r, v.a, v.E_star, v.dgamma, v.A),
-  "adh.w": (v) => displacement_of_polynomial(v.r, v.a, v.E_star, v.dgamma, v.A),
-  "tan.F": (v) => tangential_force(v.a, v.c, v.E_star, v.mu, v.A),
-  "tan.tau": (v) => traction(v.r, v.a, v.c, v.E_star, v.mu, v.A),
-  "tan.u": (v) => tangential_displacement(v.a, v.c, v.E_star, v.G_star, v.mu, v.A),
-  "tan.c": (v) => stick_radius(v.F_x, v.a, v.E_star, v.mu, v.A),
-  "tan.us": (v) => full_slip_displacement(v.a, v.E_star, v.G_star, v.mu, v.A),
+  "aF": (v) => radius_from_force(v.F, v.A, v.E_star),
+  "Fd": (v) => force_from_depth(v.d, v.A, v.E_star),
+  "dF": (v) => depth_from_force(v.F, v.A, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
+  "adh.d": (v) => depth_of_polynomial(v.a, v.A, v.E_star, v.dgamma),
+  "adh.F": (v) => force_of_polynomial(v.a, v.A, v.E_star, v.dgamma),
+  "adh.p": (v) => pressure_of_polynomial(v.r, v.a, v.A, v.E_star, v.dgamma),
+  "adh.w": (v) => displacement_of_polynomial(v.r, v.a, v.A, v.E_star, v.dgamma),
+  "tan.F": (v) => tangential_force(v.a, v.c, v.A, v.E_star, v.mu),
+  "tan.tau": (v) => traction(v.r, v.a, v.c, v.A, v.E_star, v.mu),
+  "tan.u": (v) => tangential_displacement(v.a, v.c, v.A, v.E_star, v.G_star, v.mu),
+  "tan.c": (v) => stick_radius(v.F_x, v.a, v.A, v.E_star, v.mu),
+  "tan.us": (v) => full_slip_displacement(v.a, v.A, v.E_star, v.G_star, v.mu),
 };
 window.calculator = { ...{
  "fields": [
@@ -907,8 +973,8 @@ window.calculator = { ...{
    "gives": "F",
    "needs": [
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "N",
    "place": "",
@@ -919,8 +985,8 @@ window.calculator = { ...{
    "needs": [
     "r",
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "Pa",
    "place": "inside",
@@ -941,6 +1007,7 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
+    "A",
     "E_star"
    ],
    "unit": "N/m",
@@ -951,8 +1018,8 @@ window.calculator = { ...{
    "gives": "p_mean",
    "needs": [
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "Pa",
    "place": "",
@@ -962,8 +1029,8 @@ window.calculator = { ...{
    "gives": "U",
    "needs": [
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "J",
    "place": "",
@@ -974,8 +1041,8 @@ window.calculator = { ...{
    "needs": [
     "r",
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "N",
    "place": "inside",
@@ -995,8 +1062,8 @@ window.calculator = { ...{
    "gives": "a",
    "needs": [
     "F",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "m",
    "place": "",
@@ -1006,8 +1073,8 @@ window.calculator = { ...{
    "gives": "F",
    "needs": [
     "d",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "N",
    "place": "",
@@ -1017,20 +1084,31 @@ window.calculator = { ...{
    "gives": "d",
    "needs": [
     "F",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "m",
    "place": "",
    "suffix": "dF"
   },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
+  },
   "adh.d": {
    "gives": "d",
    "needs": [
     "a",
+    "A",
     "E_star",
-    "dgamma",
-    "A"
+    "dgamma"
    ],
    "unit": "m",
    "place": "",
@@ -1040,9 +1118,9 @@ window.calculator = { ...{
    "gives": "F",
    "needs": [
     "a",
+    "A",
     "E_star",
-    "dgamma",
-    "A"
+    "dgamma"
    ],
    "unit": "N",
    "place": "",
@@ -1053,9 +1131,9 @@ window.calculator = { ...{
    "needs": [
     "r",
     "a",
+    "A",
     "E_star",
-    "dgamma",
-    "A"
+    "dgamma"
    ],
    "unit": "Pa",
    "place": "inside",
@@ -1066,9 +1144,9 @@ window.calculator = { ...{
    "needs": [
     "r",
     "a",
+    "A",
     "E_star",
-    "dgamma",
-    "A"
+    "dgamma"
    ],
    "unit": "m",
    "place": "outside",
@@ -1079,9 +1157,9 @@ window.calculator = { ...{
    "needs": [
     "a",
     "c",
+    "A",
     "E_star",
-    "mu",
-    "A"
+    "mu"
    ],
    "unit": "N",
    "place": "",
@@ -1093,9 +1171,9 @@ window.calculator = { ...{
     "r",
     "a",
     "c",
+    "A",
     "E_star",
-    "mu",
-    "A"
+    "mu"
    ],
    "unit": "Pa",
    "place": "inside",
@@ -1106,10 +1184,10 @@ window.calculator = { ...{
    "needs": [
     "a",
     "c",
+    "A",
     "E_star",
     "G_star",
-    "mu",
-    "A"
+    "mu"
    ],
    "unit": "m",
    "place": "",
@@ -1120,9 +1198,9 @@ window.calculator = { ...{
    "needs": [
     "F_x",
     "a",
+    "A",
     "E_star",
-    "mu",
-    "A"
+    "mu"
    ],
    "unit": "m",
    "place": "",
@@ -1132,10 +1210,10 @@ window.calculator = { ...{
    "gives": "u_0",
    "needs": [
     "a",
+    "A",
     "E_star",
     "G_star",
-    "mu",
-    "A"
+    "mu"
    ],
    "unit": "m",
    "place": "",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,269 +159,572 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, theta, b) => {
+const _depth = (a, theta, b) => {
   let v11, v3;
   v3 = Math.tan(theta);
   if ((a < b)) {
     return ((v3 / b) * (a * a));
   }
-  v11 = Math.sqrt(((a - b) * (a + b)));
+  v11 = math.sqrt(((a - b) * (a + b)));
   return ((v3 * a) * (Math.atan((v11 / b)) + (b / (v11 + a))));
 };
 
-const force = (a, theta, b, E_star) => {
+const depth = (a, theta, b) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, theta, b) : NaN);
+};
+
+const _force = (a, theta, b, E_star) => {
   let v12, v18, v6;
   v6 = Math.tan(theta);
   v12 = (a * a);
   if ((a < b)) {
     return ((((4.0 * E_star) * v6) / (3.0 * b)) * (a * v12));
   }
-  v18 = Math.sqrt(((a - b) * (a + b)));
+  v18 = math.sqrt(((a - b) * (a + b)));
   return ((E_star * v6) * (((v12 * Math.atan((v18 / b))) + (((4.0 * b) * v12) / (3.0 * (v18 + a)))) + ((b / 3.0) * v18)));
+};
+
+const force = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, theta, b, E_star) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure = (r, a, theta, b, E_star) => {
-  let node, v13, v24, v25, v28, v32, v33, v38, v45, v46, v47, v5, v52, v54, v57, v67, v68, v71, v74, v80, v81, v82, value, weight;
-  if ((r < a)) {
-    v5 = (((a < b) || (a !== a)) ? a : b);
-    v13 = Math.tan(theta);
-    v24 = ((r === b) ? math.nextafter(b, Infinity) : r);
-    if ((a > (((v24 > b) || (v24 !== v24)) ? v24 : b))) {
-      v25 = (v24 < b);
-      v28 = (a - b);
-      v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (a + b)));
-      if (v25) {
-        v38 = v32;
+const _slope_beyond = (t, root, theta, b) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return (Math.tan(theta) * (angle + ((2 * b) / (root + t))));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_rounded_cone = (r, a, theta, b, E_star) => {
+  let growth, inner, root, tip;
+  inner = math.minimum(a, b);
+  root = Math.sqrt(((inner - r) * (inner + r)));
+  tip = math.where((r < inner), ((((2 * E_star) * Math.tan(theta)) / (Math.PI * b)) * root), 0.0);
+  growth = pressure_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  return math.where((r < a), (tip + ((E_star / Math.PI) * growth)), 0.0);
+};
+
+const _pressure = (r, a, theta, b, E_star) => {
+  let node, v13, v24, v25, v28, v32, v33, v38, v45, v46, v47, v5, v52, v54, v57, v67, v68, v71, v74, v80, v81, v82, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r < a)) {
+      v5 = (((a < b) || (a !== a)) ? a : b);
+      v13 = Math.tan(theta);
+      v24 = ((r === b) ? math.nextafter(b, Infinity) : r);
+      if ((a > (((v24 > b) || (v24 !== v24)) ? v24 : b))) {
+        v25 = (v24 < b);
+        v28 = (a - b);
+        v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (a + b)));
+        if (v25) {
+          v38 = v32;
+        } else {
+          v33 = (a - v24);
+          v38 = Math.sqrt(((((v33 > 0.0) || (v33 !== v33)) ? v33 : 0.0) * (a + v24)));
+        }
+        v45 = Math.asinh((v38 / Math.sqrt((Math.abs((v24 - b)) * (v24 + b)))));
+        v46 = (2.0 * (v25 ? 0.0 : 1.0));
+        v47 = (1.0 - v46);
+        v52 = (v46 - (v47 * Math.expm1(((-2.0) * v45))));
+        v54 = ((v52 > 0.0) ? v52 : Infinity);
+        v68 = (b * b);
+        v74 = (2.0 * b);
+        v81 = [];
+        for ([node, weight] of RULE_0((v45 / 1.0))) {
+          v57 = (node * v45);
+          v67 = (v32 * ((Math.exp((-v57)) * (v46 - (v47 * Math.expm1(((-2.0) * (v45 - v57)))))) / v54));
+          v71 = Math.sqrt((v68 + (v67 * v67)));
+          v80 = (((v13 * (Math.atan((v67 / b)) + (v74 / (v67 + v71)))) * v67) / v71);
+          v81.push((weight * v80));
+        }
+        v81 = (math.fsum(v81) * v45);
+        v82 = v81;
       } else {
-        v33 = (a - v24);
-        v38 = Math.sqrt(((((v33 > 0.0) || (v33 !== v33)) ? v33 : 0.0) * (a + v24)));
+        v82 = 0.0;
       }
-      v45 = Math.asinh((v38 / Math.sqrt((Math.abs((v24 - b)) * (v24 + b)))));
-      v46 = (2.0 * (v25 ? 0.0 : 1.0));
-      v47 = (1.0 - v46);
-      v52 = (v46 - (v47 * Math.expm1(((-2.0) * v45))));
-      v54 = ((v52 > 0.0) ? v52 : Infinity);
-      v68 = (b * b);
-      v74 = (2.0 * b);
-      v81 = [];
-      for ([node, weight] of RULE_0((v45 / 1.0))) {
-        v57 = (node * v45);
-        v67 = (v32 * ((Math.exp((-v57)) * (v46 - (v47 * Math.expm1(((-2.0) * (v45 - v57)))))) / v54));
-        v71 = Math.sqrt((v68 + (v67 * v67)));
-        v80 = (((v13 * (Math.atan((v67 / b)) + (v74 / (v67 + v71)))) * v67) / v71);
-        v81.push((weight * v80));
-      }
-      v81 = (math.fsum(v81) * v45);
-      v82 = v81;
-    } else {
-      v82 = 0.0;
+      return (((r < v5) ? ((((2.0 * E_star) * v13) / (3.141592653589793 * b)) * Math.sqrt(((v5 - r) * (v5 + r)))) : 0.0) + ((E_star / 3.141592653589793) * v82));
     }
-    value = (((r < v5) ? ((((2.0 * E_star) * v13) / (3.141592653589793 * b)) * Math.sqrt(((v5 - r) * (v5 + r)))) : 0.0) + ((E_star / 3.141592653589793) * v82));
-    return value;
+    return 0.0;
   }
-  return 0.0;
+  return _pressure_of_rounded_cone(r, a, theta, b, E_star);
+};
+
+const pressure = (r, a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
+};
+
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _depth_of_rounded_cone = (a, theta, b) => {
+  let angle, beyond, root, tip;
+  tip = ((Math.tan(theta) / b) * Math.pow(a, 2));
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  beyond = ((Math.tan(theta) * a) * (angle + (b / (root + a))));
+  return math.where((a < b), tip, beyond);
+};
+
+const _profile = (r, theta, b) => {
+  return math.where((r < b), ((Math.tan(theta) / (2 * b)) * Math.pow(r, 2)), (Math.tan(theta) * (r - (b / 2))));
+};
+
+const _displacement_of_rounded_cone = (r, a, theta, b) => {
+  let beyond, inner, inside, outside;
+  inner = math.minimum(a, b);
+  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  outside = (((((2 * Math.tan(theta)) / (Math.PI * b)) * Math.pow(inner, 2)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
+  inside = (_depth_of_rounded_cone(a, theta, b) - _profile(r, theta, b));
+  return math.where((r > a), outside, inside);
+};
+
+const _displacement = (r, a, theta, b) => {
+  let node, v10, v11, v12, v14, v153, v162, v17, v22, v24, v29, v32, v34, v4, v43, v44, v46, v48, v49, v5, v52, v53, v61, v63, v73, v74, v76, v88, v90, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    v12 = (a - b);
+    v14 = (a + b);
+    v61 = Math.tan(theta);
+    v63 = (2.0 * b);
+    if ((r > a)) {
+      v4 = (((a < b) || (a !== a)) ? a : b);
+      if ((a > b)) {
+        v5 = (r - b);
+        v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + b)));
+        v11 = (b / r);
+        v17 = (r - a);
+        v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v14)) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (r + a))));
+        v24 = Math.asinh((v22 / v11));
+        v29 = (0.0 - Math.expm1(((-2.0) * v24)));
+        v32 = ((v29 > 0.0) ? v29 : Infinity);
+        v49 = (b * b);
+        v53 = (v11 * v11);
+        v74 = [];
+        for ([node, weight] of RULE_0((v24 / 1.0))) {
+          v34 = (node * v24);
+          v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v32));
+          v44 = (v43 * v43);
+          v46 = Math.sqrt((1.0 + v44));
+          v48 = ((v10 * v43) / v46);
+          v52 = Math.sqrt((v49 + (v48 * v48)));
+          v73 = (((((v61 * (Math.atan((v48 / b)) + (v63 / (v48 + v52)))) * v48) / v52) * Math.atan2(v52, (v10 / v46))) * (Math.sqrt((v53 + v44)) / ((v46 * v46) * v46)));
+          v74.push((weight * v73));
+        }
+        v74 = (math.fsum(v74) * v24);
+        v76 = (v10 * v74);
+      } else {
+        v76 = 0.0;
+      }
+      v88 = (v4 / (r + Math.sqrt(((r - v4) * (r + v4)))));
+      v90 = (v88 * v88);
+      return (((((2.0 * v61) / (3.141592653589793 * b)) * (v4 * v4)) * ((v4 / r) * (0.6666666666666666 + (v90 * ((((((((((((((((((-0.7327347664453868) * v90) + (-32.15553480435792)) * v90) + (-332.23363563146734)) * v90) + (-1070.7082873491413)) * v90) + (-85.27694715374247)) * v90) + 5044.821368830373) * v90) + 8082.413158212496) * v90) + 3759.725330928701) * v90) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v90) + 32.12935731379798) * v90) + 746.8124983579742) * v90) + 6202.125133759036) * v90) + 23553.080984642995) * v90) + 44404.005348491315) * v90) + 40380.01430284195) * v90) + 14099.684276696918) * v90) + 1.0)))))) + (0.6366197723675814 * v76));
+    }
+    if ((a < b)) {
+      v162 = ((v61 / b) * (a * a));
+    } else {
+      v153 = Math.sqrt((v12 * v14));
+      v162 = ((v61 * a) * (Math.atan((v153 / b)) + (b / (v153 + a))));
+    }
+    return (v162 - ((r < b) ? ((v61 / v63) * (r * r)) : (v61 * (r - (b / 2.0)))));
+  }
+  return _displacement_of_rounded_cone(r, a, theta, b);
 };
 
 const displacement = (r, a, theta, b) => {
-  let node, v10, v11, v12, v14, v153, v162, v17, v22, v24, v29, v32, v34, v4, v43, v44, v46, v48, v49, v5, v52, v53, v61, v63, v73, v74, v76, v88, v90, value, weight;
-  v12 = (a - b);
-  v14 = (a + b);
-  v61 = Math.tan(theta);
-  v63 = (2.0 * b);
-  if ((r > a)) {
-    v4 = (((a < b) || (a !== a)) ? a : b);
-    if ((a > b)) {
-      v5 = (r - b);
-      v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + b)));
-      v11 = (b / r);
-      v17 = (r - a);
-      v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v14)) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (r + a))));
-      v24 = Math.asinh((v22 / v11));
-      v29 = (0.0 - Math.expm1(((-2.0) * v24)));
-      v32 = ((v29 > 0.0) ? v29 : Infinity);
-      v49 = (b * b);
-      v53 = (v11 * v11);
-      v74 = [];
-      for ([node, weight] of RULE_0((v24 / 1.0))) {
-        v34 = (node * v24);
-        v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v32));
-        v44 = (v43 * v43);
-        v46 = Math.sqrt((1.0 + v44));
-        v48 = ((v10 * v43) / v46);
-        v52 = Math.sqrt((v49 + (v48 * v48)));
-        v73 = (((((v61 * (Math.atan((v48 / b)) + (v63 / (v48 + v52)))) * v48) / v52) * Math.atan2(v52, (v10 / v46))) * (Math.sqrt((v53 + v44)) / ((v46 * v46) * v46)));
-        v74.push((weight * v73));
-      }
-      v74 = (math.fsum(v74) * v24);
-      v76 = (v10 * v74);
-    } else {
-      v76 = 0.0;
-    }
-    v88 = (v4 / (r + Math.sqrt(((r - v4) * (r + v4)))));
-    v90 = (v88 * v88);
-    value = (((((2.0 * v61) / (3.141592653589793 * b)) * (v4 * v4)) * ((v4 / r) * (0.6666666666666666 + (v90 * ((((((((((((((((((-0.7327347664453868) * v90) + (-32.15553480435792)) * v90) + (-332.23363563146734)) * v90) + (-1070.7082873491413)) * v90) + (-85.27694715374247)) * v90) + 5044.821368830373) * v90) + 8082.413158212496) * v90) + 3759.725330928701) * v90) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v90) + 32.12935731379798) * v90) + 746.8124983579742) * v90) + 6202.125133759036) * v90) + 23553.080984642995) * v90) + 44404.005348491315) * v90) + 40380.01430284195) * v90) + 14099.684276696918) * v90) + 1.0)))))) + (0.6366197723675814 * v76));
-    return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  if ((a < b)) {
-    v162 = ((v61 / b) * (a * a));
-  } else {
-    v153 = Math.sqrt((v12 * v14));
-    v162 = ((v61 * a) * (Math.atan((v153 / b)) + (b / (v153 + a))));
-  }
-  return (v162 - ((r < b) ? ((v61 / v63) * (r * r)) : (v61 * (r - (b / 2.0)))));
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, theta, b) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_rounded_cone = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_rounded_cone(a, E_star);
+};
+
+const stiffness = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_rounded_cone = (a, theta, b, E_star) => {
+  let angle, beyond, root, tip;
+  tip = ((((4 * E_star) * Math.tan(theta)) / ((3 * Math.PI) * b)) * a);
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  beyond = (((E_star * Math.tan(theta)) / Math.PI) * ((angle + ((4 * b) / (3 * (root + a)))) + ((b * root) / (3 * Math.pow(a, 2)))));
+  return math.where((a < b), tip, beyond);
+};
+
+const _mean_pressure = (a, theta, b, E_star) => {
+  let v15, v6;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v6 = Math.tan(theta);
+    if ((a < b)) {
+      return ((((4.0 * E_star) * v6) / (9.42477796076938 * b)) * a);
+    }
+    v15 = Math.sqrt(((a - b) * (a + b)));
+    return (((E_star * v6) / 3.141592653589793) * ((Math.atan((v15 / b)) + ((4.0 * b) / (3.0 * (v15 + a)))) + ((b * v15) / (3.0 * (a * a)))));
+  }
+  return _mean_pressure_of_rounded_cone(a, theta, b, E_star);
 };
 
 const mean_pressure = (a, theta, b, E_star) => {
-  let v15, v6;
-  v6 = Math.tan(theta);
-  if ((a < b)) {
-    return ((((4.0 * E_star) * v6) / (9.42477796076938 * b)) * a);
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v15 = Math.sqrt(((a - b) * (a + b)));
-  return (((E_star * v6) / 3.141592653589793) * ((Math.atan((v15 / b)) + ((4.0 * b) / (3.0 * (v15 + a)))) + ((b * v15) / (3.0 * (a * a)))));
+  return ((a >= 0.0) ? _mean_pressure(a, theta, b, E_star) : NaN);
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral = math.in_groups((depth, a, d, length) => {
+  let fallen, integrand, stop;
+  stop = Math.asinh((a / length));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let short, t;
+    t = (a * fallen(v));
+    short = (d - depth(t));
+    return ((short * short) * Math.sqrt(((length * length) + (t * t))));
+  };
+  return [integrand, stop, 1.0, true, 0.0];
+});
+
+const _depth_beyond = (a, root, theta, b) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return ((Math.tan(theta) * a) * (angle + (b / (root + a))));
+};
+
+const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, b);
+  stop = Math.asinh((reach / b));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let root, short;
+    root = (reach * fallen(v));
+    short = (d - depth(Math.sqrt(((b * b) + (root * root))), root));
+    return ((short * short) * root);
+  };
+  return [integrand, stop, 1.0, (a > b), 0.0];
+});
+
+const _energy_of_rounded_cone = (a, theta, b, E_star) => {
+  let beyond, inner, sunk, tip;
+  sunk = _depth_of_rounded_cone(a, theta, b);
+  inner = math.minimum(a, b);
+  tip = energy_integral(_depth_of_rounded_cone, [theta, b], inner, sunk, inner);
+  beyond = energy_integral_beyond(_depth_beyond, [theta, b], a, sunk, b);
+  return (E_star * (tip + beyond));
+};
+
+const _energy = (a, theta, b, E_star) => {
+  let node, v10, v100, v102, v103, v104, v12, v21, v22, v24, v30, v33, v34, v4, v43, v49, v5, v58, v59, v61, v65, v66, v70, v72, v75, v77, v79, v88, v89, v9, v92, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v4 = Math.tan(theta);
+    v5 = (v4 / b);
+    v9 = (a - b);
+    v10 = (a + b);
+    if ((a < b)) {
+      v21 = (v5 * (a * a));
+    } else {
+      v12 = Math.sqrt((v9 * v10));
+      v21 = ((v4 * a) * (Math.atan((v12 / b)) + (b / (v12 + a))));
+    }
+    v22 = (((a < b) || (a !== a)) ? a : b);
+    v24 = Math.asinh((v22 / v22));
+    v30 = (0.0 - Math.expm1(((-2.0) * v24)));
+    v33 = ((v30 > 0.0) ? v30 : Infinity);
+    v61 = (v22 * v22);
+    v66 = [];
+    for ([node, weight] of RULE_0((v24 / 1.0))) {
+      v34 = (node * v24);
+      v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v33));
+      if ((v43 < b)) {
+        v58 = (v5 * (v43 * v43));
+      } else {
+        v49 = Math.sqrt(((v43 - b) * (v43 + b)));
+        v58 = ((v4 * v43) * (Math.atan((v49 / b)) + (b / (v49 + v43))));
+      }
+      v59 = (v21 - v58);
+      v65 = ((v59 * v59) * Math.sqrt((v61 + (v43 * v43))));
+      v66.push((weight * v65));
+    }
+    v66 = (math.fsum(v66) * v24);
+    if ((a > b)) {
+      v70 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v10));
+      v72 = Math.asinh((v70 / b));
+      v75 = (0.0 - Math.expm1(((-2.0) * v72)));
+      v77 = ((v75 > 0.0) ? v75 : Infinity);
+      v89 = (b * b);
+      v103 = [];
+      for ([node, weight] of RULE_0((v72 / 1.0))) {
+        v79 = (node * v72);
+        v88 = (v70 * ((Math.exp((-v79)) * (0.0 - Math.expm1(((-2.0) * (v72 - v79))))) / v77));
+        v92 = Math.sqrt((v89 + (v88 * v88)));
+        v100 = (v21 - ((v4 * v92) * (Math.atan((v88 / b)) + (b / (v88 + v92)))));
+        v102 = ((v100 * v100) * v88);
+        v103.push((weight * v102));
+      }
+      v103 = (math.fsum(v103) * v72);
+      v104 = v103;
+    } else {
+      v104 = 0.0;
+    }
+    return (E_star * (v66 + v104));
+  }
+  return _energy_of_rounded_cone(a, theta, b, E_star);
 };
 
 const energy = (a, theta, b, E_star) => {
-  let node, v10, v100, v102, v103, v104, v12, v21, v22, v24, v30, v33, v34, v4, v43, v49, v5, v58, v59, v61, v65, v66, v70, v72, v75, v77, v79, v88, v89, v9, v92, value, weight;
-  v4 = Math.tan(theta);
-  v5 = (v4 / b);
-  v9 = (a - b);
-  v10 = (a + b);
-  if ((a < b)) {
-    v21 = (v5 * (a * a));
-  } else {
-    v12 = Math.sqrt((v9 * v10));
-    v21 = ((v4 * a) * (Math.atan((v12 / b)) + (b / (v12 + a))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v22 = (((a < b) || (a !== a)) ? a : b);
-  v24 = Math.asinh((v22 / v22));
-  v30 = (0.0 - Math.expm1(((-2.0) * v24)));
-  v33 = ((v30 > 0.0) ? v30 : Infinity);
-  v61 = (v22 * v22);
-  v66 = [];
-  for ([node, weight] of RULE_0((v24 / 1.0))) {
-    v34 = (node * v24);
-    v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v33));
-    if ((v43 < b)) {
-      v58 = (v5 * (v43 * v43));
+  return ((a >= 0.0) ? _energy(a, theta, b, E_star) : NaN);
+};
+
+const _slope = (t, theta, b) => {
+  return (((2 * Math.tan(theta)) / b) * t);
+};
+
+const load_within_integral = math.in_groups((slope, r, a) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, r);
+  stop = Math.asinh((reach / r));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let t, u;
+    u = (reach * fallen(v));
+    t = Math.sqrt(((r * r) + (u * u)));
+    return (slope(t) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (r > 0.0), 0.0];
+});
+
+const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, turned, whole, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
+  stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  integrand = (v) => {
+    let root, t, u;
+    [root, u] = [(reach * fallen(v)), (whole * turned(v))];
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * (root / t)) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (a > math.maximum(r, b)), 0.0];
+});
+
+const _force_of_rounded_cone = (a, theta, b, E_star) => {
+  let angle, beyond, root, tip;
+  tip = ((((4 * E_star) * Math.tan(theta)) / (3 * b)) * Math.pow(a, 3));
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  beyond = ((E_star * Math.tan(theta)) * (((Math.pow(a, 2) * angle) + (((4 * b) * Math.pow(a, 2)) / (3 * (root + a)))) + ((b / 3) * root)));
+  return math.where((a < b), tip, beyond);
+};
+
+const _load_within_of_rounded_cone = (r, a, theta, b, E_star) => {
+  let beyond, inner, tip;
+  inner = math.minimum(a, b);
+  tip = load_within_integral(_slope, [theta, b], math.minimum(r, inner), inner);
+  beyond = load_within_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  return (_force_of_rounded_cone(math.minimum(r, a), theta, b, E_star) + ((2 * E_star) * (tip + beyond)));
+};
+
+const _load_within = (r, a, theta, b, E_star) => {
+  let node, v100, v105, v106, v109, v112, v12, v121, v122, v124, v125, v132, v138, v14, v154, v19, v22, v23, v25, v34, v37, v38, v41, v45, v46, v48, v5, v51, v52, v53, v54, v58, v59, v6, v63, v7, v71, v72, v73, v75, v77, v79, v81, v82, v84, v86, v90, v92, v95, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v5 = (((a < b) || (a !== a)) ? a : b);
+    v6 = (((r < v5) || (r !== r)) ? r : v5);
+    v38 = Math.tan(theta);
+    if ((v6 > 0.0)) {
+      v7 = (v5 - v6);
+      v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (v5 + v6)));
+      v14 = Math.asinh((v12 / v6));
+      v19 = (0.0 - Math.expm1(((-2.0) * v14)));
+      v22 = ((v19 > 0.0) ? v19 : Infinity);
+      v23 = (v6 * v6);
+      v41 = ((2.0 * v38) / b);
+      v46 = [];
+      for ([node, weight] of RULE_0((v14 / 1.0))) {
+        v25 = (node * v14);
+        v34 = (v12 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v14 - v25))))) / v22));
+        v37 = Math.sqrt((v23 + (v34 * v34)));
+        v45 = ((v41 * v37) * (v34 / (v37 + v34)));
+        v46.push((weight * v45));
+      }
+      v46 = (math.fsum(v46) * v14);
+      v48 = (v23 * v46);
     } else {
-      v49 = Math.sqrt(((v43 - b) * (v43 + b)));
-      v58 = ((v4 * v43) * (Math.atan((v49 / b)) + (b / (v49 + v43))));
+      v48 = 0.0;
     }
-    v59 = (v21 - v58);
-    v65 = ((v59 * v59) * Math.sqrt((v61 + (v43 * v43))));
-    v66.push((weight * v65));
-  }
-  v66 = (math.fsum(v66) * v24);
-  if ((a > b)) {
-    v70 = Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v10));
-    v72 = Math.asinh((v70 / b));
-    v75 = (0.0 - Math.expm1(((-2.0) * v72)));
-    v77 = ((v75 > 0.0) ? v75 : Infinity);
-    v89 = (b * b);
-    v103 = [];
-    for ([node, weight] of RULE_0((v72 / 1.0))) {
-      v79 = (node * v72);
-      v88 = (v70 * ((Math.exp((-v79)) * (0.0 - Math.expm1(((-2.0) * (v72 - v79))))) / v77));
-      v92 = Math.sqrt((v89 + (v88 * v88)));
-      v100 = (v21 - ((v4 * v92) * (Math.atan((v88 / b)) + (b / (v88 + v92)))));
-      v102 = ((v100 * v100) * v88);
-      v103.push((weight * v102));
+    v51 = ((r === b) ? math.nextafter(b, Infinity) : r);
+    if ((a > (((v51 > b) || (v51 !== v51)) ? v51 : b))) {
+      v52 = (v51 < b);
+      v53 = (v52 ? 0.0 : 1.0);
+      v54 = (a - b);
+      v58 = Math.sqrt(((((v54 > 0.0) || (v54 !== v54)) ? v54 : 0.0) * (a + b)));
+      v59 = (a - v51);
+      v63 = Math.sqrt(((((v59 > 0.0) || (v59 !== v59)) ? v59 : 0.0) * (a + v51)));
+      v71 = Math.asinh(((v52 ? v58 : v63) / Math.sqrt((Math.abs((v51 - b)) * (v51 + b)))));
+      v72 = (2.0 * v53);
+      v73 = (1.0 - v72);
+      v75 = Math.expm1(((-2.0) * v71));
+      v77 = (v72 - (v73 * v75));
+      v79 = ((v77 > 0.0) ? v77 : Infinity);
+      v81 = (2.0 * (1.0 - v53));
+      v82 = (1.0 - v81);
+      v84 = (v81 - (v82 * v75));
+      v86 = ((v84 > 0.0) ? v84 : Infinity);
+      v106 = (b * b);
+      v112 = (2.0 * b);
+      v122 = [];
+      for ([node, weight] of RULE_0((v71 / 1.0))) {
+        v90 = (node * v71);
+        v92 = Math.exp((-v90));
+        v95 = Math.expm1(((-2.0) * (v71 - v90)));
+        v100 = (v58 * ((v92 * (v72 - (v73 * v95))) / v79));
+        v105 = (v63 * ((v92 * (v81 - (v82 * v95))) / v86));
+        v109 = Math.sqrt((v106 + (v100 * v100)));
+        v121 = (((v38 * (Math.atan((v100 / b)) + (v112 / (v100 + v109)))) * (v100 / v109)) * (v105 / (v109 + v105)));
+        v122.push((weight * v121));
+      }
+      v122 = (math.fsum(v122) * v71);
+      v124 = ((v51 * v51) * v122);
+    } else {
+      v124 = 0.0;
     }
-    v103 = (math.fsum(v103) * v72);
-    v104 = v103;
-  } else {
-    v104 = 0.0;
+    v125 = (((r < a) || (r !== r)) ? r : a);
+    v132 = (v125 * v125);
+    if ((v125 < b)) {
+      v154 = ((((4.0 * E_star) * v38) / (3.0 * b)) * (v125 * v132));
+    } else {
+      v138 = Math.sqrt(((v125 - b) * (v125 + b)));
+      v154 = ((E_star * v38) * (((v132 * Math.atan((v138 / b))) + (((4.0 * b) * v132) / (3.0 * (v138 + v125)))) + ((b / 3.0) * v138)));
+    }
+    return (v154 + ((2.0 * E_star) * (v48 + v124)));
   }
-  value = (E_star * (v66 + v104));
-  return value;
+  return _load_within_of_rounded_cone(r, a, theta, b, E_star);
 };
 
 const load_within = (r, a, theta, b, E_star) => {
-  let node, v100, v105, v106, v109, v112, v12, v121, v122, v124, v125, v132, v138, v14, v154, v19, v22, v23, v25, v34, v37, v38, v41, v45, v46, v48, v5, v51, v52, v53, v54, v58, v59, v6, v63, v7, v71, v72, v73, v75, v77, v79, v81, v82, v84, v86, v90, v92, v95, value, weight;
-  v5 = (((a < b) || (a !== a)) ? a : b);
-  v6 = (((r < v5) || (r !== r)) ? r : v5);
-  v38 = Math.tan(theta);
-  if ((v6 > 0.0)) {
-    v7 = (v5 - v6);
-    v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (v5 + v6)));
-    v14 = Math.asinh((v12 / v6));
-    v19 = (0.0 - Math.expm1(((-2.0) * v14)));
-    v22 = ((v19 > 0.0) ? v19 : Infinity);
-    v23 = (v6 * v6);
-    v41 = ((2.0 * v38) / b);
-    v46 = [];
-    for ([node, weight] of RULE_0((v14 / 1.0))) {
-      v25 = (node * v14);
-      v34 = (v12 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v14 - v25))))) / v22));
-      v37 = Math.sqrt((v23 + (v34 * v34)));
-      v45 = ((v41 * v37) * (v34 / (v37 + v34)));
-      v46.push((weight * v45));
-    }
-    v46 = (math.fsum(v46) * v14);
-    v48 = (v23 * v46);
-  } else {
-    v48 = 0.0;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v51 = ((r === b) ? math.nextafter(b, Infinity) : r);
-  if ((a > (((v51 > b) || (v51 !== v51)) ? v51 : b))) {
-    v52 = (v51 < b);
-    v53 = (v52 ? 0.0 : 1.0);
-    v54 = (a - b);
-    v58 = Math.sqrt(((((v54 > 0.0) || (v54 !== v54)) ? v54 : 0.0) * (a + b)));
-    v59 = (a - v51);
-    v63 = Math.sqrt(((((v59 > 0.0) || (v59 !== v59)) ? v59 : 0.0) * (a + v51)));
-    v71 = Math.asinh(((v52 ? v58 : v63) / Math.sqrt((Math.abs((v51 - b)) * (v51 + b)))));
-    v72 = (2.0 * v53);
-    v73 = (1.0 - v72);
-    v75 = Math.expm1(((-2.0) * v71));
-    v77 = (v72 - (v73 * v75));
-    v79 = ((v77 > 0.0) ? v77 : Infinity);
-    v81 = (2.0 * (1.0 - v53));
-    v82 = (1.0 - v81);
-    v84 = (v81 - (v82 * v75));
-    v86 = ((v84 > 0.0) ? v84 : Infinity);
-    v106 = (b * b);
-    v112 = (2.0 * b);
-    v122 = [];
-    for ([node, weight] of RULE_0((v71 / 1.0))) {
-      v90 = (node * v71);
-      v92 = Math.exp((-v90));
-      v95 = Math.expm1(((-2.0) * (v71 - v90)));
-      v100 = (v58 * ((v92 * (v72 - (v73 * v95))) / v79));
-      v105 = (v63 * ((v92 * (v81 - (v82 * v95))) / v86));
-      v109 = Math.sqrt((v106 + (v100 * v100)));
-      v121 = (((v38 * (Math.atan((v100 / b)) + (v112 / (v100 + v109)))) * (v100 / v109)) * (v105 / (v109 + v105)));
-      v122.push((weight * v121));
-    }
-    v122 = (math.fsum(v122) * v71);
-    v124 = ((v51 * v51) * v122);
-  } else {
-    v124 = 0.0;
-  }
-  v125 = (((r < a) || (r !== r)) ? r : a);
-  v132 = (v125 * v125);
-  if ((v125 < b)) {
-    v154 = ((((4.0 * E_star) * v38) / (3.0 * b)) * (v125 * v132));
-  } else {
-    v138 = Math.sqrt(((v125 - b) * (v125 + b)));
-    v154 = ((E_star * v38) * (((v132 * Math.atan((v138 / b))) + (((4.0 * b) * v132) / (3.0 * (v138 + v125)))) + ((b / 3.0) * v138)));
-  }
-  value = (v154 + ((2.0 * E_star) * (v48 + v124)));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const _slope_beyond = (t, root, theta, b) => {
+const _slope_beyond_of_rounded_cone = (t, root, theta, b) => {
   return (Math.tan(theta) * (Math.atan((root / b)) + ((2.0 * b) / (root + t))));
 };
 
-const _depth_beyond = (a, root, theta, b) => {
+const _depth_beyond_of_rounded_cone = (a, root, theta, b) => {
   return ((Math.tan(theta) * a) * (Math.atan((root / b)) + (b / (root + a))));
 };
 
@@ -607,16 +934,17 @@ const _radius_from_depth = (d, theta, b) => {
   let curve;
   curve = (a, root) => {
     let rate;
-    rate = (a * _slope_beyond(a, root, theta, b));
-    return [_depth_beyond(a, root, theta, b), rate];
+    rate = (a * _slope_beyond_of_rounded_cone(a, root, theta, b));
+    return [_depth_beyond_of_rounded_cone(a, root, theta, b), rate];
   };
   return inverse_beyond(curve, d, b, 2.0, [2.0, 1.0]);
 };
 
 const radius_from_depth = (d, theta, b) => {
-  let value;
-  value = _radius_from_depth(d, theta, b);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, theta, b) : NaN);
 };
 
 const _force_beyond = (a, root, theta, b, E_star) => {
@@ -629,37 +957,17 @@ const _radius_from_force = (F, theta, b, E_star) => {
   let curve;
   curve = (a, root) => {
     let rate;
-    rate = (((2 * E_star) * Math.pow(a, 2)) * _slope_beyond(a, root, theta, b));
+    rate = (((2 * E_star) * Math.pow(a, 2)) * _slope_beyond_of_rounded_cone(a, root, theta, b));
     return [_force_beyond(a, root, theta, b, E_star), rate];
   };
   return inverse_beyond(curve, F, b, 3.0, [2.0, 2.0]);
 };
 
 const radius_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _radius_from_force(F, theta, b, E_star);
-  return value;
-};
-
-const _depth = (a, theta, b) => {
-  let v11, v3;
-  v3 = Math.tan(theta);
-  if ((a < b)) {
-    return ((v3 / b) * (a * a));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  v11 = math.sqrt(((a - b) * (a + b)));
-  return ((v3 * a) * (Math.atan((v11 / b)) + (b / (v11 + a))));
-};
-
-const _force = (a, theta, b, E_star) => {
-  let v12, v18, v6;
-  v6 = Math.tan(theta);
-  v12 = (a * a);
-  if ((a < b)) {
-    return ((((4.0 * E_star) * v6) / (3.0 * b)) * (a * v12));
-  }
-  v18 = math.sqrt(((a - b) * (a + b)));
-  return ((E_star * v6) * (((v12 * Math.atan((v18 / b))) + (((4.0 * b) * v12) / (3.0 * (v18 + a)))) + ((b / 3.0) * v18)));
+  return ((F >= 0.0) ? _radius_from_force(F, theta, b, E_star) : NaN);
 };
 
 const _force_from_depth = (d, theta, b, E_star) => {
@@ -670,9 +978,10 @@ const _force_from_depth = (d, theta, b, E_star) => {
 };
 
 const force_from_depth = (d, theta, b, E_star) => {
-  let value;
-  value = _force_from_depth(d, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, theta, b, E_star) : NaN);
 };
 
 const _depth_from_force = (F, theta, b, E_star) => {
@@ -683,485 +992,661 @@ const _depth_from_force = (F, theta, b, E_star) => {
 };
 
 const depth_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _depth_from_force(F, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, theta, b, E_star) : NaN);
 };
 
-const depth_of_rounded_cone = (a, theta, b, E_star, dgamma) => {
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, theta, b, E_star, dgamma) => {
   let v13, v22, v5;
   v5 = Math.tan(theta);
   if ((a < b)) {
     v22 = ((v5 / b) * (a * a));
   } else {
-    v13 = Math.sqrt(((a - b) * (a + b)));
+    v13 = math.sqrt(((a - b) * (a + b)));
     v22 = ((v5 * a) * (Math.atan((v13 / b)) + (b / (v13 + a))));
   }
-  return (v22 - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  return (v22 - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
-const force_of_rounded_cone = (a, theta, b, E_star, dgamma) => {
+const depth_of_rounded_cone = (a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, theta, b, E_star, dgamma) : NaN);
+};
+
+const _force_2 = (a, theta, b, E_star, dgamma) => {
   let v13, v19, v35, v7;
   v7 = Math.tan(theta);
   v13 = (a * a);
   if ((a < b)) {
     v35 = ((((4.0 * E_star) * v7) / (3.0 * b)) * (a * v13));
   } else {
-    v19 = Math.sqrt(((a - b) * (a + b)));
+    v19 = math.sqrt(((a - b) * (a + b)));
     v35 = ((E_star * v7) * (((v13 * Math.atan((v19 / b))) + (((4.0 * b) * v13) / (3.0 * (v19 + a)))) + ((b / 3.0) * v19)));
   }
-  return (v35 - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  return (v35 - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+};
+
+const force_of_rounded_cone = (a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
 const RULE_0_of_rounded_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
-  let node, v104, v106, v14, v25, v26, v29, v33, v34, v39, v46, v47, v48, v53, v55, v58, v6, v68, v69, v72, v75, v81, v82, v83, v88, v94, v97, value, weight;
-  if ((r < a)) {
-    v6 = (((a < b) || (a !== a)) ? a : b);
-    v14 = Math.tan(theta);
-    v25 = ((r === b) ? math.nextafter(b, Infinity) : r);
-    if ((a > (((v25 > b) || (v25 !== v25)) ? v25 : b))) {
-      v26 = (v25 < b);
-      v29 = (a - b);
-      v33 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (a + b)));
-      if (v26) {
-        v39 = v33;
-      } else {
-        v34 = (a - v25);
-        v39 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (a + v25)));
-      }
-      v46 = Math.asinh((v39 / Math.sqrt((Math.abs((v25 - b)) * (v25 + b)))));
-      v47 = (2.0 * (v26 ? 0.0 : 1.0));
-      v48 = (1.0 - v47);
-      v53 = (v47 - (v48 * Math.expm1(((-2.0) * v46))));
-      v55 = ((v53 > 0.0) ? v53 : Infinity);
-      v69 = (b * b);
-      v75 = (2.0 * b);
-      v82 = [];
-      for ([node, weight] of RULE_0_of_rounded_cone((v46 / 1.0))) {
-        v58 = (node * v46);
-        v68 = (v33 * ((Math.exp((-v58)) * (v47 - (v48 * Math.expm1(((-2.0) * (v46 - v58)))))) / v55));
-        v72 = Math.sqrt((v69 + (v68 * v68)));
-        v81 = (((v14 * (Math.atan((v68 / b)) + (v75 / (v68 + v72)))) * v68) / v72);
-        v82.push((weight * v81));
-      }
-      v82 = (math.fsum(v82) * v46);
-      v83 = v82;
-    } else {
-      v83 = 0.0;
-    }
-    v88 = (((r < v6) ? ((((2.0 * E_star) * v14) / (3.141592653589793 * b)) * Math.sqrt(((v6 - r) * (v6 + r)))) : 0.0) + ((E_star / 3.141592653589793) * v83));
-  } else {
-    v88 = 0.0;
-  }
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
   if ((r <= a)) {
-    v94 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    if ((v94 > 0.0)) {
-      v97 = (a - r);
-      v104 = ((E_star * v94) / (3.141592653589793 * Math.sqrt(((((v97 > 0.0) || (v97 !== v97)) ? v97 : 0.0) * (a + r)))));
-    } else {
-      v104 = 0.0;
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
     }
-    v106 = v104;
-  } else {
-    v106 = 0.0;
+    return 0.0;
   }
-  value = (v88 - v106);
-  return value;
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_pressure_of_rounded_cone(r, a, theta, b, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v104, v106, v14, v25, v26, v29, v33, v34, v39, v46, v47, v48, v53, v55, v58, v6, v68, v69, v72, v75, v81, v82, v83, v88, v94, v97, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    if ((r < a)) {
+      v6 = (((a < b) || (a !== a)) ? a : b);
+      v14 = Math.tan(theta);
+      v25 = ((r === b) ? math.nextafter(b, Infinity) : r);
+      if ((a > (((v25 > b) || (v25 !== v25)) ? v25 : b))) {
+        v26 = (v25 < b);
+        v29 = (a - b);
+        v33 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (a + b)));
+        if (v26) {
+          v39 = v33;
+        } else {
+          v34 = (a - v25);
+          v39 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (a + v25)));
+        }
+        v46 = Math.asinh((v39 / Math.sqrt((Math.abs((v25 - b)) * (v25 + b)))));
+        v47 = (2.0 * (v26 ? 0.0 : 1.0));
+        v48 = (1.0 - v47);
+        v53 = (v47 - (v48 * Math.expm1(((-2.0) * v46))));
+        v55 = ((v53 > 0.0) ? v53 : Infinity);
+        v69 = (b * b);
+        v75 = (2.0 * b);
+        v82 = [];
+        for ([node, weight] of RULE_0_of_rounded_cone((v46 / 1.0))) {
+          v58 = (node * v46);
+          v68 = (v33 * ((Math.exp((-v58)) * (v47 - (v48 * Math.expm1(((-2.0) * (v46 - v58)))))) / v55));
+          v72 = Math.sqrt((v69 + (v68 * v68)));
+          v81 = (((v14 * (Math.atan((v68 / b)) + (v75 / (v68 + v72)))) * v68) / v72);
+          v82.push((weight * v81));
+        }
+        v82 = (math.fsum(v82) * v46);
+        v83 = v82;
+      } else {
+        v83 = 0.0;
+      }
+      v88 = (((r < v6) ? ((((2.0 * E_star) * v14) / (3.141592653589793 * b)) * Math.sqrt(((v6 - r) * (v6 + r)))) : 0.0) + ((E_star / 3.141592653589793) * v83));
+    } else {
+      v88 = 0.0;
+    }
+    if ((r <= a)) {
+      v94 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      if ((v94 > 0.0)) {
+        v97 = (a - r);
+        v104 = ((E_star * v94) / (3.141592653589793 * Math.sqrt(((((v97 > 0.0) || (v97 !== v97)) ? v97 : 0.0) * (a + r)))));
+      } else {
+        v104 = 0.0;
+      }
+      v106 = v104;
+    } else {
+      v106 = 0.0;
+    }
+    return (v88 - v106);
+  }
+  return _pressure_3(r, a, theta, b, E_star, dgamma);
+};
+
+const pressure_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_of_rounded_cone(r, a, theta, b) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v12, v13, v14, v155, v16, v164, v174, v175, v19, v23, v24, v26, v31, v34, v36, v45, v46, v48, v50, v51, v54, v55, v6, v63, v65, v7, v75, v76, v78, v90, v92, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v14 = (a - b);
+    v16 = (a + b);
+    v19 = (r - a);
+    v23 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (r + a)));
+    v63 = Math.tan(theta);
+    v65 = (2.0 * b);
+    v174 = (r > a);
+    if (v174) {
+      v6 = (((a < b) || (a !== a)) ? a : b);
+      if ((a > b)) {
+        v7 = (r - b);
+        v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (r + b)));
+        v13 = (b / r);
+        v24 = (Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v16)) / v23);
+        v26 = Math.asinh((v24 / v13));
+        v31 = (0.0 - Math.expm1(((-2.0) * v26)));
+        v34 = ((v31 > 0.0) ? v31 : Infinity);
+        v51 = (b * b);
+        v55 = (v13 * v13);
+        v76 = [];
+        for ([node, weight] of RULE_0_of_rounded_cone((v26 / 1.0))) {
+          v36 = (node * v26);
+          v45 = (v24 * ((Math.exp((-v36)) * (0.0 - Math.expm1(((-2.0) * (v26 - v36))))) / v34));
+          v46 = (v45 * v45);
+          v48 = Math.sqrt((1.0 + v46));
+          v50 = ((v12 * v45) / v48);
+          v54 = Math.sqrt((v51 + (v50 * v50)));
+          v75 = (((((v63 * (Math.atan((v50 / b)) + (v65 / (v50 + v54)))) * v50) / v54) * Math.atan2(v54, (v12 / v48))) * (Math.sqrt((v55 + v46)) / ((v48 * v48) * v48)));
+          v76.push((weight * v75));
+        }
+        v76 = (math.fsum(v76) * v26);
+        v78 = (v12 * v76);
+      } else {
+        v78 = 0.0;
+      }
+      v90 = (v6 / (r + Math.sqrt(((r - v6) * (r + v6)))));
+      v92 = (v90 * v90);
+      v175 = (((((2.0 * v63) / (3.141592653589793 * b)) * (v6 * v6)) * ((v6 / r) * (0.6666666666666666 + (v92 * ((((((((((((((((((-0.7327347664453868) * v92) + (-32.15553480435792)) * v92) + (-332.23363563146734)) * v92) + (-1070.7082873491413)) * v92) + (-85.27694715374247)) * v92) + 5044.821368830373) * v92) + 8082.413158212496) * v92) + 3759.725330928701) * v92) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v92) + 32.12935731379798) * v92) + 746.8124983579742) * v92) + 6202.125133759036) * v92) + 23553.080984642995) * v92) + 44404.005348491315) * v92) + 40380.01430284195) * v92) + 14099.684276696918) * v92) + 1.0)))))) + (0.6366197723675814 * v78));
+    } else {
+      if ((a < b)) {
+        v164 = ((v63 / b) * (a * a));
+      } else {
+        v155 = Math.sqrt((v14 * v16));
+        v164 = ((v63 * a) * (Math.atan((v155 / b)) + (b / (v155 + a))));
+      }
+      v175 = (v164 - ((r < b) ? ((v63 / v65) * (r * r)) : (v63 * (r - (b / 2.0)))));
+    }
+    return (v175 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v174 ? (0.6366197723675814 * Math.atan2(a, v23)) : 1.0)));
+  }
+  return _displacement_3(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
-  let node, v12, v13, v14, v155, v16, v164, v174, v175, v19, v23, v24, v26, v31, v34, v36, v45, v46, v48, v50, v51, v54, v55, v6, v63, v65, v7, v75, v76, v78, v90, v92, value, weight;
-  v14 = (a - b);
-  v16 = (a + b);
-  v19 = (r - a);
-  v23 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (r + a)));
-  v63 = Math.tan(theta);
-  v65 = (2.0 * b);
-  v174 = (r > a);
-  if (v174) {
-    v6 = (((a < b) || (a !== a)) ? a : b);
-    if ((a > b)) {
-      v7 = (r - b);
-      v12 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (r + b)));
-      v13 = (b / r);
-      v24 = (Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v16)) / v23);
-      v26 = Math.asinh((v24 / v13));
-      v31 = (0.0 - Math.expm1(((-2.0) * v26)));
-      v34 = ((v31 > 0.0) ? v31 : Infinity);
-      v51 = (b * b);
-      v55 = (v13 * v13);
-      v76 = [];
-      for ([node, weight] of RULE_0_of_rounded_cone((v26 / 1.0))) {
-        v36 = (node * v26);
-        v45 = (v24 * ((Math.exp((-v36)) * (0.0 - Math.expm1(((-2.0) * (v26 - v36))))) / v34));
-        v46 = (v45 * v45);
-        v48 = Math.sqrt((1.0 + v46));
-        v50 = ((v12 * v45) / v48);
-        v54 = Math.sqrt((v51 + (v50 * v50)));
-        v75 = (((((v63 * (Math.atan((v50 / b)) + (v65 / (v50 + v54)))) * v50) / v54) * Math.atan2(v54, (v12 / v48))) * (Math.sqrt((v55 + v46)) / ((v48 * v48) * v48)));
-        v76.push((weight * v75));
-      }
-      v76 = (math.fsum(v76) * v26);
-      v78 = (v12 * v76);
-    } else {
-      v78 = 0.0;
-    }
-    v90 = (v6 / (r + Math.sqrt(((r - v6) * (r + v6)))));
-    v92 = (v90 * v90);
-    v175 = (((((2.0 * v63) / (3.141592653589793 * b)) * (v6 * v6)) * ((v6 / r) * (0.6666666666666666 + (v92 * ((((((((((((((((((-0.7327347664453868) * v92) + (-32.15553480435792)) * v92) + (-332.23363563146734)) * v92) + (-1070.7082873491413)) * v92) + (-85.27694715374247)) * v92) + 5044.821368830373) * v92) + 8082.413158212496) * v92) + 3759.725330928701) * v92) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v92) + 32.12935731379798) * v92) + 746.8124983579742) * v92) + 6202.125133759036) * v92) + 23553.080984642995) * v92) + 44404.005348491315) * v92) + 40380.01430284195) * v92) + 14099.684276696918) * v92) + 1.0)))))) + (0.6366197723675814 * v78));
-  } else {
-    if ((a < b)) {
-      v164 = ((v63 / b) * (a * a));
-    } else {
-      v155 = Math.sqrt((v14 * v16));
-      v164 = ((v63 * a) * (Math.atan((v155 / b)) + (b / (v155 + a))));
-    }
-    v175 = (v164 - ((r < b) ? ((v63 / v65) * (r * r)) : (v63 * (r - (b / 2.0)))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v175 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v174 ? (0.6366197723675814 * Math.atan2(a, v23)) : 1.0)));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const tangential_force = (a, c, theta, b, E_star, mu) => {
-  let node, v100, v104, v105, v109, v113, v116, v12, v120, v127, v129, v133, v134, v139, v14, v140, v143, v146, v154, v155, v156, v161, v17, v18, v20, v23, v25, v31, v36, v37, v43, v56, v59, v60, v62, v66, v67, v68, v73, v78, v8, v83, v84, v86, v91, v93, v96, v97, v98, v99, value, weight;
-  v8 = Math.tan(theta);
-  v12 = (((4.0 * E_star) * v8) / (3.0 * b));
-  v14 = (a * a);
-  v17 = (a - b);
-  v18 = (a + b);
-  v23 = (E_star * v8);
-  v25 = (4.0 * b);
-  v31 = (b / 3.0);
-  if ((a < b)) {
-    v36 = (v12 * (a * v14));
-  } else {
-    v20 = Math.sqrt((v17 * v18));
-    v36 = (v23 * (((v14 * Math.atan((v20 / b))) + ((v25 * v14) / (3.0 * (v20 + a)))) + (v31 * v20)));
-  }
-  v37 = (c * c);
-  if ((c < b)) {
-    v56 = (v12 * (c * v37));
-  } else {
-    v43 = Math.sqrt(((c - b) * (c + b)));
-    v56 = (v23 * (((v37 * Math.atan((v43 / b))) + ((v25 * v37) / (3.0 * (v43 + c)))) + (v31 * v43)));
-  }
-  v59 = (v56 >= (0.25 * v36));
-  if (v59) {
-    v60 = (((a < b) || (a !== a)) ? a : b);
-    v73 = (v60 > c);
-    v83 = (v59 && v73);
-    if (v83) {
-      v62 = (c - 0.0);
-      v66 = Math.sqrt(((((v62 > 0.0) || (v62 !== v62)) ? v62 : 0.0) * (c + 0.0)));
+const CLOSE = 0.25;
+
+const _gap = (a, c, outer, inner) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
+};
+
+const growth = math.in_groups((slope, order, r, c, a, close) => {
+  let integrand, root, stop;
+  root = difference_root(c, r);
+  stop = Math.log1p((((a - c) + _gap(a, c, difference_root(a, r), root)) / (c + root)));
+  integrand = (v) => {
+    let t;
+    t = ((c * Math.cosh(v)) + (root * Math.sinh(v)));
+    return (slope(t) * Math.pow(t, order));
+  };
+  return [integrand, math.where((close & (a > c)), stop, 0.0), 1.0, (close & (a > c)), 0.0];
+});
+
+const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
+  let beyond, gaps, holds, integrand, root, start;
+  start = math.maximum(b, c);
+  [beyond, root] = [difference_root(start, b), difference_root(start, r)];
+  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
+  holds = (close & (a > start));
+  integrand = (v) => {
+    let side, t;
+    side = ((beyond * Math.cosh(v)) + (root * Math.sinh(v)));
+    t = Math.sqrt(((b * b) + (side * side)));
+    return ((slope(t, side) * (side / t)) * Math.pow(t, order));
+  };
+  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+});
+
+const _tangential_force_of_rounded_cone = (a, c, theta, b, E_star, mu) => {
+  let beyond, close, gain, sticking, tip, whole;
+  [whole, sticking] = [_force_of_rounded_cone(a, theta, b, E_star), _force_of_rounded_cone(c, theta, b, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  tip = growth(_slope, [theta, b], 2, 0.0, c, math.minimum(a, b), close);
+  beyond = growth_beyond(_slope_beyond, [theta, b], 2, 0.0, c, a, b, close);
+  gain = ((2.0 * E_star) * (tip + beyond));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, theta, b, E_star, mu) => {
+  let node, v100, v104, v105, v109, v113, v116, v12, v120, v127, v129, v133, v134, v139, v14, v140, v143, v146, v154, v155, v156, v161, v17, v18, v20, v23, v25, v31, v36, v37, v43, v56, v59, v60, v62, v66, v67, v68, v73, v78, v8, v83, v84, v86, v91, v93, v96, v97, v98, v99, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v8 = Math.tan(theta);
+    v12 = (((4.0 * E_star) * v8) / (3.0 * b));
+    v14 = (a * a);
+    v17 = (a - b);
+    v18 = (a + b);
+    v23 = (E_star * v8);
+    v25 = (4.0 * b);
+    v31 = (b / 3.0);
+    if ((a < b)) {
+      v36 = (v12 * (a * v14));
+    } else {
+      v20 = Math.sqrt((v17 * v18));
+      v36 = (v23 * (((v14 * Math.atan((v20 / b))) + ((v25 * v14) / (3.0 * (v20 + a)))) + (v31 * v20)));
+    }
+    v37 = (c * c);
+    if ((c < b)) {
+      v56 = (v12 * (c * v37));
+    } else {
+      v43 = Math.sqrt(((c - b) * (c + b)));
+      v56 = (v23 * (((v37 * Math.atan((v43 / b))) + ((v25 * v37) / (3.0 * (v43 + c)))) + (v31 * v43)));
+    }
+    v59 = (v56 >= (0.25 * v36));
+    if (v59) {
+      v60 = (((a < b) || (a !== a)) ? a : b);
+      v73 = (v60 > c);
+      v83 = (v59 && v73);
       if (v83) {
-        v67 = (v60 - c);
-        if (v73) {
-          v68 = (v60 - 0.0);
-          v78 = ((v67 * (v60 + c)) / (Math.sqrt(((((v68 > 0.0) || (v68 !== v68)) ? v68 : 0.0) * (v60 + 0.0))) + v66));
+        v62 = (c - 0.0);
+        v66 = Math.sqrt(((((v62 > 0.0) || (v62 !== v62)) ? v62 : 0.0) * (c + 0.0)));
+        if (v83) {
+          v67 = (v60 - c);
+          if (v73) {
+            v68 = (v60 - 0.0);
+            v78 = ((v67 * (v60 + c)) / (Math.sqrt(((((v68 > 0.0) || (v68 !== v68)) ? v68 : 0.0) * (v60 + 0.0))) + v66));
+          } else {
+            v78 = 0.0;
+          }
+          v84 = Math.log1p(((v67 + v78) / (c + v66)));
         } else {
-          v78 = 0.0;
+          v84 = 0.0;
         }
-        v84 = Math.log1p(((v67 + v78) / (c + v66)));
+        v93 = ((2.0 * v8) / b);
+        v97 = [];
+        for ([node, weight] of RULE_0_2((v84 / 1.0))) {
+          v86 = (node * v84);
+          v91 = ((c * Math.cosh(v86)) + (v66 * Math.sinh(v86)));
+          v96 = ((v93 * v91) * (v91 * v91));
+          v97.push((weight * v96));
+        }
+        v97 = (math.fsum(v97) * v84);
+        v98 = v97;
+      } else {
+        v98 = 0.0;
+      }
+      v99 = (((b > c) || (b !== b)) ? b : c);
+      v113 = (a > v99);
+      v129 = (v59 && v113);
+      if (v129) {
+        v100 = (v99 - b);
+        v104 = Math.sqrt(((((v100 > 0.0) || (v100 !== v100)) ? v100 : 0.0) * (v99 + b)));
+        v105 = (v99 - 0.0);
+        v109 = Math.sqrt(((((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0) * (v99 + 0.0)));
+        if (v129) {
+          v116 = ((a - v99) * (a + v99));
+          if (v113) {
+            v120 = (a - 0.0);
+            v127 = (v116 / (Math.sqrt(((((v120 > 0.0) || (v120 !== v120)) ? v120 : 0.0) * (a + 0.0))) + v109));
+          } else {
+            v127 = 0.0;
+          }
+          v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v104)) : 0.0) + v127) / (v104 + v109)));
+        } else {
+          v133 = 0.0;
+        }
+        v140 = (b * b);
+        v146 = (2.0 * b);
+        v155 = [];
+        for ([node, weight] of RULE_0_2((v133 / 1.0))) {
+          v134 = (node * v133);
+          v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
+          v143 = Math.sqrt((v140 + (v139 * v139)));
+          v154 = (((v8 * (Math.atan((v139 / b)) + (v146 / (v139 + v143)))) * (v139 / v143)) * (v143 * v143));
+          v155.push((weight * v154));
+        }
+        v155 = (math.fsum(v155) * v133);
+        v156 = v155;
+      } else {
+        v156 = 0.0;
+      }
+      v161 = ((2.0 * E_star) * (v98 + v156));
+    } else {
+      v161 = (v36 - v56);
+    }
+    return (mu * v161);
+  }
+  return _tangential_force_of_rounded_cone(a, c, theta, b, E_star, mu);
+};
+
+const tangential_force = (a, c, theta, b, E_star, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, theta, b, E_star, mu) : NaN);
+};
+
+const _traction_of_rounded_cone = (r, a, c, theta, b, E_star, mu) => {
+  let beyond, close, gain, sliding, stuck, tip;
+  sliding = _pressure_of_rounded_cone(r, a, theta, b, E_star);
+  stuck = _pressure_of_rounded_cone(r, c, theta, b, E_star);
+  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  tip = growth(_slope, [theta, b], 0, r, c, math.minimum(a, b), close);
+  beyond = growth_beyond(_slope_beyond, [theta, b], 0, r, c, a, b, close);
+  gain = ((E_star / Math.PI) * (tip + beyond));
+  return (mu * math.where(close, gain, (sliding - stuck)));
+};
+
+const _traction = (r, a, c, theta, b, E_star, mu) => {
+  let node, v102, v103, v108, v110, v114, v116, v118, v128, v131, v139, v140, v141, v142, v145, v149, v15, v150, v154, v155, v159, v169, v170, v171, v176, v178, v181, v182, v183, v184, v185, v189, v19, v190, v194, v195, v198, v202, v209, v211, v215, v216, v221, v224, v234, v235, v236, v240, v26, v27, v30, v34, v35, v40, v45, v47, v48, v49, v54, v56, v57, v59, v69, v7, v70, v73, v76, v8, v82, v83, v84, v86, v89, v9, v90, v98, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v7 = (((a < b) || (a !== a)) ? a : b);
+    v8 = (v7 - r);
+    v9 = (v7 + r);
+    v15 = Math.tan(theta);
+    v19 = (((2.0 * E_star) * v15) / (3.141592653589793 * b));
+    v26 = ((r === b) ? math.nextafter(b, Infinity) : r);
+    v27 = (v26 < b);
+    v30 = (a - b);
+    v34 = Math.sqrt(((((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0) * (a + b)));
+    v45 = Math.sqrt((Math.abs((v26 - b)) * (v26 + b)));
+    v48 = (2.0 * (v27 ? 0.0 : 1.0));
+    v49 = (1.0 - v48);
+    v57 = (((v26 > b) || (v26 !== v26)) ? v26 : b);
+    v70 = (b * b);
+    v76 = (2.0 * b);
+    v86 = (E_star / 3.141592653589793);
+    if ((r < a)) {
+      if ((a > v57)) {
+        if (v27) {
+          v40 = v34;
+        } else {
+          v35 = (a - v26);
+          v40 = Math.sqrt(((((v35 > 0.0) || (v35 !== v35)) ? v35 : 0.0) * (a + v26)));
+        }
+        v47 = Math.asinh((v40 / v45));
+        v54 = (v48 - (v49 * Math.expm1(((-2.0) * v47))));
+        v56 = ((v54 > 0.0) ? v54 : Infinity);
+        v83 = [];
+        for ([node, weight] of RULE_0_2((v47 / 1.0))) {
+          v59 = (node * v47);
+          v69 = (v34 * ((Math.exp((-v59)) * (v48 - (v49 * Math.expm1(((-2.0) * (v47 - v59)))))) / v56));
+          v73 = Math.sqrt((v70 + (v69 * v69)));
+          v82 = (((v15 * (Math.atan((v69 / b)) + (v76 / (v69 + v73)))) * v69) / v73);
+          v83.push((weight * v82));
+        }
+        v83 = (math.fsum(v83) * v47);
+        v84 = v83;
       } else {
         v84 = 0.0;
       }
-      v93 = ((2.0 * v8) / b);
-      v97 = [];
-      for ([node, weight] of RULE_0_2((v84 / 1.0))) {
-        v86 = (node * v84);
-        v91 = ((c * Math.cosh(v86)) + (v66 * Math.sinh(v86)));
-        v96 = ((v93 * v91) * (v91 * v91));
-        v97.push((weight * v96));
-      }
-      v97 = (math.fsum(v97) * v84);
-      v98 = v97;
+      v89 = (((r < v7) ? (v19 * Math.sqrt((v8 * v9))) : 0.0) + (v86 * v84));
     } else {
-      v98 = 0.0;
+      v89 = 0.0;
     }
-    v99 = (((b > c) || (b !== b)) ? b : c);
-    v113 = (a > v99);
-    v129 = (v59 && v113);
-    if (v129) {
-      v100 = (v99 - b);
-      v104 = Math.sqrt(((((v100 > 0.0) || (v100 !== v100)) ? v100 : 0.0) * (v99 + b)));
-      v105 = (v99 - 0.0);
-      v109 = Math.sqrt(((((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0) * (v99 + 0.0)));
-      if (v129) {
-        v116 = ((a - v99) * (a + v99));
-        if (v113) {
-          v120 = (a - 0.0);
-          v127 = (v116 / (Math.sqrt(((((v120 > 0.0) || (v120 !== v120)) ? v120 : 0.0) * (a + 0.0))) + v109));
+    v142 = (r < c);
+    if (v142) {
+      v90 = (((c < b) || (c !== c)) ? c : b);
+      if ((c > v57)) {
+        v98 = (c - b);
+        v102 = Math.sqrt(((((v98 > 0.0) || (v98 !== v98)) ? v98 : 0.0) * (c + b)));
+        if (v27) {
+          v108 = v102;
         } else {
-          v127 = 0.0;
+          v103 = (c - v26);
+          v108 = Math.sqrt(((((v103 > 0.0) || (v103 !== v103)) ? v103 : 0.0) * (c + v26)));
         }
-        v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * v18)) + v104)) : 0.0) + v127) / (v104 + v109)));
+        v110 = Math.asinh((v108 / v45));
+        v114 = (v48 - (v49 * Math.expm1(((-2.0) * v110))));
+        v116 = ((v114 > 0.0) ? v114 : Infinity);
+        v140 = [];
+        for ([node, weight] of RULE_0_2((v110 / 1.0))) {
+          v118 = (node * v110);
+          v128 = (v102 * ((Math.exp((-v118)) * (v48 - (v49 * Math.expm1(((-2.0) * (v110 - v118)))))) / v116));
+          v131 = Math.sqrt((v70 + (v128 * v128)));
+          v139 = (((v15 * (Math.atan((v128 / b)) + (v76 / (v128 + v131)))) * v128) / v131);
+          v140.push((weight * v139));
+        }
+        v140 = (math.fsum(v140) * v110);
+        v141 = v140;
       } else {
-        v133 = 0.0;
+        v141 = 0.0;
       }
-      v140 = (b * b);
-      v146 = (2.0 * b);
-      v155 = [];
-      for ([node, weight] of RULE_0_2((v133 / 1.0))) {
-        v134 = (node * v133);
-        v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
-        v143 = Math.sqrt((v140 + (v139 * v139)));
-        v154 = (((v8 * (Math.atan((v139 / b)) + (v146 / (v139 + v143)))) * (v139 / v143)) * (v143 * v143));
-        v155.push((weight * v154));
-      }
-      v155 = (math.fsum(v155) * v133);
-      v156 = v155;
+      v145 = (((r < v90) ? (v19 * Math.sqrt(((v90 - r) * (v90 + r)))) : 0.0) + (v86 * v141));
     } else {
-      v156 = 0.0;
+      v145 = 0.0;
     }
-    v161 = ((2.0 * E_star) * (v98 + v156));
-  } else {
-    v161 = (v36 - v56);
+    v149 = (v142 && (v145 >= (0.25 * v89)));
+    if (v149) {
+      v159 = (v7 > c);
+      v169 = (v149 && v159);
+      if (v169) {
+        v150 = (c - r);
+        v154 = Math.sqrt(((((v150 > 0.0) || (v150 !== v150)) ? v150 : 0.0) * (c + r)));
+        if (v169) {
+          v155 = (v7 - c);
+          v170 = Math.log1p(((v155 + (v159 ? ((v155 * (v7 + c)) / (Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * v9)) + v154)) : 0.0)) / (c + v154)));
+        } else {
+          v170 = 0.0;
+        }
+        v178 = ((2.0 * v15) / b);
+        v182 = [];
+        for ([node, weight] of RULE_0_2((v170 / 1.0))) {
+          v171 = (node * v170);
+          v176 = ((c * Math.cosh(v171)) + (v154 * Math.sinh(v171)));
+          v181 = ((v178 * v176) * Math.pow(v176, 0.0));
+          v182.push((weight * v181));
+        }
+        v182 = (math.fsum(v182) * v170);
+        v183 = v182;
+      } else {
+        v183 = 0.0;
+      }
+      v184 = (((b > c) || (b !== b)) ? b : c);
+      v195 = (a > v184);
+      v211 = (v149 && v195);
+      if (v211) {
+        v185 = (v184 - b);
+        v189 = Math.sqrt(((((v185 > 0.0) || (v185 !== v185)) ? v185 : 0.0) * (v184 + b)));
+        v190 = (v184 - r);
+        v194 = Math.sqrt(((((v190 > 0.0) || (v190 !== v190)) ? v190 : 0.0) * (v184 + r)));
+        if (v211) {
+          v198 = ((a - v184) * (a + v184));
+          if (v195) {
+            v202 = (a - r);
+            v209 = (v198 / (Math.sqrt(((((v202 > 0.0) || (v202 !== v202)) ? v202 : 0.0) * (a + r))) + v194));
+          } else {
+            v209 = 0.0;
+          }
+          v215 = Math.log1p((((v195 ? (v198 / (v34 + v189)) : 0.0) + v209) / (v189 + v194)));
+        } else {
+          v215 = 0.0;
+        }
+        v235 = [];
+        for ([node, weight] of RULE_0_2((v215 / 1.0))) {
+          v216 = (node * v215);
+          v221 = ((v189 * Math.cosh(v216)) + (v194 * Math.sinh(v216)));
+          v224 = Math.sqrt((v70 + (v221 * v221)));
+          v234 = (((v15 * (Math.atan((v221 / b)) + (v76 / (v221 + v224)))) * (v221 / v224)) * Math.pow(v224, 0.0));
+          v235.push((weight * v234));
+        }
+        v235 = (math.fsum(v235) * v215);
+        v236 = v235;
+      } else {
+        v236 = 0.0;
+      }
+      v240 = (v86 * (v183 + v236));
+    } else {
+      v240 = (v89 - v145);
+    }
+    return (mu * v240);
   }
-  value = (mu * v161);
-  return value;
+  return _traction_of_rounded_cone(r, a, c, theta, b, E_star, mu);
 };
 
 const traction = (r, a, c, theta, b, E_star, mu) => {
-  let node, v102, v103, v108, v110, v114, v116, v118, v128, v131, v139, v140, v141, v142, v145, v149, v15, v150, v154, v155, v159, v169, v170, v171, v176, v178, v181, v182, v183, v184, v185, v189, v19, v190, v194, v195, v198, v202, v209, v211, v215, v216, v221, v224, v234, v235, v236, v240, v26, v27, v30, v34, v35, v40, v45, v47, v48, v49, v54, v56, v57, v59, v69, v7, v70, v73, v76, v8, v82, v83, v84, v86, v89, v9, v90, v98, value, weight;
-  v7 = (((a < b) || (a !== a)) ? a : b);
-  v8 = (v7 - r);
-  v9 = (v7 + r);
-  v15 = Math.tan(theta);
-  v19 = (((2.0 * E_star) * v15) / (3.141592653589793 * b));
-  v26 = ((r === b) ? math.nextafter(b, Infinity) : r);
-  v27 = (v26 < b);
-  v30 = (a - b);
-  v34 = Math.sqrt(((((v30 > 0.0) || (v30 !== v30)) ? v30 : 0.0) * (a + b)));
-  v45 = Math.sqrt((Math.abs((v26 - b)) * (v26 + b)));
-  v48 = (2.0 * (v27 ? 0.0 : 1.0));
-  v49 = (1.0 - v48);
-  v57 = (((v26 > b) || (v26 !== v26)) ? v26 : b);
-  v70 = (b * b);
-  v76 = (2.0 * b);
-  v86 = (E_star / 3.141592653589793);
-  if ((r < a)) {
-    if ((a > v57)) {
-      if (v27) {
-        v40 = v34;
-      } else {
-        v35 = (a - v26);
-        v40 = Math.sqrt(((((v35 > 0.0) || (v35 !== v35)) ? v35 : 0.0) * (a + v26)));
-      }
-      v47 = Math.asinh((v40 / v45));
-      v54 = (v48 - (v49 * Math.expm1(((-2.0) * v47))));
-      v56 = ((v54 > 0.0) ? v54 : Infinity);
-      v83 = [];
-      for ([node, weight] of RULE_0_2((v47 / 1.0))) {
-        v59 = (node * v47);
-        v69 = (v34 * ((Math.exp((-v59)) * (v48 - (v49 * Math.expm1(((-2.0) * (v47 - v59)))))) / v56));
-        v73 = Math.sqrt((v70 + (v69 * v69)));
-        v82 = (((v15 * (Math.atan((v69 / b)) + (v76 / (v69 + v73)))) * v69) / v73);
-        v83.push((weight * v82));
-      }
-      v83 = (math.fsum(v83) * v47);
-      v84 = v83;
-    } else {
-      v84 = 0.0;
-    }
-    v89 = (((r < v7) ? (v19 * Math.sqrt((v8 * v9))) : 0.0) + (v86 * v84));
-  } else {
-    v89 = 0.0;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  v142 = (r < c);
-  if (v142) {
-    v90 = (((c < b) || (c !== c)) ? c : b);
-    if ((c > v57)) {
-      v98 = (c - b);
-      v102 = Math.sqrt(((((v98 > 0.0) || (v98 !== v98)) ? v98 : 0.0) * (c + b)));
-      if (v27) {
-        v108 = v102;
-      } else {
-        v103 = (c - v26);
-        v108 = Math.sqrt(((((v103 > 0.0) || (v103 !== v103)) ? v103 : 0.0) * (c + v26)));
-      }
-      v110 = Math.asinh((v108 / v45));
-      v114 = (v48 - (v49 * Math.expm1(((-2.0) * v110))));
-      v116 = ((v114 > 0.0) ? v114 : Infinity);
-      v140 = [];
-      for ([node, weight] of RULE_0_2((v110 / 1.0))) {
-        v118 = (node * v110);
-        v128 = (v102 * ((Math.exp((-v118)) * (v48 - (v49 * Math.expm1(((-2.0) * (v110 - v118)))))) / v116));
-        v131 = Math.sqrt((v70 + (v128 * v128)));
-        v139 = (((v15 * (Math.atan((v128 / b)) + (v76 / (v128 + v131)))) * v128) / v131);
-        v140.push((weight * v139));
-      }
-      v140 = (math.fsum(v140) * v110);
-      v141 = v140;
-    } else {
-      v141 = 0.0;
-    }
-    v145 = (((r < v90) ? (v19 * Math.sqrt(((v90 - r) * (v90 + r)))) : 0.0) + (v86 * v141));
-  } else {
-    v145 = 0.0;
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  v149 = (v142 && (v145 >= (0.25 * v89)));
-  if (v149) {
-    v159 = (v7 > c);
-    v169 = (v149 && v159);
-    if (v169) {
-      v150 = (c - r);
-      v154 = Math.sqrt(((((v150 > 0.0) || (v150 !== v150)) ? v150 : 0.0) * (c + r)));
-      if (v169) {
-        v155 = (v7 - c);
-        v170 = Math.log1p(((v155 + (v159 ? ((v155 * (v7 + c)) / (Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * v9)) + v154)) : 0.0)) / (c + v154)));
-      } else {
-        v170 = 0.0;
-      }
-      v178 = ((2.0 * v15) / b);
-      v182 = [];
-      for ([node, weight] of RULE_0_2((v170 / 1.0))) {
-        v171 = (node * v170);
-        v176 = ((c * Math.cosh(v171)) + (v154 * Math.sinh(v171)));
-        v181 = ((v178 * v176) * Math.pow(v176, 0.0));
-        v182.push((weight * v181));
-      }
-      v182 = (math.fsum(v182) * v170);
-      v183 = v182;
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, theta, b, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_rounded_cone = (a, c, theta, b, E_star, G_star, mu) => {
+  let beyond, close, gain, sticking, tip, whole;
+  [whole, sticking] = [_depth_of_rounded_cone(a, theta, b), _depth_of_rounded_cone(c, theta, b)];
+  close = (sticking >= (CLOSE * whole));
+  tip = growth(_slope, [theta, b], 1, 0.0, c, math.minimum(a, b), close);
+  beyond = growth_beyond(_slope_beyond, [theta, b], 1, 0.0, c, a, b, close);
+  gain = (tip + beyond);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
+  let node, v103, v110, v112, v116, v117, v12, v122, v123, v126, v129, v13, v137, v138, v139, v144, v15, v24, v30, v39, v42, v43, v45, v49, v50, v51, v56, v61, v66, v67, v69, v7, v74, v76, v79, v8, v80, v81, v82, v83, v87, v88, v92, v96, v99, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v7 = Math.tan(theta);
+    v8 = (v7 / b);
+    v12 = (a - b);
+    v13 = (a + b);
+    if ((a < b)) {
+      v24 = (v8 * (a * a));
     } else {
-      v183 = 0.0;
+      v15 = Math.sqrt((v12 * v13));
+      v24 = ((v7 * a) * (Math.atan((v15 / b)) + (b / (v15 + a))));
     }
-    v184 = (((b > c) || (b !== b)) ? b : c);
-    v195 = (a > v184);
-    v211 = (v149 && v195);
-    if (v211) {
-      v185 = (v184 - b);
-      v189 = Math.sqrt(((((v185 > 0.0) || (v185 !== v185)) ? v185 : 0.0) * (v184 + b)));
-      v190 = (v184 - r);
-      v194 = Math.sqrt(((((v190 > 0.0) || (v190 !== v190)) ? v190 : 0.0) * (v184 + r)));
-      if (v211) {
-        v198 = ((a - v184) * (a + v184));
-        if (v195) {
-          v202 = (a - r);
-          v209 = (v198 / (Math.sqrt(((((v202 > 0.0) || (v202 !== v202)) ? v202 : 0.0) * (a + r))) + v194));
+    if ((c < b)) {
+      v39 = (v8 * (c * c));
+    } else {
+      v30 = Math.sqrt(((c - b) * (c + b)));
+      v39 = ((v7 * c) * (Math.atan((v30 / b)) + (b / (v30 + c))));
+    }
+    v42 = (v39 >= (0.25 * v24));
+    if (v42) {
+      v43 = (((a < b) || (a !== a)) ? a : b);
+      v56 = (v43 > c);
+      v66 = (v42 && v56);
+      if (v66) {
+        v45 = (c - 0.0);
+        v49 = Math.sqrt(((((v45 > 0.0) || (v45 !== v45)) ? v45 : 0.0) * (c + 0.0)));
+        if (v66) {
+          v50 = (v43 - c);
+          if (v56) {
+            v51 = (v43 - 0.0);
+            v61 = ((v50 * (v43 + c)) / (Math.sqrt(((((v51 > 0.0) || (v51 !== v51)) ? v51 : 0.0) * (v43 + 0.0))) + v49));
+          } else {
+            v61 = 0.0;
+          }
+          v67 = Math.log1p(((v50 + v61) / (c + v49)));
         } else {
-          v209 = 0.0;
+          v67 = 0.0;
         }
-        v215 = Math.log1p((((v195 ? (v198 / (v34 + v189)) : 0.0) + v209) / (v189 + v194)));
+        v76 = ((2.0 * v7) / b);
+        v80 = [];
+        for ([node, weight] of RULE_0_2((v67 / 1.0))) {
+          v69 = (node * v67);
+          v74 = ((c * Math.cosh(v69)) + (v49 * Math.sinh(v69)));
+          v79 = ((v76 * v74) * Math.pow(v74, 1.0));
+          v80.push((weight * v79));
+        }
+        v80 = (math.fsum(v80) * v67);
+        v81 = v80;
       } else {
-        v215 = 0.0;
+        v81 = 0.0;
       }
-      v235 = [];
-      for ([node, weight] of RULE_0_2((v215 / 1.0))) {
-        v216 = (node * v215);
-        v221 = ((v189 * Math.cosh(v216)) + (v194 * Math.sinh(v216)));
-        v224 = Math.sqrt((v70 + (v221 * v221)));
-        v234 = (((v15 * (Math.atan((v221 / b)) + (v76 / (v221 + v224)))) * (v221 / v224)) * Math.pow(v224, 0.0));
-        v235.push((weight * v234));
+      v82 = (((b > c) || (b !== b)) ? b : c);
+      v96 = (a > v82);
+      v112 = (v42 && v96);
+      if (v112) {
+        v83 = (v82 - b);
+        v87 = Math.sqrt(((((v83 > 0.0) || (v83 !== v83)) ? v83 : 0.0) * (v82 + b)));
+        v88 = (v82 - 0.0);
+        v92 = Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (v82 + 0.0)));
+        if (v112) {
+          v99 = ((a - v82) * (a + v82));
+          if (v96) {
+            v103 = (a - 0.0);
+            v110 = (v99 / (Math.sqrt(((((v103 > 0.0) || (v103 !== v103)) ? v103 : 0.0) * (a + 0.0))) + v92));
+          } else {
+            v110 = 0.0;
+          }
+          v116 = Math.log1p((((v96 ? (v99 / (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)) + v87)) : 0.0) + v110) / (v87 + v92)));
+        } else {
+          v116 = 0.0;
+        }
+        v123 = (b * b);
+        v129 = (2.0 * b);
+        v138 = [];
+        for ([node, weight] of RULE_0_2((v116 / 1.0))) {
+          v117 = (node * v116);
+          v122 = ((v87 * Math.cosh(v117)) + (v92 * Math.sinh(v117)));
+          v126 = Math.sqrt((v123 + (v122 * v122)));
+          v137 = (((v7 * (Math.atan((v122 / b)) + (v129 / (v122 + v126)))) * (v122 / v126)) * Math.pow(v126, 1.0));
+          v138.push((weight * v137));
+        }
+        v138 = (math.fsum(v138) * v116);
+        v139 = v138;
+      } else {
+        v139 = 0.0;
       }
-      v235 = (math.fsum(v235) * v215);
-      v236 = v235;
+      v144 = (v81 + v139);
     } else {
-      v236 = 0.0;
+      v144 = (v24 - v39);
     }
-    v240 = (v86 * (v183 + v236));
-  } else {
-    v240 = (v89 - v145);
+    return ((mu * (E_star / G_star)) * v144);
   }
-  value = (mu * v240);
-  return value;
+  return _tangential_displacement_of_rounded_cone(a, c, theta, b, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
-  let node, v103, v110, v112, v116, v117, v12, v122, v123, v126, v129, v13, v137, v138, v139, v144, v15, v24, v30, v39, v42, v43, v45, v49, v50, v51, v56, v61, v66, v67, v69, v7, v74, v76, v79, v8, v80, v81, v82, v83, v87, v88, v92, v96, v99, value, weight;
-  v7 = Math.tan(theta);
-  v8 = (v7 / b);
-  v12 = (a - b);
-  v13 = (a + b);
-  if ((a < b)) {
-    v24 = (v8 * (a * a));
-  } else {
-    v15 = Math.sqrt((v12 * v13));
-    v24 = ((v7 * a) * (Math.atan((v15 / b)) + (b / (v15 + a))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  if ((c < b)) {
-    v39 = (v8 * (c * c));
-  } else {
-    v30 = Math.sqrt(((c - b) * (c + b)));
-    v39 = ((v7 * c) * (Math.atan((v30 / b)) + (b / (v30 + c))));
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  v42 = (v39 >= (0.25 * v24));
-  if (v42) {
-    v43 = (((a < b) || (a !== a)) ? a : b);
-    v56 = (v43 > c);
-    v66 = (v42 && v56);
-    if (v66) {
-      v45 = (c - 0.0);
-      v49 = Math.sqrt(((((v45 > 0.0) || (v45 !== v45)) ? v45 : 0.0) * (c + 0.0)));
-      if (v66) {
-        v50 = (v43 - c);
-        if (v56) {
-          v51 = (v43 - 0.0);
-          v61 = ((v50 * (v43 + c)) / (Math.sqrt(((((v51 > 0.0) || (v51 !== v51)) ? v51 : 0.0) * (v43 + 0.0))) + v49));
-        } else {
-          v61 = 0.0;
-        }
-        v67 = Math.log1p(((v50 + v61) / (c + v49)));
-      } else {
-        v67 = 0.0;
-      }
-      v76 = ((2.0 * v7) / b);
-      v80 = [];
-      for ([node, weight] of RULE_0_2((v67 / 1.0))) {
-        v69 = (node * v67);
-        v74 = ((c * Math.cosh(v69)) + (v49 * Math.sinh(v69)));
-        v79 = ((v76 * v74) * Math.pow(v74, 1.0));
-        v80.push((weight * v79));
-      }
-      v80 = (math.fsum(v80) * v67);
-      v81 = v80;
-    } else {
-      v81 = 0.0;
-    }
-    v82 = (((b > c) || (b !== b)) ? b : c);
-    v96 = (a > v82);
-    v112 = (v42 && v96);
-    if (v112) {
-      v83 = (v82 - b);
-      v87 = Math.sqrt(((((v83 > 0.0) || (v83 !== v83)) ? v83 : 0.0) * (v82 + b)));
-      v88 = (v82 - 0.0);
-      v92 = Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (v82 + 0.0)));
-      if (v112) {
-        v99 = ((a - v82) * (a + v82));
-        if (v96) {
-          v103 = (a - 0.0);
-          v110 = (v99 / (Math.sqrt(((((v103 > 0.0) || (v103 !== v103)) ? v103 : 0.0) * (a + 0.0))) + v92));
-        } else {
-          v110 = 0.0;
-        }
-        v116 = Math.log1p((((v96 ? (v99 / (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)) + v87)) : 0.0) + v110) / (v87 + v92)));
-      } else {
-        v116 = 0.0;
-      }
-      v123 = (b * b);
-      v129 = (2.0 * b);
-      v138 = [];
-      for ([node, weight] of RULE_0_2((v116 / 1.0))) {
-        v117 = (node * v116);
-        v122 = ((v87 * Math.cosh(v117)) + (v92 * Math.sinh(v117)));
-        v126 = Math.sqrt((v123 + (v122 * v122)));
-        v137 = (((v7 * (Math.atan((v122 / b)) + (v129 / (v122 + v126)))) * (v122 / v126)) * Math.pow(v126, 1.0));
-        v138.push((weight * v137));
-      }
-      v138 = (math.fsum(v138) * v116);
-      v139 = v138;
-    } else {
-      v139 = 0.0;
-    }
-    v144 = (v81 + v139);
-  } else {
-    v144 = (v24 - v39);
-  }
-  value = ((mu * (E_star / G_star)) * v144);
-  return value;
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -1181,21 +1666,36 @@ const _stick_radius = (F_x, a, theta, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, theta, b, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, theta, b, E_star, mu);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, theta, b, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_rounded_cone = (a, theta, b, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_rounded_cone(a, theta, b));
+};
+
+const _full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
+  let v16, v25, v8;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v8 = Math.tan(theta);
+    if ((a < b)) {
+      v25 = ((v8 / b) * (a * a));
+    } else {
+      v16 = Math.sqrt(((a - b) * (a + b)));
+      v25 = ((v8 * a) * (Math.atan((v16 / b)) + (b / (v16 + a))));
+    }
+    return ((mu * (E_star / G_star)) * v25);
+  }
+  return _full_slip_displacement_of_rounded_cone(a, theta, b, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
-  let v16, v25, v8;
-  v8 = Math.tan(theta);
-  if ((a < b)) {
-    v25 = ((v8 / b) * (a * a));
-  } else {
-    v16 = Math.sqrt(((a - b) * (a + b)));
-    v25 = ((v8 * a) * (Math.atan((v16 / b)) + (b / (v16 + a))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  return ((mu * (E_star / G_star)) * v25);
+  return ((a >= 0.0) ? _full_slip_displacement(a, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -1203,7 +1703,7 @@ const formulas = {
   "F": (v) => force(v.a, v.theta, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.theta, v.b, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
-  "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
+  "k": (v) => stiffness(v.a, v.theta, v.b, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
   "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
@@ -1211,6 +1711,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.theta, v.b, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_rounded_cone(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_rounded_cone(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_rounded_cone(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
@@ -1433,9 +1934,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "theta",
-    "b"
+    "b",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1524,6 +2025,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,259 +159,538 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, R, b) => {
-  let v12, v5, v52, v6, value;
-  v5 = (a - b);
-  v6 = (v5 / b);
-  if ((v6 < 0.42)) {
-    v52 = ((v6 * Math.sqrt(v6)) * (((((((((((0.0005288491342179178 * v6) + 0.038096760299703034) * v6) + 0.4065213849117787) * v6) + 1.438682033198726) * v6) + 1.9979042349620892) * v6) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v6) + 0.15001504718401248) * v6) + 0.9450913324352289) * v6) + 2.37401087025821) * v6) + 2.569097449054519) * v6) + 1.0)));
-  } else {
-    v12 = (Math.sqrt((v5 * (a + b))) / b);
-    v52 = (v12 - Math.atan(v12));
+const _NEAR = 0.42;
+
+const ROOT_GAP = [[0.9428090415820634, 1.9979042349620892, 1.438682033198726, 0.4065213849117787, 0.038096760299703034, 0.0005288491342179178], [1.0, 2.569097449054519, 2.37401087025821, 0.9450913324352289, 0.15001504718401248, 0.006421883194715949]];
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
   }
-  value = (((b / R) * a) * v52);
-  return value;
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
 };
 
-const force = (a, R, b, E_star) => {
-  let v12, v15, v4, v55, v6, v7, value;
+const root_gap = (x, y) => {
+  let near, q, root;
+  q = ((x - y) / y);
+  [near, root] = [math.minimum(q, _NEAR), (Math.sqrt(((x - y) * (x + y))) / y)];
+  return math.where((q < _NEAR), ((near * Math.sqrt(near)) * rational(near, ...ROOT_GAP)), (root - Math.atan(root)));
+};
+
+const _depth_of_rounded_punch = (a, R, b) => {
+  return (((b / R) * a) * root_gap(a, b));
+};
+
+const _depth = (a, R, b) => {
+  let v12, v5, v52, v6;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    v5 = (a - b);
+    v6 = (v5 / b);
+    if ((v6 < 0.42)) {
+      v52 = ((v6 * Math.sqrt(v6)) * (((((((((((0.0005288491342179178 * v6) + 0.038096760299703034) * v6) + 0.4065213849117787) * v6) + 1.438682033198726) * v6) + 1.9979042349620892) * v6) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v6) + 0.15001504718401248) * v6) + 0.9450913324352289) * v6) + 2.37401087025821) * v6) + 2.569097449054519) * v6) + 1.0)));
+    } else {
+      v12 = (Math.sqrt((v5 * (a + b))) / b);
+      v52 = (v12 - Math.atan(v12));
+    }
+    return (((b / R) * a) * v52);
+  }
+  return _depth_of_rounded_punch(a, R, b);
+};
+
+const depth = (a, R, b) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, R, b) : NaN);
+};
+
+const _force = (a, R, b, E_star) => {
+  let v12, v15, v4, v55, v6, v7;
   v4 = (a - b);
   v6 = (v4 * (a + b));
-  v7 = Math.sqrt(v6);
+  v7 = math.sqrt(v6);
   v12 = (v4 / b);
   if ((v12 < 0.42)) {
-    v55 = ((v12 * Math.sqrt(v12)) * (((((((((((0.0005288491342179178 * v12) + 0.038096760299703034) * v12) + 0.4065213849117787) * v12) + 1.438682033198726) * v12) + 1.9979042349620892) * v12) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v12) + 0.15001504718401248) * v12) + 0.9450913324352289) * v12) + 2.37401087025821) * v12) + 2.569097449054519) * v12) + 1.0)));
+    v55 = ((v12 * math.sqrt(v12)) * (((((((((((0.0005288491342179178 * v12) + 0.038096760299703034) * v12) + 0.4065213849117787) * v12) + 1.438682033198726) * v12) + 1.9979042349620892) * v12) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v12) + 0.15001504718401248) * v12) + 0.9450913324352289) * v12) + 2.37401087025821) * v12) + 2.569097449054519) * v12) + 1.0)));
   } else {
     v15 = (v7 / b);
     v55 = (v15 - Math.atan(v15));
   }
-  value = ((E_star / R) * (((b * (a * a)) * v55) + ((v6 * v7) / 3.0)));
-  return value;
+  return ((E_star / R) * (((b * (a * a)) * v55) + ((v6 * v7) / 3.0)));
+};
+
+const force = (a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, R, b, E_star) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure = (r, a, R, b, E_star) => {
-  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v53, v54, v61, v65, v66, v67, v8, v9, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
-      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-        v9 = (v8 < b);
-        v13 = (a - b);
-        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-        if (v9) {
-          v23 = v17;
+const _slope_beyond = (t, root, R, b) => {
+  let angle;
+  angle = Math.atan2(root, b);
+  return (((2 * root) / R) - ((b / R) * angle));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_rounded_punch = (r, a, R, b, E_star) => {
+  let growth, inside;
+  growth = pressure_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  inside = math.where((r < a), ((E_star / Math.PI) * growth), 0.0);
+  return math.where((a >= b), inside, NaN);
+};
+
+const _pressure = (r, a, R, b, E_star) => {
+  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v53, v54, v61, v65, v66, v67, v8, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+        if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+          v9 = (v8 < b);
+          v13 = (a - b);
+          v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+          if (v9) {
+            v23 = v17;
+          } else {
+            v18 = (a - v8);
+            v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          }
+          v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v33 = (1.0 - v32);
+          v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
+          v40 = ((v38 > 0.0) ? v38 : Infinity);
+          v54 = (b * b);
+          v61 = (b / R);
+          v66 = [];
+          for ([node, weight] of RULE_0((v30 / 1.0))) {
+            v43 = (node * v30);
+            v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
+            v65 = (((((2.0 * v53) / R) - (v61 * Math.atan2(v53, b))) * v53) / Math.sqrt((v54 + (v53 * v53))));
+            v66.push((weight * v65));
+          }
+          v66 = (math.fsum(v66) * v30);
+          v67 = v66;
         } else {
-          v18 = (a - v8);
-          v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          v67 = 0.0;
         }
-        v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-        v32 = (2.0 * (v9 ? 0.0 : 1.0));
-        v33 = (1.0 - v32);
-        v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
-        v40 = ((v38 > 0.0) ? v38 : Infinity);
-        v54 = (b * b);
-        v61 = (b / R);
-        v66 = [];
-        for ([node, weight] of RULE_0((v30 / 1.0))) {
-          v43 = (node * v30);
-          v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
-          v65 = (((((2.0 * v53) / R) - (v61 * Math.atan2(v53, b))) * v53) / Math.sqrt((v54 + (v53 * v53))));
-          v66.push((weight * v65));
-        }
-        v66 = (math.fsum(v66) * v30);
-        v67 = v66;
-      } else {
-        v67 = 0.0;
+        return ((E_star / 3.141592653589793) * v67);
       }
-      value = ((E_star / 3.141592653589793) * v67);
-      return value;
+      return 0.0;
     }
-    return 0.0;
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_rounded_punch(r, a, R, b, E_star);
+};
+
+const pressure = (r, a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, b, E_star) : 0.0) : NaN);
+};
+
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, R, b) => {
+  return math.where((r < b), 0, (Math.pow((r - b), 2) / (2 * R)));
+};
+
+const _displacement_of_rounded_punch = (r, a, R, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_rounded_punch(a, R, b) - _profile(r, R, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
+const _displacement = (r, a, R, b) => {
+  let node, v10, v11, v121, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v62, v70, v71, v73, v77, v82, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (r - b);
+      v11 = (a - b);
+      v13 = (a + b);
+      v62 = (b / R);
+      if ((r > a)) {
+        if ((a > b)) {
+          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
+          v10 = (b / r);
+          v16 = (r - a);
+          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+          v23 = Math.asinh((v21 / v10));
+          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+          v31 = ((v28 > 0.0) ? v28 : Infinity);
+          v48 = (b * b);
+          v52 = (v10 * v10);
+          v71 = [];
+          for ([node, weight] of RULE_0((v23 / 1.0))) {
+            v33 = (node * v23);
+            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+            v43 = (v42 * v42);
+            v45 = Math.sqrt((1.0 + v43));
+            v47 = ((v9 * v42) / v45);
+            v51 = Math.sqrt((v48 + (v47 * v47)));
+            v70 = (((((((2.0 * v47) / R) - (v62 * Math.atan2(v47, b))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+            v71.push((weight * v70));
+          }
+          v71 = (math.fsum(v71) * v23);
+          v73 = (v9 * v71);
+        } else {
+          v73 = 0.0;
+        }
+        return (0.6366197723675814 * v73);
+      }
+      v77 = (v11 / b);
+      if ((v77 < 0.42)) {
+        v121 = ((v77 * Math.sqrt(v77)) * (((((((((((0.0005288491342179178 * v77) + 0.038096760299703034) * v77) + 0.4065213849117787) * v77) + 1.438682033198726) * v77) + 1.9979042349620892) * v77) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v77) + 0.15001504718401248) * v77) + 0.9450913324352289) * v77) + 2.37401087025821) * v77) + 2.569097449054519) * v77) + 1.0)));
+      } else {
+        v82 = (Math.sqrt((v11 * v13)) / b);
+        v121 = (v82 - Math.atan(v82));
+      }
+      return (((v62 * a) * v121) - ((r < b) ? 0.0 : ((v4 * v4) / (2.0 * R))));
+    }
+    return NaN;
+  }
+  return _displacement_of_rounded_punch(r, a, R, b);
 };
 
 const displacement = (r, a, R, b) => {
-  let node, v10, v11, v121, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v62, v70, v71, v73, v77, v82, v9, value, weight;
-  if ((a >= b)) {
-    v4 = (r - b);
-    v11 = (a - b);
-    v13 = (a + b);
-    v62 = (b / R);
-    if ((r > a)) {
-      if ((a > b)) {
-        v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
-        v10 = (b / r);
-        v16 = (r - a);
-        v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-        v23 = Math.asinh((v21 / v10));
-        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-        v31 = ((v28 > 0.0) ? v28 : Infinity);
-        v48 = (b * b);
-        v52 = (v10 * v10);
-        v71 = [];
-        for ([node, weight] of RULE_0((v23 / 1.0))) {
-          v33 = (node * v23);
-          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-          v43 = (v42 * v42);
-          v45 = Math.sqrt((1.0 + v43));
-          v47 = ((v9 * v42) / v45);
-          v51 = Math.sqrt((v48 + (v47 * v47)));
-          v70 = (((((((2.0 * v47) / R) - (v62 * Math.atan2(v47, b))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-          v71.push((weight * v70));
-        }
-        v71 = (math.fsum(v71) * v23);
-        v73 = (v9 * v71);
-      } else {
-        v73 = 0.0;
-      }
-      value = (0.6366197723675814 * v73);
-      return value;
-    }
-    v77 = (v11 / b);
-    if ((v77 < 0.42)) {
-      v121 = ((v77 * Math.sqrt(v77)) * (((((((((((0.0005288491342179178 * v77) + 0.038096760299703034) * v77) + 0.4065213849117787) * v77) + 1.438682033198726) * v77) + 1.9979042349620892) * v77) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v77) + 0.15001504718401248) * v77) + 0.9450913324352289) * v77) + 2.37401087025821) * v77) + 2.569097449054519) * v77) + 1.0)));
-    } else {
-      v82 = (Math.sqrt((v11 * v13)) / b);
-      v121 = (v82 - Math.atan(v82));
-    }
-    value = (((v62 * a) * v121) - ((r < b) ? 0.0 : ((v4 * v4) / (2.0 * R))));
-    return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, R, b) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star, R = 1.0, b = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_rounded_punch = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, R = 1.0, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_rounded_punch(a, E_star);
+};
+
+const stiffness = (a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_rounded_punch = (a, R, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return ((E_star / (Math.PI * R)) * ((b * root_gap(a, b)) + ((((a - b) * (a + b)) * root) / (3 * Math.pow(a, 2)))));
+};
+
+const _mean_pressure = (a, R, b, E_star) => {
+  let v11, v14, v4, v54, v6, v7;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    v4 = (a - b);
+    v6 = (v4 * (a + b));
+    v7 = Math.sqrt(v6);
+    v11 = (v4 / b);
+    if ((v11 < 0.42)) {
+      v54 = ((v11 * Math.sqrt(v11)) * (((((((((((0.0005288491342179178 * v11) + 0.038096760299703034) * v11) + 0.4065213849117787) * v11) + 1.438682033198726) * v11) + 1.9979042349620892) * v11) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v11) + 0.15001504718401248) * v11) + 0.9450913324352289) * v11) + 2.37401087025821) * v11) + 2.569097449054519) * v11) + 1.0)));
+    } else {
+      v14 = (v7 / b);
+      v54 = (v14 - Math.atan(v14));
+    }
+    return ((E_star / (3.141592653589793 * R)) * ((b * v54) + ((v6 * v7) / (3.0 * (a * a)))));
+  }
+  return _mean_pressure_of_rounded_punch(a, R, b, E_star);
 };
 
 const mean_pressure = (a, R, b, E_star) => {
-  let v11, v14, v4, v54, v6, v7, value;
-  v4 = (a - b);
-  v6 = (v4 * (a + b));
-  v7 = Math.sqrt(v6);
-  v11 = (v4 / b);
-  if ((v11 < 0.42)) {
-    v54 = ((v11 * Math.sqrt(v11)) * (((((((((((0.0005288491342179178 * v11) + 0.038096760299703034) * v11) + 0.4065213849117787) * v11) + 1.438682033198726) * v11) + 1.9979042349620892) * v11) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v11) + 0.15001504718401248) * v11) + 0.9450913324352289) * v11) + 2.37401087025821) * v11) + 2.569097449054519) * v11) + 1.0)));
-  } else {
-    v14 = (v7 / b);
-    v54 = (v14 - Math.atan(v14));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  value = ((E_star / (3.141592653589793 * R)) * ((b * v54) + ((v6 * v7) / (3.0 * (a * a)))));
-  return value;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, R, b, E_star) : NaN);
 };
 
-const energy = (a, R, b, E_star) => {
-  let node, v10, v13, v130, v132, v134, v135, v136, v4, v53, v54, v58, v6, v60, v64, v67, v69, v7, v78, v79, v84, v87, value, weight;
-  if ((a >= b)) {
-    v4 = (b / R);
-    v6 = (a - b);
-    v7 = (v6 / b);
-    v10 = (a + b);
-    if ((v7 < 0.42)) {
-      v53 = ((v7 * Math.sqrt(v7)) * (((((((((((0.0005288491342179178 * v7) + 0.038096760299703034) * v7) + 0.4065213849117787) * v7) + 1.438682033198726) * v7) + 1.9979042349620892) * v7) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v7) + 0.15001504718401248) * v7) + 0.9450913324352289) * v7) + 2.37401087025821) * v7) + 2.569097449054519) * v7) + 1.0)));
-    } else {
-      v13 = (Math.sqrt((v6 * v10)) / b);
-      v53 = (v13 - Math.atan(v13));
-    }
-    v54 = ((v4 * a) * v53);
-    if ((a > b)) {
-      v58 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v10));
-      v60 = Math.asinh((v58 / b));
-      v64 = (0.0 - Math.expm1(((-2.0) * v60)));
-      v67 = ((v64 > 0.0) ? v64 : Infinity);
-      v79 = (b * b);
-      v135 = [];
-      for ([node, weight] of RULE_0((v60 / 1.0))) {
-        v69 = (node * v60);
-        v78 = (v58 * ((Math.exp((-v69)) * (0.0 - Math.expm1(((-2.0) * (v60 - v69))))) / v67));
-        v84 = (v78 / b);
-        if ((v84 < 1.0)) {
-          v87 = (v84 * v84);
-          v130 = ((v84 * v87) * (((((((((((((2.229767813968649e-06 * v87) + 0.0021043873129700233) * v87) + 0.04325113828415611) * v87) + 0.2725778671008127) * v87) + 0.7123414383945195) * v87) + 0.8116412201960678) * v87) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v87) + 0.06453295925870227) * v87) + 0.5368820963772863) * v87) + 1.9680296155712274) * v87) + 3.5294070829658954) * v87) + 3.034923660588189) * v87) + 1.0)));
-        } else {
-          v130 = (v84 - Math.atan(v84));
-        }
-        v132 = (v54 - ((v4 * Math.sqrt((v79 + (v78 * v78)))) * v130));
-        v134 = ((v132 * v132) * v78);
-        v135.push((weight * v134));
-      }
-      v135 = (math.fsum(v135) * v60);
-      v136 = v135;
-    } else {
-      v136 = 0.0;
-    }
-    value = (E_star * (((b * v54) * v54) + v136));
-    return value;
-  }
-  return NaN;
-};
+const ARCTAN_GAP = [[0.3333333333333333, 0.8116412201960678, 0.7123414383945195, 0.2725778671008127, 0.04325113828415611, 0.0021043873129700233, 2.229767813968649e-06], [1.0, 3.034923660588189, 3.5294070829658954, 1.9680296155712274, 0.5368820963772863, 0.06453295925870227, 0.002445452808893491]];
 
-const load_within = (r, a, R, b, E_star) => {
-  let node, v12, v13, v137, v144, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v74, v8, v81, v82, v84, v86, v87, v88, v9, v90, v91, v95, v98, value, weight;
-  if ((a >= b)) {
-    v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
-    if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-      v9 = (v8 < b);
-      v12 = (v9 ? 0.0 : 1.0);
-      v13 = (a - b);
-      v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-      v18 = (a - v8);
-      v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-      v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-      v32 = (2.0 * v12);
-      v33 = (1.0 - v32);
-      v36 = Math.expm1(((-2.0) * v30));
-      v38 = (v32 - (v33 * v36));
-      v40 = ((v38 > 0.0) ? v38 : Infinity);
-      v42 = (2.0 * (1.0 - v12));
-      v43 = (1.0 - v42);
-      v45 = (v42 - (v43 * v36));
-      v47 = ((v45 > 0.0) ? v45 : Infinity);
-      v67 = (b * b);
-      v74 = (b / R);
-      v82 = [];
-      for ([node, weight] of RULE_0((v30 / 1.0))) {
-        v51 = (node * v30);
-        v53 = Math.exp((-v51));
-        v56 = Math.expm1(((-2.0) * (v30 - v51)));
-        v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
-        v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
-        v70 = Math.sqrt((v67 + (v61 * v61)));
-        v81 = (((((2.0 * v61) / R) - (v74 * Math.atan2(v61, b))) * (v61 / v70)) * (v66 / (v70 + v66)));
-        v82.push((weight * v81));
-      }
-      v82 = (math.fsum(v82) * v30);
-      v84 = ((v8 * v8) * v82);
-    } else {
-      v84 = 0.0;
-    }
-    if ((r > b)) {
-      v86 = (((r < a) || (r !== r)) ? r : a);
-      v87 = (((v86 > b) || (v86 !== v86)) ? v86 : b);
-      v88 = (v87 - b);
-      v90 = (v88 * (v87 + b));
-      v91 = Math.sqrt(v90);
-      v95 = (v88 / b);
-      if ((v95 < 0.42)) {
-        v137 = ((v95 * Math.sqrt(v95)) * (((((((((((0.0005288491342179178 * v95) + 0.038096760299703034) * v95) + 0.4065213849117787) * v95) + 1.438682033198726) * v95) + 1.9979042349620892) * v95) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v95) + 0.15001504718401248) * v95) + 0.9450913324352289) * v95) + 2.37401087025821) * v95) + 2.569097449054519) * v95) + 1.0)));
-      } else {
-        v98 = (v91 / b);
-        v137 = (v98 - Math.atan(v98));
-      }
-      v144 = ((E_star / R) * (((b * (v87 * v87)) * v137) + ((v90 * v91) / 3.0)));
-    } else {
-      v144 = 0.0;
-    }
-    value = (v144 + ((2.0 * E_star) * v84));
-    return value;
-  }
-  return NaN;
+const arctan_gap = (x) => {
+  let t;
+  t = math.minimum(x, 1.0);
+  return math.where((x < 1.0), ((t * (t * t)) * rational((t * t), ...ARCTAN_GAP)), (x - Math.atan(x)));
 };
 
 const _depth_at = (a, root, R, b) => {
+  return (((b / R) * a) * arctan_gap((root / b)));
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, b);
+  stop = Math.asinh((reach / b));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let root, short;
+    root = (reach * fallen(v));
+    short = (d - depth(Math.sqrt(((b * b) + (root * root))), root));
+    return ((short * short) * root);
+  };
+  return [integrand, stop, 1.0, (a > b), 0.0];
+});
+
+const _energy_of_rounded_punch = (a, R, b, E_star) => {
+  let beyond, sunk;
+  sunk = _depth_of_rounded_punch(a, R, b);
+  beyond = energy_integral_beyond(_depth_at, [R, b], a, sunk, b);
+  return math.where((a >= b), (E_star * (((b * sunk) * sunk) + beyond)), NaN);
+};
+
+const _energy = (a, R, b, E_star) => {
+  let node, v10, v13, v130, v132, v134, v135, v136, v4, v53, v54, v58, v6, v60, v64, v67, v69, v7, v78, v79, v84, v87, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (b / R);
+      v6 = (a - b);
+      v7 = (v6 / b);
+      v10 = (a + b);
+      if ((v7 < 0.42)) {
+        v53 = ((v7 * Math.sqrt(v7)) * (((((((((((0.0005288491342179178 * v7) + 0.038096760299703034) * v7) + 0.4065213849117787) * v7) + 1.438682033198726) * v7) + 1.9979042349620892) * v7) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v7) + 0.15001504718401248) * v7) + 0.9450913324352289) * v7) + 2.37401087025821) * v7) + 2.569097449054519) * v7) + 1.0)));
+      } else {
+        v13 = (Math.sqrt((v6 * v10)) / b);
+        v53 = (v13 - Math.atan(v13));
+      }
+      v54 = ((v4 * a) * v53);
+      if ((a > b)) {
+        v58 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v10));
+        v60 = Math.asinh((v58 / b));
+        v64 = (0.0 - Math.expm1(((-2.0) * v60)));
+        v67 = ((v64 > 0.0) ? v64 : Infinity);
+        v79 = (b * b);
+        v135 = [];
+        for ([node, weight] of RULE_0((v60 / 1.0))) {
+          v69 = (node * v60);
+          v78 = (v58 * ((Math.exp((-v69)) * (0.0 - Math.expm1(((-2.0) * (v60 - v69))))) / v67));
+          v84 = (v78 / b);
+          if ((v84 < 1.0)) {
+            v87 = (v84 * v84);
+            v130 = ((v84 * v87) * (((((((((((((2.229767813968649e-06 * v87) + 0.0021043873129700233) * v87) + 0.04325113828415611) * v87) + 0.2725778671008127) * v87) + 0.7123414383945195) * v87) + 0.8116412201960678) * v87) + 0.3333333333333333) / ((((((((((((0.002445452808893491 * v87) + 0.06453295925870227) * v87) + 0.5368820963772863) * v87) + 1.9680296155712274) * v87) + 3.5294070829658954) * v87) + 3.034923660588189) * v87) + 1.0)));
+          } else {
+            v130 = (v84 - Math.atan(v84));
+          }
+          v132 = (v54 - ((v4 * Math.sqrt((v79 + (v78 * v78)))) * v130));
+          v134 = ((v132 * v132) * v78);
+          v135.push((weight * v134));
+        }
+        v135 = (math.fsum(v135) * v60);
+        v136 = v135;
+      } else {
+        v136 = 0.0;
+      }
+      return (E_star * (((b * v54) * v54) + v136));
+    }
+    return NaN;
+  }
+  return _energy_of_rounded_punch(a, R, b, E_star);
+};
+
+const energy = (a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, R, b, E_star) : NaN);
+};
+
+const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, turned, whole, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
+  stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  integrand = (v) => {
+    let root, t, u;
+    [root, u] = [(reach * fallen(v)), (whole * turned(v))];
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * (root / t)) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (a > math.maximum(r, b)), 0.0];
+});
+
+const _force_of_rounded_punch = (a, R, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return ((E_star / R) * (((b * Math.pow(a, 2)) * root_gap(a, b)) + ((((a - b) * (a + b)) * root) / 3)));
+};
+
+const _load_within_of_rounded_punch = (r, a, R, b, E_star) => {
+  let beyond, found;
+  beyond = load_within_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  found = (math.where((r > b), _force_of_rounded_punch(math.maximum(math.minimum(r, a), b), R, b, E_star), 0.0) + ((2 * E_star) * beyond));
+  return math.where((a >= b), found, NaN);
+};
+
+const _load_within = (r, a, R, b, E_star) => {
+  let node, v12, v13, v137, v144, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v74, v8, v81, v82, v84, v86, v87, v88, v9, v90, v91, v95, v98, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+        v9 = (v8 < b);
+        v12 = (v9 ? 0.0 : 1.0);
+        v13 = (a - b);
+        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+        v18 = (a - v8);
+        v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+        v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+        v32 = (2.0 * v12);
+        v33 = (1.0 - v32);
+        v36 = Math.expm1(((-2.0) * v30));
+        v38 = (v32 - (v33 * v36));
+        v40 = ((v38 > 0.0) ? v38 : Infinity);
+        v42 = (2.0 * (1.0 - v12));
+        v43 = (1.0 - v42);
+        v45 = (v42 - (v43 * v36));
+        v47 = ((v45 > 0.0) ? v45 : Infinity);
+        v67 = (b * b);
+        v74 = (b / R);
+        v82 = [];
+        for ([node, weight] of RULE_0((v30 / 1.0))) {
+          v51 = (node * v30);
+          v53 = Math.exp((-v51));
+          v56 = Math.expm1(((-2.0) * (v30 - v51)));
+          v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
+          v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
+          v70 = Math.sqrt((v67 + (v61 * v61)));
+          v81 = (((((2.0 * v61) / R) - (v74 * Math.atan2(v61, b))) * (v61 / v70)) * (v66 / (v70 + v66)));
+          v82.push((weight * v81));
+        }
+        v82 = (math.fsum(v82) * v30);
+        v84 = ((v8 * v8) * v82);
+      } else {
+        v84 = 0.0;
+      }
+      if ((r > b)) {
+        v86 = (((r < a) || (r !== r)) ? r : a);
+        v87 = (((v86 > b) || (v86 !== v86)) ? v86 : b);
+        v88 = (v87 - b);
+        v90 = (v88 * (v87 + b));
+        v91 = Math.sqrt(v90);
+        v95 = (v88 / b);
+        if ((v95 < 0.42)) {
+          v137 = ((v95 * Math.sqrt(v95)) * (((((((((((0.0005288491342179178 * v95) + 0.038096760299703034) * v95) + 0.4065213849117787) * v95) + 1.438682033198726) * v95) + 1.9979042349620892) * v95) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v95) + 0.15001504718401248) * v95) + 0.9450913324352289) * v95) + 2.37401087025821) * v95) + 2.569097449054519) * v95) + 1.0)));
+        } else {
+          v98 = (v91 / b);
+          v137 = (v98 - Math.atan(v98));
+        }
+        v144 = ((E_star / R) * (((b * (v87 * v87)) * v137) + ((v90 * v91) / 3.0)));
+      } else {
+        v144 = 0.0;
+      }
+      return (v144 + ((2.0 * E_star) * v84));
+    }
+    return NaN;
+  }
+  return _load_within_of_rounded_punch(r, a, R, b, E_star);
+};
+
+const load_within = (r, a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, b, E_star) : 0.0) : NaN);
+};
+
+const _depth_at_of_rounded_punch = (a, root, R, b) => {
   let v10, v53, v6;
   v6 = (root / b);
   if ((v6 < 1.0)) {
@@ -399,7 +702,7 @@ const _depth_at = (a, root, R, b) => {
   return (((b / R) * a) * v53);
 };
 
-const _slope_beyond = (t, root, R, b) => {
+const _slope_beyond_of_rounded_punch = (t, root, R, b) => {
   return (((2.0 * root) / R) - ((b / R) * Math.atan2(root, b)));
 };
 
@@ -530,8 +833,8 @@ const _contact_from_depth = (d, R, b) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _depth_at(a, root, R, b);
-    return [value, ((((root * root) / a) * _slope_beyond(a, root, R, b)) / value)];
+    value = _depth_at_of_rounded_punch(a, root, R, b);
+    return [value, ((((root * root) / a) * _slope_beyond_of_rounded_punch(a, root, R, b)) / value)];
   };
   rest = [0.9999152, (-0.002147146), (-0.02265958), (-0.0720644), 0.3108858, (-0.6900221), 1.077435, (-0.6001833)];
   start = between(Math.log((d / curve(1.0)[0])), [1.098, 3.0], [3.295, 2.0], 3.5, rest);
@@ -544,9 +847,10 @@ const _radius_from_depth = (d, R, b) => {
 };
 
 const radius_from_depth = (d, R, b) => {
-  let value;
-  value = _radius_from_depth(d, R, b);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, R, b) : NaN);
 };
 
 const _force_at = (a, root, R, b, E_star) => {
@@ -567,7 +871,7 @@ const _contact_from_force = (F, R, b, E_star) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
     value = _force_at(a, root, R, b, E_star);
-    return [value, (((((2 * E_star) * root) * root) * _slope_beyond(a, root, R, b)) / value)];
+    return [value, (((((2 * E_star) * root) * root) * _slope_beyond_of_rounded_punch(a, root, R, b)) / value)];
   };
   rest = [0.9634905, 0.003191853, (-0.1218583), 0.3231377, (-1.571447), 2.059576, (-1.105184), 0.2138332];
   start = between(Math.log((F / curve(1.0)[0])), [0.8743, 3.0], [1.749, 3.0], 6.0, rest);
@@ -580,457 +884,621 @@ const _radius_from_force = (F, R, b, E_star) => {
 };
 
 const radius_from_force = (F, R, b, E_star) => {
-  let value;
-  value = _radius_from_force(F, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, R, b, E_star) : NaN);
 };
 
 const _force_from_depth = (d, R, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_depth(d, R, b);
-  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at(a, root, R, b))) : 0.0);
+  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at_of_rounded_punch(a, root, R, b))) : 0.0);
   return (_force_at(a, root, R, b, E_star) + change);
 };
 
 const force_from_depth = (d, R, b, E_star) => {
-  let value;
-  value = _force_from_depth(d, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, R, b, E_star) : NaN);
 };
 
 const _depth_from_force = (F, R, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_force(F, R, b, E_star);
   change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at(a, root, R, b, E_star)) / ((2 * E_star) * a)) : 0.0);
-  return (_depth_at(a, root, R, b) + change);
+  return (_depth_at_of_rounded_punch(a, root, R, b) + change);
 };
 
 const depth_from_force = (F, R, b, E_star) => {
-  let value;
-  value = _depth_from_force(F, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, R, b, E_star) : NaN);
 };
 
-const depth_of_rounded_punch = (a, R, b, E_star, dgamma) => {
-  let v14, v54, v7, v8, value;
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, R, b, E_star, dgamma) => {
+  let v14, v54, v7, v8;
   v7 = (a - b);
   v8 = (v7 / b);
   if ((v8 < 0.42)) {
-    v54 = ((v8 * Math.sqrt(v8)) * (((((((((((0.0005288491342179178 * v8) + 0.038096760299703034) * v8) + 0.4065213849117787) * v8) + 1.438682033198726) * v8) + 1.9979042349620892) * v8) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v8) + 0.15001504718401248) * v8) + 0.9450913324352289) * v8) + 2.37401087025821) * v8) + 2.569097449054519) * v8) + 1.0)));
+    v54 = ((v8 * math.sqrt(v8)) * (((((((((((0.0005288491342179178 * v8) + 0.038096760299703034) * v8) + 0.4065213849117787) * v8) + 1.438682033198726) * v8) + 1.9979042349620892) * v8) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v8) + 0.15001504718401248) * v8) + 0.9450913324352289) * v8) + 2.37401087025821) * v8) + 2.569097449054519) * v8) + 1.0)));
   } else {
-    v14 = (Math.sqrt((v7 * (a + b))) / b);
+    v14 = (math.sqrt((v7 * (a + b))) / b);
     v54 = (v14 - Math.atan(v14));
   }
-  value = ((((b / R) * a) * v54) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
-  return value;
+  return ((((b / R) * a) * v54) - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
-const force_of_rounded_punch = (a, R, b, E_star, dgamma) => {
-  let v13, v16, v5, v56, v7, v8, value;
+const depth_of_rounded_punch = (a, R, b, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, R, b, E_star, dgamma) : NaN);
+};
+
+const _force_2 = (a, R, b, E_star, dgamma) => {
+  let v13, v16, v5, v56, v7, v8;
   v5 = (a - b);
   v7 = (v5 * (a + b));
-  v8 = Math.sqrt(v7);
+  v8 = math.sqrt(v7);
   v13 = (v5 / b);
   if ((v13 < 0.42)) {
-    v56 = ((v13 * Math.sqrt(v13)) * (((((((((((0.0005288491342179178 * v13) + 0.038096760299703034) * v13) + 0.4065213849117787) * v13) + 1.438682033198726) * v13) + 1.9979042349620892) * v13) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v13) + 0.15001504718401248) * v13) + 0.9450913324352289) * v13) + 2.37401087025821) * v13) + 2.569097449054519) * v13) + 1.0)));
+    v56 = ((v13 * math.sqrt(v13)) * (((((((((((0.0005288491342179178 * v13) + 0.038096760299703034) * v13) + 0.4065213849117787) * v13) + 1.438682033198726) * v13) + 1.9979042349620892) * v13) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v13) + 0.15001504718401248) * v13) + 0.9450913324352289) * v13) + 2.37401087025821) * v13) + 2.569097449054519) * v13) + 1.0)));
   } else {
     v16 = (v8 / b);
     v56 = (v16 - Math.atan(v16));
   }
-  value = (((E_star / R) * (((b * (a * a)) * v56) + ((v7 * v8) / 3.0))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-  return value;
+  return (((E_star / R) * (((b * (a * a)) * v56) + ((v7 * v8) / 3.0))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+};
+
+const force_of_rounded_punch = (a, R, b, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, R, b, E_star, dgamma) : NaN);
 };
 
 const RULE_0_of_rounded_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
-  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v62, v66, v67, v68, v73, v76, v82, v85, v9, v92, v94, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v9 = ((r === b) ? math.nextafter(b, Infinity) : r);
-      if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
-        v10 = (v9 < b);
-        v14 = (a - b);
-        v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
-        if (v10) {
-          v24 = v18;
-        } else {
-          v19 = (a - v9);
-          v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
-        }
-        v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
-        v33 = (2.0 * (v10 ? 0.0 : 1.0));
-        v34 = (1.0 - v33);
-        v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
-        v41 = ((v39 > 0.0) ? v39 : Infinity);
-        v55 = (b * b);
-        v62 = (b / R);
-        v67 = [];
-        for ([node, weight] of RULE_0_of_rounded_punch((v31 / 1.0))) {
-          v44 = (node * v31);
-          v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
-          v66 = (((((2.0 * v54) / R) - (v62 * Math.atan2(v54, b))) * v54) / Math.sqrt((v55 + (v54 * v54))));
-          v67.push((weight * v66));
-        }
-        v67 = (math.fsum(v67) * v31);
-        v68 = v67;
-      } else {
-        v68 = 0.0;
-      }
-      v73 = ((E_star / 3.141592653589793) * v68);
-    } else {
-      v73 = 0.0;
-    }
-    v76 = v73;
-  } else {
-    v76 = NaN;
-  }
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
   if ((r <= a)) {
-    v82 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    if ((v82 > 0.0)) {
-      v85 = (a - r);
-      v92 = ((E_star * v82) / (3.141592653589793 * Math.sqrt(((((v85 > 0.0) || (v85 !== v85)) ? v85 : 0.0) * (a + r)))));
-    } else {
-      v92 = 0.0;
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
     }
-    v94 = v92;
-  } else {
-    v94 = 0.0;
+    return 0.0;
   }
-  value = (v76 - v94);
-  return value;
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, R, b, E_star, dgamma) => {
+  return (_pressure_of_rounded_punch(r, a, R, b, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
+  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v62, v66, v67, v68, v73, v76, v82, v85, v9, v92, v94, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v9 = ((r === b) ? math.nextafter(b, Infinity) : r);
+        if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
+          v10 = (v9 < b);
+          v14 = (a - b);
+          v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
+          if (v10) {
+            v24 = v18;
+          } else {
+            v19 = (a - v9);
+            v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
+          }
+          v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
+          v33 = (2.0 * (v10 ? 0.0 : 1.0));
+          v34 = (1.0 - v33);
+          v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
+          v41 = ((v39 > 0.0) ? v39 : Infinity);
+          v55 = (b * b);
+          v62 = (b / R);
+          v67 = [];
+          for ([node, weight] of RULE_0_of_rounded_punch((v31 / 1.0))) {
+            v44 = (node * v31);
+            v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
+            v66 = (((((2.0 * v54) / R) - (v62 * Math.atan2(v54, b))) * v54) / Math.sqrt((v55 + (v54 * v54))));
+            v67.push((weight * v66));
+          }
+          v67 = (math.fsum(v67) * v31);
+          v68 = v67;
+        } else {
+          v68 = 0.0;
+        }
+        v73 = ((E_star / 3.141592653589793) * v68);
+      } else {
+        v73 = 0.0;
+      }
+      v76 = v73;
+    } else {
+      v76 = NaN;
+    }
+    if ((r <= a)) {
+      v82 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      if ((v82 > 0.0)) {
+        v85 = (a - r);
+        v92 = ((E_star * v82) / (3.141592653589793 * Math.sqrt(((((v85 > 0.0) || (v85 !== v85)) ? v85 : 0.0) * (a + r)))));
+      } else {
+        v92 = 0.0;
+      }
+      v94 = v92;
+    } else {
+      v94 = 0.0;
+    }
+    return (v76 - v94);
+  }
+  return _pressure_3(r, a, R, b, E_star, dgamma);
+};
+
+const pressure_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, R, b, E_star, dgamma) => {
+  return (_displacement_of_rounded_punch(r, a, R, b) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+  let node, v11, v12, v123, v13, v132, v133, v135, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v64, v72, v73, v75, v79, v84, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    v18 = (r - a);
+    v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
+    v132 = (r > a);
+    if ((a >= b)) {
+      v6 = (r - b);
+      v13 = (a - b);
+      v15 = (a + b);
+      v64 = (b / R);
+      if (v132) {
+        if ((a > b)) {
+          v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
+          v12 = (b / r);
+          v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
+          v25 = Math.asinh((v23 / v12));
+          v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+          v33 = ((v30 > 0.0) ? v30 : Infinity);
+          v50 = (b * b);
+          v54 = (v12 * v12);
+          v73 = [];
+          for ([node, weight] of RULE_0_of_rounded_punch((v25 / 1.0))) {
+            v35 = (node * v25);
+            v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
+            v45 = (v44 * v44);
+            v47 = Math.sqrt((1.0 + v45));
+            v49 = ((v11 * v44) / v47);
+            v53 = Math.sqrt((v50 + (v49 * v49)));
+            v72 = (((((((2.0 * v49) / R) - (v64 * Math.atan2(v49, b))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
+            v73.push((weight * v72));
+          }
+          v73 = (math.fsum(v73) * v25);
+          v75 = (v11 * v73);
+        } else {
+          v75 = 0.0;
+        }
+        v133 = (0.6366197723675814 * v75);
+      } else {
+        v79 = (v13 / b);
+        if ((v79 < 0.42)) {
+          v123 = ((v79 * Math.sqrt(v79)) * (((((((((((0.0005288491342179178 * v79) + 0.038096760299703034) * v79) + 0.4065213849117787) * v79) + 1.438682033198726) * v79) + 1.9979042349620892) * v79) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v79) + 0.15001504718401248) * v79) + 0.9450913324352289) * v79) + 2.37401087025821) * v79) + 2.569097449054519) * v79) + 1.0)));
+        } else {
+          v84 = (Math.sqrt((v13 * v15)) / b);
+          v123 = (v84 - Math.atan(v84));
+        }
+        v133 = (((v64 * a) * v123) - ((r < b) ? 0.0 : ((v6 * v6) / (2.0 * R))));
+      }
+      v135 = v133;
+    } else {
+      v135 = NaN;
+    }
+    return (v135 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v132 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
+  }
+  return _displacement_3(r, a, R, b, E_star, dgamma);
 };
 
 const displacement_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
-  let node, v11, v12, v123, v13, v132, v133, v135, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v64, v72, v73, v75, v79, v84, value, weight;
-  v18 = (r - a);
-  v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
-  v132 = (r > a);
-  if ((a >= b)) {
-    v6 = (r - b);
-    v13 = (a - b);
-    v15 = (a + b);
-    v64 = (b / R);
-    if (v132) {
-      if ((a > b)) {
-        v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
-        v12 = (b / r);
-        v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
-        v25 = Math.asinh((v23 / v12));
-        v30 = (0.0 - Math.expm1(((-2.0) * v25)));
-        v33 = ((v30 > 0.0) ? v30 : Infinity);
-        v50 = (b * b);
-        v54 = (v12 * v12);
-        v73 = [];
-        for ([node, weight] of RULE_0_of_rounded_punch((v25 / 1.0))) {
-          v35 = (node * v25);
-          v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
-          v45 = (v44 * v44);
-          v47 = Math.sqrt((1.0 + v45));
-          v49 = ((v11 * v44) / v47);
-          v53 = Math.sqrt((v50 + (v49 * v49)));
-          v72 = (((((((2.0 * v49) / R) - (v64 * Math.atan2(v49, b))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
-          v73.push((weight * v72));
-        }
-        v73 = (math.fsum(v73) * v25);
-        v75 = (v11 * v73);
-      } else {
-        v75 = 0.0;
-      }
-      v133 = (0.6366197723675814 * v75);
-    } else {
-      v79 = (v13 / b);
-      if ((v79 < 0.42)) {
-        v123 = ((v79 * Math.sqrt(v79)) * (((((((((((0.0005288491342179178 * v79) + 0.038096760299703034) * v79) + 0.4065213849117787) * v79) + 1.438682033198726) * v79) + 1.9979042349620892) * v79) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v79) + 0.15001504718401248) * v79) + 0.9450913324352289) * v79) + 2.37401087025821) * v79) + 2.569097449054519) * v79) + 1.0)));
-      } else {
-        v84 = (Math.sqrt((v13 * v15)) / b);
-        v123 = (v84 - Math.atan(v84));
-      }
-      v133 = (((v64 * a) * v123) - ((r < b) ? 0.0 : ((v6 * v6) / (2.0 * R))));
-    }
-    v135 = v133;
-  } else {
-    v135 = NaN;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v135 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v132 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
-  return value;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const tangential_force = (a, c, R, b, E_star, mu) => {
-  let node, v10, v100, v105, v108, v110, v111, v116, v117, v121, v125, v128, v132, v139, v14, v141, v145, v146, v151, v152, v155, v159, v165, v166, v167, v17, v170, v57, v6, v63, v64, v66, v67, v7, v70, v72, v8, v9, value, weight;
-  v6 = (a - b);
-  v7 = (a + b);
-  v8 = (v6 * v7);
-  v9 = Math.sqrt(v8);
-  v10 = (E_star / R);
-  v14 = (v6 / b);
-  if ((v14 < 0.42)) {
-    v57 = ((v14 * Math.sqrt(v14)) * (((((((((((0.0005288491342179178 * v14) + 0.038096760299703034) * v14) + 0.4065213849117787) * v14) + 1.438682033198726) * v14) + 1.9979042349620892) * v14) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v14) + 0.15001504718401248) * v14) + 0.9450913324352289) * v14) + 2.37401087025821) * v14) + 2.569097449054519) * v14) + 1.0)));
-  } else {
-    v17 = (v9 / b);
-    v57 = (v17 - Math.atan(v17));
-  }
-  v63 = (v10 * (((b * (a * a)) * v57) + ((v8 * v9) / 3.0)));
-  v64 = (c - b);
-  v66 = (v64 * (c + b));
-  v67 = Math.sqrt(v66);
-  v70 = (v64 / b);
-  if ((v70 < 0.42)) {
-    v100 = ((v70 * Math.sqrt(v70)) * (((((((((((0.0005288491342179178 * v70) + 0.038096760299703034) * v70) + 0.4065213849117787) * v70) + 1.438682033198726) * v70) + 1.9979042349620892) * v70) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v70) + 0.15001504718401248) * v70) + 0.9450913324352289) * v70) + 2.37401087025821) * v70) + 2.569097449054519) * v70) + 1.0)));
-  } else {
-    v72 = (v67 / b);
-    v100 = (v72 - Math.atan(v72));
-  }
-  v105 = (v10 * (((b * (c * c)) * v100) + ((v66 * v67) / 3.0)));
-  v108 = (v105 >= (0.25 * v63));
-  if (v108) {
-    v110 = (((b > c) || (b !== b)) ? b : c);
-    v125 = (a > v110);
-    v141 = (v108 && v125);
-    if (v141) {
-      v111 = (v110 - b);
-      v116 = Math.sqrt(((((v111 > 0.0) || (v111 !== v111)) ? v111 : 0.0) * (v110 + b)));
-      v117 = (v110 - 0.0);
-      v121 = Math.sqrt(((((v117 > 0.0) || (v117 !== v117)) ? v117 : 0.0) * (v110 + 0.0)));
-      if (v141) {
-        v128 = ((a - v110) * (a + v110));
-        if (v125) {
-          v132 = (a - 0.0);
-          v139 = (v128 / (Math.sqrt(((((v132 > 0.0) || (v132 !== v132)) ? v132 : 0.0) * (a + 0.0))) + v121));
-        } else {
-          v139 = 0.0;
-        }
-        v145 = Math.log1p((((v125 ? (v128 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v116)) : 0.0) + v139) / (v116 + v121)));
-      } else {
-        v145 = 0.0;
-      }
-      v152 = (b * b);
-      v159 = (b / R);
-      v166 = [];
-      for ([node, weight] of RULE_0_2((v145 / 1.0))) {
-        v146 = (node * v145);
-        v151 = ((v116 * Math.cosh(v146)) + (v121 * Math.sinh(v146)));
-        v155 = Math.sqrt((v152 + (v151 * v151)));
-        v165 = (((((2.0 * v151) / R) - (v159 * Math.atan2(v151, b))) * (v151 / v155)) * (v155 * v155));
-        v166.push((weight * v165));
-      }
-      v166 = (math.fsum(v166) * v145);
-      v167 = v166;
+const CLOSE = 0.25;
+
+const _gap = (a, c, outer, inner) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
+};
+
+const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
+  let beyond, gaps, holds, integrand, root, start;
+  start = math.maximum(b, c);
+  [beyond, root] = [difference_root(start, b), difference_root(start, r)];
+  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
+  holds = (close & (a > start));
+  integrand = (v) => {
+    let side, t;
+    side = ((beyond * Math.cosh(v)) + (root * Math.sinh(v)));
+    t = Math.sqrt(((b * b) + (side * side)));
+    return ((slope(t, side) * (side / t)) * Math.pow(t, order));
+  };
+  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+});
+
+const _tangential_force_of_rounded_punch = (a, c, R, b, E_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_force_of_rounded_punch(a, R, b, E_star), _force_of_rounded_punch(c, R, b, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  gain = ((2.0 * E_star) * growth_beyond(_slope_beyond, [R, b], 2, 0.0, c, a, b, close));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, R, b, E_star, mu) => {
+  let node, v10, v100, v105, v108, v110, v111, v116, v117, v121, v125, v128, v132, v139, v14, v141, v145, v146, v151, v152, v155, v159, v165, v166, v167, v17, v170, v57, v6, v63, v64, v66, v67, v7, v70, v72, v8, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v6 = (a - b);
+    v7 = (a + b);
+    v8 = (v6 * v7);
+    v9 = Math.sqrt(v8);
+    v10 = (E_star / R);
+    v14 = (v6 / b);
+    if ((v14 < 0.42)) {
+      v57 = ((v14 * Math.sqrt(v14)) * (((((((((((0.0005288491342179178 * v14) + 0.038096760299703034) * v14) + 0.4065213849117787) * v14) + 1.438682033198726) * v14) + 1.9979042349620892) * v14) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v14) + 0.15001504718401248) * v14) + 0.9450913324352289) * v14) + 2.37401087025821) * v14) + 2.569097449054519) * v14) + 1.0)));
     } else {
-      v167 = 0.0;
+      v17 = (v9 / b);
+      v57 = (v17 - Math.atan(v17));
     }
-    v170 = ((2.0 * E_star) * v167);
-  } else {
-    v170 = (v63 - v105);
+    v63 = (v10 * (((b * (a * a)) * v57) + ((v8 * v9) / 3.0)));
+    v64 = (c - b);
+    v66 = (v64 * (c + b));
+    v67 = Math.sqrt(v66);
+    v70 = (v64 / b);
+    if ((v70 < 0.42)) {
+      v100 = ((v70 * Math.sqrt(v70)) * (((((((((((0.0005288491342179178 * v70) + 0.038096760299703034) * v70) + 0.4065213849117787) * v70) + 1.438682033198726) * v70) + 1.9979042349620892) * v70) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v70) + 0.15001504718401248) * v70) + 0.9450913324352289) * v70) + 2.37401087025821) * v70) + 2.569097449054519) * v70) + 1.0)));
+    } else {
+      v72 = (v67 / b);
+      v100 = (v72 - Math.atan(v72));
+    }
+    v105 = (v10 * (((b * (c * c)) * v100) + ((v66 * v67) / 3.0)));
+    v108 = (v105 >= (0.25 * v63));
+    if (v108) {
+      v110 = (((b > c) || (b !== b)) ? b : c);
+      v125 = (a > v110);
+      v141 = (v108 && v125);
+      if (v141) {
+        v111 = (v110 - b);
+        v116 = Math.sqrt(((((v111 > 0.0) || (v111 !== v111)) ? v111 : 0.0) * (v110 + b)));
+        v117 = (v110 - 0.0);
+        v121 = Math.sqrt(((((v117 > 0.0) || (v117 !== v117)) ? v117 : 0.0) * (v110 + 0.0)));
+        if (v141) {
+          v128 = ((a - v110) * (a + v110));
+          if (v125) {
+            v132 = (a - 0.0);
+            v139 = (v128 / (Math.sqrt(((((v132 > 0.0) || (v132 !== v132)) ? v132 : 0.0) * (a + 0.0))) + v121));
+          } else {
+            v139 = 0.0;
+          }
+          v145 = Math.log1p((((v125 ? (v128 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v116)) : 0.0) + v139) / (v116 + v121)));
+        } else {
+          v145 = 0.0;
+        }
+        v152 = (b * b);
+        v159 = (b / R);
+        v166 = [];
+        for ([node, weight] of RULE_0_2((v145 / 1.0))) {
+          v146 = (node * v145);
+          v151 = ((v116 * Math.cosh(v146)) + (v121 * Math.sinh(v146)));
+          v155 = Math.sqrt((v152 + (v151 * v151)));
+          v165 = (((((2.0 * v151) / R) - (v159 * Math.atan2(v151, b))) * (v151 / v155)) * (v155 * v155));
+          v166.push((weight * v165));
+        }
+        v166 = (math.fsum(v166) * v145);
+        v167 = v166;
+      } else {
+        v167 = 0.0;
+      }
+      v170 = ((2.0 * E_star) * v167);
+    } else {
+      v170 = (v63 - v105);
+    }
+    return (mu * v170);
   }
-  value = (mu * v170);
-  return value;
+  return _tangential_force_of_rounded_punch(a, c, R, b, E_star, mu);
+};
+
+const tangential_force = (a, c, R, b, E_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, R, b, E_star, mu) : NaN);
+};
+
+const _traction_of_rounded_punch = (r, a, c, R, b, E_star, mu) => {
+  let close, gain, sliding, stuck;
+  sliding = _pressure_of_rounded_punch(r, a, R, b, E_star);
+  stuck = _pressure_of_rounded_punch(r, c, R, b, E_star);
+  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  gain = ((E_star / Math.PI) * growth_beyond(_slope_beyond, [R, b], 0, r, c, a, b, close));
+  return (mu * math.where(close, gain, (sliding - stuck)));
+};
+
+const _traction = (r, a, c, R, b, E_star, mu) => {
+  let node, v10, v108, v11, v118, v119, v120, v121, v123, v125, v129, v130, v131, v135, v136, v140, v141, v144, v148, v15, v155, v157, v161, v162, v167, v170, v179, v180, v181, v184, v19, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v63, v67, v68, v69, v72, v74, v77, v78, v82, v83, v88, v90, v94, v96, v98, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v10 = ((r === b) ? math.nextafter(b, Infinity) : r);
+    v11 = (v10 < b);
+    v15 = (a - b);
+    v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
+    v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
+    v34 = (2.0 * (v11 ? 0.0 : 1.0));
+    v35 = (1.0 - v34);
+    v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
+    v56 = (b * b);
+    v63 = (b / R);
+    v72 = (E_star / 3.141592653589793);
+    if ((a >= b)) {
+      if ((r < a)) {
+        if ((a > v43)) {
+          if (v11) {
+            v25 = v19;
+          } else {
+            v20 = (a - v10);
+            v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
+          }
+          v32 = Math.asinh((v25 / v30));
+          v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
+          v42 = ((v40 > 0.0) ? v40 : Infinity);
+          v68 = [];
+          for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+            v45 = (node * v32);
+            v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
+            v67 = (((((2.0 * v55) / R) - (v63 * Math.atan2(v55, b))) * v55) / Math.sqrt((v56 + (v55 * v55))));
+            v68.push((weight * v67));
+          }
+          v68 = (math.fsum(v68) * v32);
+          v69 = v68;
+        } else {
+          v69 = 0.0;
+        }
+        v74 = (v72 * v69);
+      } else {
+        v74 = 0.0;
+      }
+      v77 = v74;
+    } else {
+      v77 = NaN;
+    }
+    v121 = (r < c);
+    if ((c >= b)) {
+      if (v121) {
+        if ((c > v43)) {
+          v78 = (c - b);
+          v82 = Math.sqrt(((((v78 > 0.0) || (v78 !== v78)) ? v78 : 0.0) * (c + b)));
+          if (v11) {
+            v88 = v82;
+          } else {
+            v83 = (c - v10);
+            v88 = Math.sqrt(((((v83 > 0.0) || (v83 !== v83)) ? v83 : 0.0) * (c + v10)));
+          }
+          v90 = Math.asinh((v88 / v30));
+          v94 = (v34 - (v35 * Math.expm1(((-2.0) * v90))));
+          v96 = ((v94 > 0.0) ? v94 : Infinity);
+          v119 = [];
+          for ([node, weight] of RULE_0_2((v90 / 1.0))) {
+            v98 = (node * v90);
+            v108 = (v82 * ((Math.exp((-v98)) * (v34 - (v35 * Math.expm1(((-2.0) * (v90 - v98)))))) / v96));
+            v118 = (((((2.0 * v108) / R) - (v63 * Math.atan2(v108, b))) * v108) / Math.sqrt((v56 + (v108 * v108))));
+            v119.push((weight * v118));
+          }
+          v119 = (math.fsum(v119) * v90);
+          v120 = v119;
+        } else {
+          v120 = 0.0;
+        }
+        v123 = (v72 * v120);
+      } else {
+        v123 = 0.0;
+      }
+      v125 = v123;
+    } else {
+      v125 = NaN;
+    }
+    v129 = (v121 && (v125 >= (0.25 * v77)));
+    if (v129) {
+      v130 = (((b > c) || (b !== b)) ? b : c);
+      v141 = (a > v130);
+      v157 = (v129 && v141);
+      if (v157) {
+        v131 = (v130 - b);
+        v135 = Math.sqrt(((((v131 > 0.0) || (v131 !== v131)) ? v131 : 0.0) * (v130 + b)));
+        v136 = (v130 - r);
+        v140 = Math.sqrt(((((v136 > 0.0) || (v136 !== v136)) ? v136 : 0.0) * (v130 + r)));
+        if (v157) {
+          v144 = ((a - v130) * (a + v130));
+          if (v141) {
+            v148 = (a - r);
+            v155 = (v144 / (Math.sqrt(((((v148 > 0.0) || (v148 !== v148)) ? v148 : 0.0) * (a + r))) + v140));
+          } else {
+            v155 = 0.0;
+          }
+          v161 = Math.log1p((((v141 ? (v144 / (v19 + v135)) : 0.0) + v155) / (v135 + v140)));
+        } else {
+          v161 = 0.0;
+        }
+        v180 = [];
+        for ([node, weight] of RULE_0_2((v161 / 1.0))) {
+          v162 = (node * v161);
+          v167 = ((v135 * Math.cosh(v162)) + (v140 * Math.sinh(v162)));
+          v170 = Math.sqrt((v56 + (v167 * v167)));
+          v179 = (((((2.0 * v167) / R) - (v63 * Math.atan2(v167, b))) * (v167 / v170)) * Math.pow(v170, 0.0));
+          v180.push((weight * v179));
+        }
+        v180 = (math.fsum(v180) * v161);
+        v181 = v180;
+      } else {
+        v181 = 0.0;
+      }
+      v184 = (v72 * v181);
+    } else {
+      v184 = (v77 - v125);
+    }
+    return (mu * v184);
+  }
+  return _traction_of_rounded_punch(r, a, c, R, b, E_star, mu);
 };
 
 const traction = (r, a, c, R, b, E_star, mu) => {
-  let node, v10, v108, v11, v118, v119, v120, v121, v123, v125, v129, v130, v131, v135, v136, v140, v141, v144, v148, v15, v155, v157, v161, v162, v167, v170, v179, v180, v181, v184, v19, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v63, v67, v68, v69, v72, v74, v77, v78, v82, v83, v88, v90, v94, v96, v98, value, weight;
-  v10 = ((r === b) ? math.nextafter(b, Infinity) : r);
-  v11 = (v10 < b);
-  v15 = (a - b);
-  v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
-  v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
-  v34 = (2.0 * (v11 ? 0.0 : 1.0));
-  v35 = (1.0 - v34);
-  v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
-  v56 = (b * b);
-  v63 = (b / R);
-  v72 = (E_star / 3.141592653589793);
-  if ((a >= b)) {
-    if ((r < a)) {
-      if ((a > v43)) {
-        if (v11) {
-          v25 = v19;
-        } else {
-          v20 = (a - v10);
-          v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
-        }
-        v32 = Math.asinh((v25 / v30));
-        v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
-        v42 = ((v40 > 0.0) ? v40 : Infinity);
-        v68 = [];
-        for ([node, weight] of RULE_0_2((v32 / 1.0))) {
-          v45 = (node * v32);
-          v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
-          v67 = (((((2.0 * v55) / R) - (v63 * Math.atan2(v55, b))) * v55) / Math.sqrt((v56 + (v55 * v55))));
-          v68.push((weight * v67));
-        }
-        v68 = (math.fsum(v68) * v32);
-        v69 = v68;
-      } else {
-        v69 = 0.0;
-      }
-      v74 = (v72 * v69);
-    } else {
-      v74 = 0.0;
-    }
-    v77 = v74;
-  } else {
-    v77 = NaN;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  v121 = (r < c);
-  if ((c >= b)) {
-    if (v121) {
-      if ((c > v43)) {
-        v78 = (c - b);
-        v82 = Math.sqrt(((((v78 > 0.0) || (v78 !== v78)) ? v78 : 0.0) * (c + b)));
-        if (v11) {
-          v88 = v82;
-        } else {
-          v83 = (c - v10);
-          v88 = Math.sqrt(((((v83 > 0.0) || (v83 !== v83)) ? v83 : 0.0) * (c + v10)));
-        }
-        v90 = Math.asinh((v88 / v30));
-        v94 = (v34 - (v35 * Math.expm1(((-2.0) * v90))));
-        v96 = ((v94 > 0.0) ? v94 : Infinity);
-        v119 = [];
-        for ([node, weight] of RULE_0_2((v90 / 1.0))) {
-          v98 = (node * v90);
-          v108 = (v82 * ((Math.exp((-v98)) * (v34 - (v35 * Math.expm1(((-2.0) * (v90 - v98)))))) / v96));
-          v118 = (((((2.0 * v108) / R) - (v63 * Math.atan2(v108, b))) * v108) / Math.sqrt((v56 + (v108 * v108))));
-          v119.push((weight * v118));
-        }
-        v119 = (math.fsum(v119) * v90);
-        v120 = v119;
-      } else {
-        v120 = 0.0;
-      }
-      v123 = (v72 * v120);
-    } else {
-      v123 = 0.0;
-    }
-    v125 = v123;
-  } else {
-    v125 = NaN;
+  if ((!(a >= b))) {
+    return NaN;
   }
-  v129 = (v121 && (v125 >= (0.25 * v77)));
-  if (v129) {
-    v130 = (((b > c) || (b !== b)) ? b : c);
-    v141 = (a > v130);
-    v157 = (v129 && v141);
-    if (v157) {
-      v131 = (v130 - b);
-      v135 = Math.sqrt(((((v131 > 0.0) || (v131 !== v131)) ? v131 : 0.0) * (v130 + b)));
-      v136 = (v130 - r);
-      v140 = Math.sqrt(((((v136 > 0.0) || (v136 !== v136)) ? v136 : 0.0) * (v130 + r)));
-      if (v157) {
-        v144 = ((a - v130) * (a + v130));
-        if (v141) {
-          v148 = (a - r);
-          v155 = (v144 / (Math.sqrt(((((v148 > 0.0) || (v148 !== v148)) ? v148 : 0.0) * (a + r))) + v140));
-        } else {
-          v155 = 0.0;
-        }
-        v161 = Math.log1p((((v141 ? (v144 / (v19 + v135)) : 0.0) + v155) / (v135 + v140)));
-      } else {
-        v161 = 0.0;
-      }
-      v180 = [];
-      for ([node, weight] of RULE_0_2((v161 / 1.0))) {
-        v162 = (node * v161);
-        v167 = ((v135 * Math.cosh(v162)) + (v140 * Math.sinh(v162)));
-        v170 = Math.sqrt((v56 + (v167 * v167)));
-        v179 = (((((2.0 * v167) / R) - (v63 * Math.atan2(v167, b))) * (v167 / v170)) * Math.pow(v170, 0.0));
-        v180.push((weight * v179));
-      }
-      v180 = (math.fsum(v180) * v161);
-      v181 = v180;
-    } else {
-      v181 = 0.0;
-    }
-    v184 = (v72 * v181);
-  } else {
-    v184 = (v77 - v125);
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  value = (mu * v184);
-  return value;
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, R, b, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_rounded_punch = (a, c, R, b, E_star, G_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_depth_of_rounded_punch(a, R, b), _depth_of_rounded_punch(c, R, b)];
+  close = (sticking >= (CLOSE * whole));
+  gain = growth_beyond(_slope_beyond, [R, b], 1, 0.0, c, a, b, close);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
+  let node, v10, v104, v105, v109, v113, v116, v120, v127, v129, v13, v133, v134, v139, v140, v143, v153, v154, v155, v159, v16, v56, v57, v59, v60, v65, v7, v9, v93, v94, v97, v98, v99, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v7 = (b / R);
+    v9 = (a - b);
+    v10 = (v9 / b);
+    v13 = (a + b);
+    if ((v10 < 0.42)) {
+      v56 = ((v10 * Math.sqrt(v10)) * (((((((((((0.0005288491342179178 * v10) + 0.038096760299703034) * v10) + 0.4065213849117787) * v10) + 1.438682033198726) * v10) + 1.9979042349620892) * v10) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v10) + 0.15001504718401248) * v10) + 0.9450913324352289) * v10) + 2.37401087025821) * v10) + 2.569097449054519) * v10) + 1.0)));
+    } else {
+      v16 = (Math.sqrt((v9 * v13)) / b);
+      v56 = (v16 - Math.atan(v16));
+    }
+    v57 = ((v7 * a) * v56);
+    v59 = (c - b);
+    v60 = (v59 / b);
+    if ((v60 < 0.42)) {
+      v93 = ((v60 * Math.sqrt(v60)) * (((((((((((0.0005288491342179178 * v60) + 0.038096760299703034) * v60) + 0.4065213849117787) * v60) + 1.438682033198726) * v60) + 1.9979042349620892) * v60) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v60) + 0.15001504718401248) * v60) + 0.9450913324352289) * v60) + 2.37401087025821) * v60) + 2.569097449054519) * v60) + 1.0)));
+    } else {
+      v65 = (Math.sqrt((v59 * (c + b))) / b);
+      v93 = (v65 - Math.atan(v65));
+    }
+    v94 = ((v7 * c) * v93);
+    v97 = (v94 >= (0.25 * v57));
+    if (v97) {
+      v98 = (((b > c) || (b !== b)) ? b : c);
+      v113 = (a > v98);
+      v129 = (v97 && v113);
+      if (v129) {
+        v99 = (v98 - b);
+        v104 = Math.sqrt(((((v99 > 0.0) || (v99 !== v99)) ? v99 : 0.0) * (v98 + b)));
+        v105 = (v98 - 0.0);
+        v109 = Math.sqrt(((((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0) * (v98 + 0.0)));
+        if (v129) {
+          v116 = ((a - v98) * (a + v98));
+          if (v113) {
+            v120 = (a - 0.0);
+            v127 = (v116 / (Math.sqrt(((((v120 > 0.0) || (v120 !== v120)) ? v120 : 0.0) * (a + 0.0))) + v109));
+          } else {
+            v127 = 0.0;
+          }
+          v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v13)) + v104)) : 0.0) + v127) / (v104 + v109)));
+        } else {
+          v133 = 0.0;
+        }
+        v140 = (b * b);
+        v154 = [];
+        for ([node, weight] of RULE_0_2((v133 / 1.0))) {
+          v134 = (node * v133);
+          v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
+          v143 = Math.sqrt((v140 + (v139 * v139)));
+          v153 = (((((2.0 * v139) / R) - (v7 * Math.atan2(v139, b))) * (v139 / v143)) * Math.pow(v143, 1.0));
+          v154.push((weight * v153));
+        }
+        v154 = (math.fsum(v154) * v133);
+        v155 = v154;
+      } else {
+        v155 = 0.0;
+      }
+      v159 = v155;
+    } else {
+      v159 = (v57 - v94);
+    }
+    return ((mu * (E_star / G_star)) * v159);
+  }
+  return _tangential_displacement_of_rounded_punch(a, c, R, b, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
-  let node, v10, v104, v105, v109, v113, v116, v120, v127, v129, v13, v133, v134, v139, v140, v143, v153, v154, v155, v159, v16, v56, v57, v59, v60, v65, v7, v9, v93, v94, v97, v98, v99, value, weight;
-  v7 = (b / R);
-  v9 = (a - b);
-  v10 = (v9 / b);
-  v13 = (a + b);
-  if ((v10 < 0.42)) {
-    v56 = ((v10 * Math.sqrt(v10)) * (((((((((((0.0005288491342179178 * v10) + 0.038096760299703034) * v10) + 0.4065213849117787) * v10) + 1.438682033198726) * v10) + 1.9979042349620892) * v10) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v10) + 0.15001504718401248) * v10) + 0.9450913324352289) * v10) + 2.37401087025821) * v10) + 2.569097449054519) * v10) + 1.0)));
-  } else {
-    v16 = (Math.sqrt((v9 * v13)) / b);
-    v56 = (v16 - Math.atan(v16));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  v57 = ((v7 * a) * v56);
-  v59 = (c - b);
-  v60 = (v59 / b);
-  if ((v60 < 0.42)) {
-    v93 = ((v60 * Math.sqrt(v60)) * (((((((((((0.0005288491342179178 * v60) + 0.038096760299703034) * v60) + 0.4065213849117787) * v60) + 1.438682033198726) * v60) + 1.9979042349620892) * v60) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v60) + 0.15001504718401248) * v60) + 0.9450913324352289) * v60) + 2.37401087025821) * v60) + 2.569097449054519) * v60) + 1.0)));
-  } else {
-    v65 = (Math.sqrt((v59 * (c + b))) / b);
-    v93 = (v65 - Math.atan(v65));
+  if ((!(a >= b))) {
+    return NaN;
   }
-  v94 = ((v7 * c) * v93);
-  v97 = (v94 >= (0.25 * v57));
-  if (v97) {
-    v98 = (((b > c) || (b !== b)) ? b : c);
-    v113 = (a > v98);
-    v129 = (v97 && v113);
-    if (v129) {
-      v99 = (v98 - b);
-      v104 = Math.sqrt(((((v99 > 0.0) || (v99 !== v99)) ? v99 : 0.0) * (v98 + b)));
-      v105 = (v98 - 0.0);
-      v109 = Math.sqrt(((((v105 > 0.0) || (v105 !== v105)) ? v105 : 0.0) * (v98 + 0.0)));
-      if (v129) {
-        v116 = ((a - v98) * (a + v98));
-        if (v113) {
-          v120 = (a - 0.0);
-          v127 = (v116 / (Math.sqrt(((((v120 > 0.0) || (v120 !== v120)) ? v120 : 0.0) * (a + 0.0))) + v109));
-        } else {
-          v127 = 0.0;
-        }
-        v133 = Math.log1p((((v113 ? (v116 / (Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * v13)) + v104)) : 0.0) + v127) / (v104 + v109)));
-      } else {
-        v133 = 0.0;
-      }
-      v140 = (b * b);
-      v154 = [];
-      for ([node, weight] of RULE_0_2((v133 / 1.0))) {
-        v134 = (node * v133);
-        v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
-        v143 = Math.sqrt((v140 + (v139 * v139)));
-        v153 = (((((2.0 * v139) / R) - (v7 * Math.atan2(v139, b))) * (v139 / v143)) * Math.pow(v143, 1.0));
-        v154.push((weight * v153));
-      }
-      v154 = (math.fsum(v154) * v133);
-      v155 = v154;
-    } else {
-      v155 = 0.0;
-    }
-    v159 = v155;
-  } else {
-    v159 = (v57 - v94);
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * v159);
-  return value;
-};
-
-const _force = (a, R, b, E_star) => {
-  let v12, v15, v4, v55, v6, v7;
-  v4 = (a - b);
-  v6 = (v4 * (a + b));
-  v7 = math.sqrt(v6);
-  v12 = (v4 / b);
-  if ((v12 < 0.42)) {
-    v55 = ((v12 * math.sqrt(v12)) * (((((((((((0.0005288491342179178 * v12) + 0.038096760299703034) * v12) + 0.4065213849117787) * v12) + 1.438682033198726) * v12) + 1.9979042349620892) * v12) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v12) + 0.15001504718401248) * v12) + 0.9450913324352289) * v12) + 2.37401087025821) * v12) + 2.569097449054519) * v12) + 1.0)));
-  } else {
-    v15 = (v7 / b);
-    v55 = (v15 - Math.atan(v15));
-  }
-  return ((E_star / R) * (((b * (a * a)) * v55) + ((v6 * v7) / 3.0)));
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, R, b, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -1050,23 +1518,43 @@ const _stick_radius = (F_x, a, R, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, R, b, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, R, b, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, R, b, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_rounded_punch = (a, R, b, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_rounded_punch(a, R, b));
+};
+
+const _full_slip_displacement = (a, R, b, E_star, G_star, mu) => {
+  let v10, v11, v17, v57;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v10 = (a - b);
+    v11 = (v10 / b);
+    if ((v11 < 0.42)) {
+      v57 = ((v11 * Math.sqrt(v11)) * (((((((((((0.0005288491342179178 * v11) + 0.038096760299703034) * v11) + 0.4065213849117787) * v11) + 1.438682033198726) * v11) + 1.9979042349620892) * v11) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v11) + 0.15001504718401248) * v11) + 0.9450913324352289) * v11) + 2.37401087025821) * v11) + 2.569097449054519) * v11) + 1.0)));
+    } else {
+      v17 = (Math.sqrt((v10 * (a + b))) / b);
+      v57 = (v17 - Math.atan(v17));
+    }
+    return ((mu * (E_star / G_star)) * (((b / R) * a) * v57));
+  }
+  return _full_slip_displacement_of_rounded_punch(a, R, b, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, R, b, E_star, G_star, mu) => {
-  let v10, v11, v17, v57, value;
-  v10 = (a - b);
-  v11 = (v10 / b);
-  if ((v11 < 0.42)) {
-    v57 = ((v11 * Math.sqrt(v11)) * (((((((((((0.0005288491342179178 * v11) + 0.038096760299703034) * v11) + 0.4065213849117787) * v11) + 1.438682033198726) * v11) + 1.9979042349620892) * v11) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v11) + 0.15001504718401248) * v11) + 0.9450913324352289) * v11) + 2.37401087025821) * v11) + 2.569097449054519) * v11) + 1.0)));
-  } else {
-    v17 = (Math.sqrt((v10 * (a + b))) / b);
-    v57 = (v17 - Math.atan(v17));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * (((b / R) * a) * v57));
-  return value;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, R, b, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -1074,7 +1562,7 @@ const formulas = {
   "F": (v) => force(v.a, v.R, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.R, v.b, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.R, v.b),
-  "k": (v) => stiffness(v.a, v.E_star, v.R, v.b),
+  "k": (v) => stiffness(v.a, v.R, v.b, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.R, v.b, v.E_star),
   "U": (v) => energy(v.a, v.R, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.R, v.b, v.E_star),
@@ -1082,6 +1570,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.R, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.b, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.R, v.b, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_rounded_punch(v.a, v.R, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_rounded_punch(v.a, v.R, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_rounded_punch(v.r, v.a, v.R, v.b, v.E_star, v.dgamma),
@@ -1304,9 +1793,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "R",
-    "b"
+    "b",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1395,6 +1884,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,184 +159,208 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, A) => {
-  return (((16.0 * A) / 5.0) * Math.pow(a, 6.0));
-};
-
-const force = (a, A, E_star) => {
-  return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
-};
-
-const pressure = (r, a, A, E_star) => {
-  let v16, v21;
-  if ((r < a)) {
-    v16 = (a * a);
-    v21 = (r * r);
-    return (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v16 * v16)) + ((4.0 * v16) * v21)) + (8.0 * (v21 * v21)))) * Math.sqrt(((a - r) * (a + r))));
-  }
-  return 0.0;
-};
-
-const displacement = (r, a, A) => {
-  let v15, v17, v8, value;
-  v8 = Math.pow(a, 6.0);
-  if ((r > a)) {
-    v15 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-    v17 = (v15 * v15);
-    value = ((((32.0 * A) / 15.707963267948966) * v8) * ((a / r) * (0.8571428571428571 + (v17 * ((((((((((((((((((-1.2774361052403345) * v17) + (-23.178809850601194)) * v17) + (-181.92316258227586)) * v17) + (-611.3425551498234)) * v17) + (-362.00165963521414)) * v17) + 2098.825846649865) * v17) + 3992.6681072942106) * v17) + 2012.329045387071) * v17) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v17) + (-0.42336499735873506)) * v17) + 23.453299031698904) * v17) + 657.0260884407312) * v17) + 4128.7190564480725) * v17) + 10373.373159937977) * v17) + 11371.059137910102) * v17) + 4528.267624848188) * v17) + 1.0))))));
-    return value;
-  }
-  return ((((16.0 * A) / 5.0) * v8) - (A * Math.pow(r, 6.0)));
-};
-
-const stiffness = (a, E_star, A = 1.0) => {
-  return ((2.0 * E_star) * a);
-};
-
-const mean_pressure = (a, A, E_star) => {
-  return ((((192.0 * E_star) * A) / 109.95574287564276) * Math.pow(a, 5.0));
-};
-
-const energy = (a, A, E_star) => {
-  let value;
-  value = ((((18432.0 * E_star) * (A * A)) / 2275.0) * Math.pow(a, 13.0));
-  return value;
-};
-
-const load_within = (r, a, A, E_star) => {
-  let v16, v23, v7, value;
-  if ((r < a)) {
-    if ((r > 0.0)) {
-      v7 = Math.sqrt(((a - r) * (a + r)));
-      v16 = (a * a);
-      v23 = (r * r);
-      value = (((((64.0 * E_star) * A) / 175.0) * v23) * (((((15.0 * Math.pow(a, 6.0)) / (v7 + a)) + ((3.0 * (v16 * v16)) * v7)) + (((4.0 * v16) * v23) * v7)) + ((8.0 * (v23 * v23)) * v7)));
-      return value;
-    }
-    return 0.0;
-  }
-  return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
-};
-
-const radius_from_depth = (d, A) => {
-  let v6, v8, value;
-  v6 = ((5.0 * d) / (16.0 * A));
-  v8 = Math.pow(v6, 0.16666666666666666);
-  if (((v6 > 0.0) && (v6 < Infinity))) {
-    value = (v8 + (v8 * (((v6 / (Math.pow(v8, 6.0) * Math.pow(v8, 0.0))) - 1.0) / 6.0)));
-    return value;
-  }
-  return v8;
-};
-
-const radius_from_force = (F, A, E_star) => {
-  let v10, v8, value;
-  v8 = ((35.0 * F) / ((192.0 * E_star) * A));
-  v10 = Math.pow(v8, 0.14285714285714285);
-  if (((v8 > 0.0) && (v8 < Infinity))) {
-    value = (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
-    return value;
-  }
-  return v10;
-};
-
-const force_from_depth = (d, A, E_star) => {
-  let v10, v12, value;
-  v10 = ((20.0 * d) / A);
-  v12 = Math.pow(v10, 0.16666666666666666);
-  value = ((((6.0 * E_star) / 7.0) * d) * (((v10 > 0.0) && (v10 < Infinity)) ? (v12 + (v12 * (((v10 / (Math.pow(v12, 6.0) * Math.pow(v12, 0.0))) - 1.0) / 6.0))) : v12));
-  return value;
-};
-
-const depth_from_force = (F, A, E_star) => {
-  let v10, v23, v27, v28, v3, v8, value;
-  v3 = (F / E_star);
-  v8 = ((v3 > 0.0) && (v3 < Infinity));
-  if (v8) {
-    v10 = Math.pow(v3, 0.14285714285714285);
-    v23 = (v3 / (v8 ? (v10 + (v10 * (((v3 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0))) : v10));
-  } else {
-    v23 = v3;
-  }
-  v27 = ((117649.0 * A) / 933120.0);
-  v28 = Math.pow(v27, 0.14285714285714285);
-  value = (v23 * (((v27 > 0.0) && (v27 < Infinity)) ? (v28 + (v28 * (((v27 / (Math.pow(v28, 7.0) * Math.pow(v28, 0.0))) - 1.0) / 7.0))) : v28));
-  return value;
-};
-
-const depth_of_sextic = (a, A, E_star, dgamma) => {
-  return ((((16.0 * A) / 5.0) * Math.pow(a, 6.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
-};
-
-const force_of_sextic = (a, A, E_star, dgamma) => {
-  return (((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0)) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-};
-
-const pressure_of_sextic = (r, a, A, E_star, dgamma) => {
-  let v17, v22, v32, v38, v49, v5, v6;
-  v5 = (a - r);
-  v6 = (a + r);
-  if ((r < a)) {
-    v17 = (a * a);
-    v22 = (r * r);
-    v32 = (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v17 * v17)) + ((4.0 * v17) * v22)) + (8.0 * (v22 * v22)))) * Math.sqrt((v5 * v6)));
-  } else {
-    v32 = 0.0;
-  }
-  if ((r <= a)) {
-    v38 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    v49 = ((v38 > 0.0) ? ((E_star * v38) / (3.141592653589793 * Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * v6)))) : 0.0);
-  } else {
-    v49 = 0.0;
-  }
-  return (v32 - v49);
-};
-
-const displacement_of_sextic = (r, a, A, E_star, dgamma) => {
-  let v10, v12, v13, v17, v19, v84, v85, value;
-  v10 = Math.pow(a, 6.0);
-  v12 = (r - a);
-  v13 = (r + a);
-  v84 = (r > a);
-  if (v84) {
-    v17 = (a / (r + Math.sqrt((v12 * v13))));
-    v19 = (v17 * v17);
-    v85 = ((((32.0 * A) / 15.707963267948966) * v10) * ((a / r) * (0.8571428571428571 + (v19 * ((((((((((((((((((-1.2774361052403345) * v19) + (-23.178809850601194)) * v19) + (-181.92316258227586)) * v19) + (-611.3425551498234)) * v19) + (-362.00165963521414)) * v19) + 2098.825846649865) * v19) + 3992.6681072942106) * v19) + 2012.329045387071) * v19) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v19) + (-0.42336499735873506)) * v19) + 23.453299031698904) * v19) + 657.0260884407312) * v19) + 4128.7190564480725) * v19) + 10373.373159937977) * v19) + 11371.059137910102) * v19) + 4528.267624848188) * v19) + 1.0))))));
-  } else {
-    v85 = ((((16.0 * A) / 5.0) * v10) - (A * Math.pow(r, 6.0)));
-  }
-  value = (v85 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v84 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)))) : 1.0)));
-  return value;
-};
-
-const nth_root = (x, n, more = 0) => {
-  let degree, y;
-  degree = (n + more);
-  y = Math.pow(x, (1.0 / degree));
-  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
-};
-
-const _pull_off_radius = (A, E_star, dgamma, control) => {
-  let radius;
-  if ((control === 'force')) {
-    radius = (Math.pow(nth_root((1 / A), 11), 2) * nth_root((((25 * Math.PI) * dgamma) / (2048 * E_star)), 11));
-  } else {
-    radius = (Math.pow(nth_root((1 / A), 11), 2) * nth_root((((25 * Math.PI) * dgamma) / (18432 * E_star)), 11));
-  }
-  return ((dgamma > 0.0) ? radius : 0.0);
-};
-
 const _depth = (a, A) => {
   return (((16.0 * A) / 5.0) * Math.pow(a, 6.0));
 };
 
-const XI = {'force': 3.0, 'depth': 1.0};
-
-const _pull_off_depth = (a, A, E_star, dgamma, control) => {
-  return (_depth(a, A) * (1.0 - (12.0 / XI[control])));
+const depth = (a, A) => {
+  if ((!(0.0 < A && A < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, A) : NaN);
 };
 
-const _radius_from_depth_of_sextic = (d, A) => {
+const _force = (a, A, E_star) => {
+  return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
+};
+
+const force = (a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, A, E_star) : NaN);
+};
+
+const _pressure_of_sextic = (r, a, A, E_star) => {
+  let root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  return math.where((r < a), (((((32 * E_star) * A) / (25 * Math.PI)) * (((3 * Math.pow(a, 4)) + ((4 * Math.pow(a, 2)) * Math.pow(r, 2))) + (8 * Math.pow(r, 4)))) * root), 0.0);
+};
+
+const _pressure = (r, a, A, E_star) => {
+  let v16, v21;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r < a)) {
+      v16 = (a * a);
+      v21 = (r * r);
+      return (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v16 * v16)) + ((4.0 * v16) * v21)) + (8.0 * (v21 * v21)))) * Math.sqrt(((a - r) * (a + r))));
+    }
+    return 0.0;
+  }
+  return _pressure_of_sextic(r, a, A, E_star);
+};
+
+const pressure = (r, a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, A, E_star) : 0.0) : NaN);
+};
+
+const OUTSIDE_6 = [[0.44444444444468756, 2012.329045387071, 3992.6681072942106, 2098.825846649865, (-362.00165963521414), (-611.3425551498234), (-181.92316258227586), (-23.178809850601194), (-1.2774361052403345)], [1.0, 4528.267624848188, 11371.059137910102, 10373.373159937977, 4128.7190564480725, 657.0260884407312, 23.453299031698904, (-0.42336499735873506), 0.008653162919782199], 0.8571428571428571];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _depth_of_sextic = (a, A) => {
+  return (((16 * A) / 5) * Math.pow(a, 6));
+};
+
+const _profile = (r, A) => {
+  return (A * Math.pow(r, 6));
+};
+
+const _displacement_of_sextic = (r, a, A) => {
+  let inside, outside;
+  outside = ((((32 * A) / (5 * Math.PI)) * Math.pow(a, 6)) * beside(r, a, OUTSIDE_6));
+  inside = (_depth_of_sextic(a, A) - _profile(r, A));
+  return math.where((r > a), outside, inside);
+};
+
+const _displacement = (r, a, A) => {
+  let v15, v17, v8;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
+    v8 = Math.pow(a, 6.0);
+    if ((r > a)) {
+      v15 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
+      v17 = (v15 * v15);
+      return ((((32.0 * A) / 15.707963267948966) * v8) * ((a / r) * (0.8571428571428571 + (v17 * ((((((((((((((((((-1.2774361052403345) * v17) + (-23.178809850601194)) * v17) + (-181.92316258227586)) * v17) + (-611.3425551498234)) * v17) + (-362.00165963521414)) * v17) + 2098.825846649865) * v17) + 3992.6681072942106) * v17) + 2012.329045387071) * v17) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v17) + (-0.42336499735873506)) * v17) + 23.453299031698904) * v17) + 657.0260884407312) * v17) + 4128.7190564480725) * v17) + 10373.373159937977) * v17) + 11371.059137910102) * v17) + 4528.267624848188) * v17) + 1.0))))));
+    }
+    return ((((16.0 * A) / 5.0) * v8) - (A * Math.pow(r, 6.0)));
+  }
+  return _displacement_of_sextic(r, a, A);
+};
+
+const displacement = (r, a, A) => {
+  if ((!(0.0 < A && A < Infinity))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, A) : 0.0) : NaN);
+};
+
+const _stiffness_of_sextic = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, A = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_sextic(a, E_star);
+};
+
+const stiffness = (a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_sextic = (a, A, E_star) => {
+  return ((((192 * E_star) * A) / (35 * Math.PI)) * Math.pow(a, 5));
+};
+
+const _mean_pressure = (a, A, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return ((((192.0 * E_star) * A) / 109.95574287564276) * Math.pow(a, 5.0));
+  }
+  return _mean_pressure_of_sextic(a, A, E_star);
+};
+
+const mean_pressure = (a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, A, E_star) : NaN);
+};
+
+const _energy_of_sextic = (a, A, E_star) => {
+  return ((((18432 * E_star) * Math.pow(A, 2)) / 2275) * Math.pow(a, 13));
+};
+
+const _energy = (a, A, E_star) => {
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    return ((((18432.0 * E_star) * (A * A)) / 2275.0) * Math.pow(a, 13.0));
+  }
+  return _energy_of_sextic(a, A, E_star);
+};
+
+const energy = (a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, A, E_star) : NaN);
+};
+
+const _force_of_sextic = (a, A, E_star) => {
+  return ((((192 * E_star) * A) / 35) * Math.pow(a, 7));
+};
+
+const _load_within_of_sextic = (r, a, A, E_star) => {
+  let plus, root;
+  root = Math.sqrt(((a - r) * (a + r)));
+  plus = (((((15 * Math.pow(a, 6)) / (root + a)) + ((3 * Math.pow(a, 4)) * root)) + (((4 * Math.pow(a, 2)) * Math.pow(r, 2)) * root)) + ((8 * Math.pow(r, 4)) * root));
+  return math.where((r < a), math.where((r > 0.0), (((((64 * E_star) * A) / 175) * Math.pow(r, 2)) * plus), 0.0), _force_of_sextic(a, A, E_star));
+};
+
+const _load_within = (r, a, A, E_star) => {
+  let v16, v23, v7;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((r < a)) {
+      if ((r > 0.0)) {
+        v7 = Math.sqrt(((a - r) * (a + r)));
+        v16 = (a * a);
+        v23 = (r * r);
+        return (((((64.0 * E_star) * A) / 175.0) * v23) * (((((15.0 * Math.pow(a, 6.0)) / (v7 + a)) + ((3.0 * (v16 * v16)) * v7)) + (((4.0 * v16) * v23) * v7)) + ((8.0 * (v23 * v23)) * v7)));
+      }
+      return 0.0;
+    }
+    return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
+  }
+  return _load_within_of_sextic(r, a, A, E_star);
+};
+
+const load_within = (r, a, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, A, E_star) : 0.0) : NaN);
+};
+
+const _radius_from_depth = (d, A) => {
   let v6, v8;
   v6 = ((5.0 * d) / (16.0 * A));
   v8 = Math.pow(v6, 0.16666666666666666);
@@ -320,6 +368,246 @@ const _radius_from_depth_of_sextic = (d, A) => {
     return (v8 + (v8 * (((v6 / (Math.pow(v8, 6.0) * Math.pow(v8, 0.0))) - 1.0) / 6.0)));
   }
   return v8;
+};
+
+const radius_from_depth = (d, A) => {
+  if ((!(0.0 < A && A < Infinity))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, A) : NaN);
+};
+
+const _radius_from_force = (F, A, E_star) => {
+  let v10, v8;
+  v8 = ((35.0 * F) / ((192.0 * E_star) * A));
+  v10 = Math.pow(v8, 0.14285714285714285);
+  if (((v8 > 0.0) && (v8 < Infinity))) {
+    return (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
+  }
+  return v10;
+};
+
+const radius_from_force = (F, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, A, E_star) : NaN);
+};
+
+const _force_from_depth = (d, A, E_star) => {
+  let v10, v12;
+  v10 = ((20.0 * d) / A);
+  v12 = Math.pow(v10, 0.16666666666666666);
+  return ((((6.0 * E_star) / 7.0) * d) * (((v10 > 0.0) && (v10 < Infinity)) ? (v12 + (v12 * (((v10 / (Math.pow(v12, 6.0) * Math.pow(v12, 0.0))) - 1.0) / 6.0))) : v12));
+};
+
+const force_from_depth = (d, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, A, E_star) : NaN);
+};
+
+const nth_root = (x, n, more = 0) => {
+  let degree, y;
+  degree = (n + more);
+  y = Math.pow(x, (1.0 / degree));
+  return math.where(((x > 0.0) & (x < Infinity)), (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))), y);
+};
+
+const without_root = (x, n, more = 0) => {
+  return math.where(((x > 0.0) & (x < Infinity)), (x / nth_root(x, n, more)), x);
+};
+
+const nth_root_of_functions = (x, n, more = 0) => {
+  let degree, y;
+  degree = (n + more);
+  y = Math.pow(x, (1.0 / degree));
+  return (((x > 0.0) & (x < Infinity)) ? (y + (y * (((x / (Math.pow(y, n) * Math.pow(y, more))) - 1.0) / degree))) : y);
+};
+
+const _depth_from_force_of_sextic = (F, A, E_star) => {
+  return (without_root((F / E_star), 7) * nth_root_of_functions(((117649 * A) / 933120), 7));
+};
+
+const _depth_from_force = (F, A, E_star) => {
+  let v10, v23, v27, v28, v3, v8;
+  if (((F > 1e-30) && (F < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v3 = (F / E_star);
+    v8 = ((v3 > 0.0) && (v3 < Infinity));
+    if (v8) {
+      v10 = Math.pow(v3, 0.14285714285714285);
+      v23 = (v3 / (v8 ? (v10 + (v10 * (((v3 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0))) : v10));
+    } else {
+      v23 = v3;
+    }
+    v27 = ((117649.0 * A) / 933120.0);
+    v28 = Math.pow(v27, 0.14285714285714285);
+    return (v23 * (((v27 > 0.0) && (v27 < Infinity)) ? (v28 + (v28 * (((v27 / (Math.pow(v28, 7.0) * Math.pow(v28, 0.0))) - 1.0) / 7.0))) : v28));
+  }
+  return _depth_from_force_of_sextic(F, A, E_star);
+};
+
+const depth_from_force = (F, A, E_star) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, A, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_3 = (a, A, E_star, dgamma) => {
+  return (_depth_of_sextic(a, A) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_2 = (a, A, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return ((((16.0 * A) / 5.0) * Math.pow(a, 6.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  }
+  return _depth_3(a, A, E_star, dgamma);
+};
+
+const depth_of_sextic = (a, A, E_star, dgamma) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, A, E_star, dgamma) : NaN);
+};
+
+const pull = (a, E_star, dgamma) => {
+  return (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+};
+
+const _force_3 = (a, A, E_star, dgamma) => {
+  return (_force_of_sextic(a, A, E_star) - pull(a, E_star, dgamma));
+};
+
+const _force_2 = (a, A, E_star, dgamma) => {
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    return (((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0)) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  }
+  return _force_3(a, A, E_star, dgamma);
+};
+
+const force_of_sextic = (a, A, E_star, dgamma) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, A, E_star, dgamma) : NaN);
+};
+
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
+  if ((r <= a)) {
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
+    }
+    return 0.0;
+  }
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, A, E_star, dgamma) => {
+  return (_pressure_of_sextic(r, a, A, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, A, E_star, dgamma) => {
+  let v17, v22, v32, v38, v49, v5, v6;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v5 = (a - r);
+    v6 = (a + r);
+    if ((r < a)) {
+      v17 = (a * a);
+      v22 = (r * r);
+      v32 = (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v17 * v17)) + ((4.0 * v17) * v22)) + (8.0 * (v22 * v22)))) * Math.sqrt((v5 * v6)));
+    } else {
+      v32 = 0.0;
+    }
+    if ((r <= a)) {
+      v38 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      v49 = ((v38 > 0.0) ? ((E_star * v38) / (3.141592653589793 * Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * v6)))) : 0.0);
+    } else {
+      v49 = 0.0;
+    }
+    return (v32 - v49);
+  }
+  return _pressure_3(r, a, A, E_star, dgamma);
+};
+
+const pressure_of_sextic = (r, a, A, E_star, dgamma) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, A, E_star, dgamma) => {
+  return (_displacement_of_sextic(r, a, A) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, A, E_star, dgamma) => {
+  let v10, v12, v13, v17, v19, v84, v85;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v10 = Math.pow(a, 6.0);
+    v12 = (r - a);
+    v13 = (r + a);
+    v84 = (r > a);
+    if (v84) {
+      v17 = (a / (r + Math.sqrt((v12 * v13))));
+      v19 = (v17 * v17);
+      v85 = ((((32.0 * A) / 15.707963267948966) * v10) * ((a / r) * (0.8571428571428571 + (v19 * ((((((((((((((((((-1.2774361052403345) * v19) + (-23.178809850601194)) * v19) + (-181.92316258227586)) * v19) + (-611.3425551498234)) * v19) + (-362.00165963521414)) * v19) + 2098.825846649865) * v19) + 3992.6681072942106) * v19) + 2012.329045387071) * v19) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v19) + (-0.42336499735873506)) * v19) + 23.453299031698904) * v19) + 657.0260884407312) * v19) + 4128.7190564480725) * v19) + 10373.373159937977) * v19) + 11371.059137910102) * v19) + 4528.267624848188) * v19) + 1.0))))));
+    } else {
+      v85 = ((((16.0 * A) / 5.0) * v10) - (A * Math.pow(r, 6.0)));
+    }
+    return (v85 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v84 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)))) : 1.0)));
+  }
+  return _displacement_3(r, a, A, E_star, dgamma);
+};
+
+const displacement_of_sextic = (r, a, A, E_star, dgamma) => {
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
+};
+
+const _pull_off_radius = (A, E_star, dgamma, control) => {
+  let radius;
+  if ((control === 'force')) {
+    radius = (Math.pow(nth_root_of_functions((1 / A), 11), 2) * nth_root_of_functions((((25 * Math.PI) * dgamma) / (2048 * E_star)), 11));
+  } else {
+    radius = (Math.pow(nth_root_of_functions((1 / A), 11), 2) * nth_root_of_functions((((25 * Math.PI) * dgamma) / (18432 * E_star)), 11));
+  }
+  return ((dgamma > 0.0) ? radius : 0.0);
+};
+
+const XI = {'force': 3.0, 'depth': 1.0};
+
+const _pull_off_depth = (a, A, E_star, dgamma, control) => {
+  return (_depth(a, A) * (1.0 - (12.0 / XI[control])));
 };
 
 const ROUNDING = 1e-15;
@@ -462,113 +750,219 @@ const power_law_radius = (value, a_c, least, p, q, plain) => {
   return ((e < 0.0) ? NaN : (Number.isFinite(e) ? a : ((value >= 0.0) ? plain : NaN)));
 };
 
-const _radius_from_depth = (d, A, E_star, dgamma) => {
+const _radius_from_depth_of_sextic = (d, A, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(A, E_star, dgamma, 'depth');
   least = _pull_off_depth(a_c, A, E_star, dgamma, 'depth');
-  plain = _radius_from_depth_of_sextic(math.maximum(d, 0.0), A);
+  plain = _radius_from_depth(math.maximum(d, 0.0), A);
   return power_law_radius(d, a_c, least, 6.0, 0.5, plain);
 };
 
 const radius_from_depth_of_sextic = (d, A, E_star, dgamma) => {
-  let value;
-  value = _radius_from_depth(d, A, E_star, dgamma);
-  return value;
-};
-
-const _force = (a, A, E_star) => {
-  return ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0));
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_depth_of_sextic(d, A, E_star, dgamma);
 };
 
 const _pull_off_force = (a, A, E_star, dgamma, control) => {
   return (_force(a, A, E_star) * (1.0 - (14.0 / XI[control])));
 };
 
-const _radius_from_force_of_sextic = (F, A, E_star) => {
-  let v10, v8;
-  v8 = ((35.0 * F) / ((192.0 * E_star) * A));
-  v10 = Math.pow(v8, 0.14285714285714285);
-  if (((v8 > 0.0) && (v8 < Infinity))) {
-    return (v10 + (v10 * (((v8 / (Math.pow(v10, 7.0) * Math.pow(v10, 0.0))) - 1.0) / 7.0)));
-  }
-  return v10;
-};
-
-const _radius_from_force = (F, A, E_star, dgamma) => {
+const _radius_from_force_of_sextic = (F, A, E_star, dgamma) => {
   let a_c, least, plain;
   a_c = _pull_off_radius(A, E_star, dgamma, 'force');
   least = _pull_off_force(a_c, A, E_star, dgamma, 'force');
-  plain = _radius_from_force_of_sextic(math.maximum(F, 0.0), A, E_star);
+  plain = _radius_from_force(math.maximum(F, 0.0), A, E_star);
   return power_law_radius(F, a_c, least, 7.0, 1.5, plain);
 };
 
 const radius_from_force_of_sextic = (F, A, E_star, dgamma) => {
-  let value;
-  value = _radius_from_force(F, A, E_star, dgamma);
-  return value;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return _radius_from_force_of_sextic(F, A, E_star, dgamma);
+};
+
+const gained_share = (c, a, n) => {
+  return (-Math.expm1(((-n) * ((a > c) ? math.log1p(((a - c) / c)) : 0.0))));
+};
+
+const _tangential_force_of_sextic = (a, c, A, E_star, mu) => {
+  return ((mu * _force_of_sextic(a, A, E_star)) * gained_share(c, a, 7.0));
+};
+
+const _tangential_force = (a, c, A, E_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0))) * (-Math.expm1(((-7.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  }
+  return _tangential_force_of_sextic(a, c, A, E_star, mu);
 };
 
 const tangential_force = (a, c, A, E_star, mu) => {
-  let value;
-  value = ((mu * ((((192.0 * E_star) * A) / 35.0) * Math.pow(a, 7.0))) * (-Math.expm1(((-7.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-  return value;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, A, E_star, mu) : NaN);
+};
+
+const _slope = (t, A) => {
+  return (((96 * A) / 5) * Math.pow(t, 5));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const root_gain = (r, c, a) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (difference_root(a, r) + difference_root(c, r))), 0.0);
+};
+
+const even_gain = (r, c, a, n) => {
+  let inner, j, outer, power, quotient, total;
+  [outer, inner] = [difference_root(a, r), difference_root(c, r)];
+  [quotient, power, total] = [0.0, 1.0, 1.0];
+  for (j of math.range(4, (n + 1), 2)) {
+    [quotient, power] = [(((a * a) * quotient) + power), ((c * c) * power)];
+    total = (((((((j - 2) * r) * r) * total) + ((quotient * (outer + inner)) * outer)) + power) / (j - 1));
+  }
+  return (root_gain(r, c, a) * total);
+};
+
+const _traction_of_sextic = (r, a, c, A, E_star, mu) => {
+  let gain, sliding;
+  sliding = _pressure_of_sextic(r, a, A, E_star);
+  gain = (((E_star / Math.PI) * _slope(1.0, A)) * even_gain(r, c, a, 6));
+  return (mu * math.where((r < c), gain, sliding));
+};
+
+const _traction = (r, a, c, A, E_star, mu) => {
+  let v18, v23, v33, v44, v45, v50, v52, v53, v56, v6, v7, v82;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v6 = (a - r);
+    v7 = (a + r);
+    if ((r < c)) {
+      v44 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7));
+      v45 = (c - r);
+      v50 = (a * a);
+      v52 = ((v50 * 0.0) + 1.0);
+      v53 = (c * c);
+      v56 = (v44 + Math.sqrt(((((v45 > 0.0) || (v45 !== v45)) ? v45 : 0.0) * (c + r))));
+      v82 = (((E_star / 3.141592653589793) * ((96.0 * A) / 5.0)) * (((a > c) ? (((a - c) * (a + c)) / v56) : 0.0) * ((((((4.0 * r) * r) * (((((2.0 * r) * r) + ((v52 * v56) * v44)) + v53) / 3.0)) + ((((v50 * v52) + v53) * v56) * v44)) + (v53 * v53)) / 5.0)));
+    } else {
+      if ((r < a)) {
+        v18 = (a * a);
+        v23 = (r * r);
+        v33 = (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v18 * v18)) + ((4.0 * v18) * v23)) + (8.0 * (v23 * v23)))) * Math.sqrt((v6 * v7)));
+      } else {
+        v33 = 0.0;
+      }
+      v82 = v33;
+    }
+    return (mu * v82);
+  }
+  return _traction_of_sextic(r, a, c, A, E_star, mu);
 };
 
 const traction = (r, a, c, A, E_star, mu) => {
-  let v18, v23, v33, v44, v45, v50, v52, v53, v56, v6, v7, v82, value;
-  v6 = (a - r);
-  v7 = (a + r);
-  if ((r < c)) {
-    v44 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7));
-    v45 = (c - r);
-    v50 = (a * a);
-    v52 = ((v50 * 0.0) + 1.0);
-    v53 = (c * c);
-    v56 = (v44 + Math.sqrt(((((v45 > 0.0) || (v45 !== v45)) ? v45 : 0.0) * (c + r))));
-    v82 = (((E_star / 3.141592653589793) * ((96.0 * A) / 5.0)) * (((a > c) ? (((a - c) * (a + c)) / v56) : 0.0) * ((((((4.0 * r) * r) * (((((2.0 * r) * r) + ((v52 * v56) * v44)) + v53) / 3.0)) + ((((v50 * v52) + v53) * v56) * v44)) + (v53 * v53)) / 5.0)));
-  } else {
-    if ((r < a)) {
-      v18 = (a * a);
-      v23 = (r * r);
-      v33 = (((((32.0 * E_star) * A) / 78.53981633974483) * (((3.0 * (v18 * v18)) + ((4.0 * v18) * v23)) + (8.0 * (v23 * v23)))) * Math.sqrt((v6 * v7)));
-    } else {
-      v33 = 0.0;
-    }
-    v82 = v33;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = (mu * v82);
-  return value;
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, A, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_sextic = (a, c, A, E_star, G_star, mu) => {
+  return (((mu * (E_star / G_star)) * _depth_of_sextic(a, A)) * gained_share(c, a, 6.0));
+};
+
+const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return (((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0))) * (-Math.expm1(((-6.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
+  }
+  return _tangential_displacement_of_sextic(a, c, A, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, A, E_star, G_star, mu) => {
-  let value;
-  value = (((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0))) * (-Math.expm1(((-6.0) * ((a > c) ? Math.log1p(((a - c) / c)) : 0.0)))));
-  return value;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, A, E_star, G_star, mu) : NaN);
+};
+
+const stick_force = (F, F_x, mu) => {
+  let v10, v4;
+  v4 = (F - (F_x / mu));
+  v10 = ((Math.abs(v4) <= (2e-16 * F)) ? 0.0 : v4);
+  if ((v10 >= 0.0)) {
+    return v10;
+  }
+  return NaN;
+};
+
+const _radius_from_force_2 = (F, A, E_star) => {
+  return nth_root_of_functions(((35 * F) / ((192 * E_star) * A)), 7);
+};
+
+const _stick_radius_of_sextic = (F_x, a, A, E_star, mu) => {
+  let F;
+  F = stick_force(_force_of_sextic(a, A, E_star), F_x, mu);
+  return math.where(((F_x === 0.0) & (a >= 0.0)), a, _radius_from_force_2(F, A, E_star));
+};
+
+const _stick_radius = (F_x, a, A, E_star, mu) => {
+  let v12, v14, v20, v28, v30, v7;
+  if (((F_x > 1e-30) && (F_x < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    if (((F_x === 0.0) && (a >= 0.0))) {
+      return a;
+    }
+    v7 = ((192.0 * E_star) * A);
+    v12 = ((v7 / 35.0) * Math.pow(a, 7.0));
+    v14 = (v12 - (F_x / mu));
+    v20 = ((Math.abs(v14) <= (2e-16 * v12)) ? 0.0 : v14);
+    v28 = ((35.0 * ((v20 >= 0.0) ? v20 : NaN)) / v7);
+    v30 = Math.pow(v28, 0.14285714285714285);
+    if (((v28 > 0.0) && (v28 < Infinity))) {
+      return (v30 + (v30 * (((v28 / (Math.pow(v30, 7.0) * Math.pow(v30, 0.0))) - 1.0) / 7.0)));
+    }
+    return v30;
+  }
+  return _stick_radius_of_sextic(F_x, a, A, E_star, mu);
 };
 
 const stick_radius = (F_x, a, A, E_star, mu) => {
-  let v12, v14, v20, v28, v30, v7, value;
-  if (((F_x === 0.0) && (a >= 0.0))) {
-    return a;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  v7 = ((192.0 * E_star) * A);
-  v12 = ((v7 / 35.0) * Math.pow(a, 7.0));
-  v14 = (v12 - (F_x / mu));
-  v20 = ((Math.abs(v14) <= (2e-16 * v12)) ? 0.0 : v14);
-  v28 = ((35.0 * ((v20 >= 0.0) ? v20 : NaN)) / v7);
-  v30 = Math.pow(v28, 0.14285714285714285);
-  if (((v28 > 0.0) && (v28 < Infinity))) {
-    value = (v30 + (v30 * (((v28 / (Math.pow(v30, 7.0) * Math.pow(v30, 0.0))) - 1.0) / 7.0)));
-    return value;
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, A, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_sextic = (a, A, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_sextic(a, A));
+};
+
+const _full_slip_displacement = (a, A, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0)));
   }
-  value = v30;
-  return value;
+  return _full_slip_displacement_of_sextic(a, A, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, A, E_star, G_star, mu) => {
-  let value;
-  value = ((mu * (E_star / G_star)) * (((16.0 * A) / 5.0) * Math.pow(a, 6.0)));
-  return value;
+  if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, A, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -576,7 +970,7 @@ const formulas = {
   "F": (v) => force(v.a, v.A, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.A, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.A),
-  "k": (v) => stiffness(v.a, v.E_star, v.A),
+  "k": (v) => stiffness(v.a, v.A, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.A, v.E_star),
   "U": (v) => energy(v.a, v.A, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.A, v.E_star),
@@ -584,6 +978,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.A, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.A, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.A, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_sextic(v.a, v.A, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_sextic(v.a, v.A, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_sextic(v.r, v.a, v.A, v.E_star, v.dgamma),
@@ -793,8 +1188,8 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
-    "A"
+    "A",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -876,6 +1271,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,13 +159,29 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
-const depth = (a, R) => {
-  return (a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0));
+const _depth_of_sphere = (a, R) => {
+  let angle;
+  angle = (Math.log1p(((2 * a) / (R - a))) / 2);
+  return (a * angle);
 };
 
-const force = (a, R, E_star) => {
-  let v12, v18, v53, v8, value;
-  v8 = (Math.log1p(((2.0 * a) / (R - a))) / 2.0);
+const _depth = (a, R) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    return (a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0));
+  }
+  return _depth_of_sphere(a, R);
+};
+
+const depth = (a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, R) : NaN);
+};
+
+const _force = (a, R, E_star) => {
+  let v12, v18, v53, v8;
+  v8 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
   v12 = (a / R);
   if ((v8 < 1.0)) {
     v18 = (v8 * v8);
@@ -149,8 +189,14 @@ const force = (a, R, E_star) => {
   } else {
     v53 = (v8 - v12);
   }
-  value = (E_star * (((a * a) * v8) + ((R * R) * v53)));
-  return value;
+  return (E_star * (((a * a) * v8) + ((R * R) * v53)));
+};
+
+const force = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, R, E_star) : NaN);
 };
 
 const difference_root = (x, y) => {
@@ -214,7 +260,7 @@ const arc_strips = (r, a, R) => {
   return (beyond ? pressure_integral_tanh(_arc_rate, [], r, a, R) : near);
 };
 
-const _pressure = (r, a, R, E_star) => {
+const _pressure_of_sphere = (r, a, R, E_star) => {
   let inside, pressed, root, root_Rr, root_ar;
   root_Rr = Math.sqrt(((R - r) * (r + R)));
   root = Math.sqrt(((R - a) * (a + R)));
@@ -224,199 +270,388 @@ const _pressure = (r, a, R, E_star) => {
   return ((a <= R) ? inside : NaN);
 };
 
-const pressure = (r, a, R, E_star) => {
-  let v103, v108, v113, v118, v12, v123, v13, v25, v30, v31, v32, v35, v36, v37, v4, v43, v48, v53, v58, v63, v68, v73, v78, v83, v88, v93, v98, v99, value;
-  v4 = (R - r);
-  v12 = (a - r);
-  v13 = (a + r);
-  v25 = Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13));
-  v30 = (R + Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (R + r))));
-  v31 = (a + v25);
-  v32 = (v31 / v30);
-  if ((v32 > 0.7)) {
-    return _pressure(r, a, R, E_star);
-  }
-  if ((a <= R)) {
-    if ((r < a)) {
-      v35 = ((r * (r / v31)) / v30);
-      v36 = (v32 * v32);
-      v37 = (v35 * v35);
-      v43 = ((0.13579013365982337 * v36) + (-0.4846453962188766));
-      v48 = ((v43 * v36) + 0.8293825948837366);
-      v53 = ((v48 * v36) + (-0.8745573865774817));
-      v58 = ((v53 * v36) + 0.6371928816963097);
-      v63 = ((v58 * v36) + (-0.3332798652335896));
-      v68 = ((v63 * v36) + 0.13289328569967984);
-      v73 = ((v68 * v36) + (-0.03710676078458442));
-      v78 = ((v73 * v36) + 0.011089560042611895);
-      v83 = ((v78 * v36) + 0.0012521687336059639);
-      v88 = ((v83 * v36) + 0.0036572276005780893);
-      v93 = ((v88 * v36) + 0.004425450516633092);
-      v98 = ((v93 * v36) + 0.005918487051520244);
-      v99 = (((((((((((((((((((((((((0.0 * v37) + 0.13579013365982337) * v37) + v43) * v37) + v48) * v37) + v53) * v37) + v58) * v37) + v63) * v37) + v68) * v37) + v73) * v37) + v78) * v37) + v83) * v37) + v88) * v37) + v93) * v37);
-      v103 = ((v98 * v36) + 0.008264397984935742);
-      v108 = ((v103 * v36) + 0.012345681107818056);
-      v113 = ((v108 * v36) + 0.020408163224119494);
-      v118 = ((v113 * v36) + 0.04000000000042643);
-      v123 = ((v118 * v36) + 0.11111111111110937);
-      value = ((E_star / 3.141592653589793) * (((R * Math.asinh((Math.sqrt((v12 * v13)) / Math.sqrt(((R - a) * (a + R)))))) / Math.sqrt((v4 * (r + R)))) + (((2.0 * v25) / v30) * (((v123 * v36) + 1.0) + ((v35 * (v35 + v32)) * (((((((((((v99 + v98) * v37) + v103) * v37) + v108) * v37) + v113) * v37) + v118) * v37) + v123))))));
-      return value;
+const _pressure = (r, a, R, E_star) => {
+  let v103, v108, v113, v118, v12, v123, v13, v25, v30, v31, v32, v35, v36, v37, v4, v43, v48, v53, v58, v63, v68, v73, v78, v83, v88, v93, v98, v99;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    v4 = (R - r);
+    v12 = (a - r);
+    v13 = (a + r);
+    v25 = Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13));
+    v30 = (R + Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (R + r))));
+    v31 = (a + v25);
+    v32 = (v31 / v30);
+    if ((v32 > 0.7)) {
+      return _pressure_of_sphere(r, a, R, E_star);
     }
-    return 0.0;
+    if ((a <= R)) {
+      if ((r < a)) {
+        v35 = ((r * (r / v31)) / v30);
+        v36 = (v32 * v32);
+        v37 = (v35 * v35);
+        v43 = ((0.13579013365982337 * v36) + (-0.4846453962188766));
+        v48 = ((v43 * v36) + 0.8293825948837366);
+        v53 = ((v48 * v36) + (-0.8745573865774817));
+        v58 = ((v53 * v36) + 0.6371928816963097);
+        v63 = ((v58 * v36) + (-0.3332798652335896));
+        v68 = ((v63 * v36) + 0.13289328569967984);
+        v73 = ((v68 * v36) + (-0.03710676078458442));
+        v78 = ((v73 * v36) + 0.011089560042611895);
+        v83 = ((v78 * v36) + 0.0012521687336059639);
+        v88 = ((v83 * v36) + 0.0036572276005780893);
+        v93 = ((v88 * v36) + 0.004425450516633092);
+        v98 = ((v93 * v36) + 0.005918487051520244);
+        v99 = (((((((((((((((((((((((((0.0 * v37) + 0.13579013365982337) * v37) + v43) * v37) + v48) * v37) + v53) * v37) + v58) * v37) + v63) * v37) + v68) * v37) + v73) * v37) + v78) * v37) + v83) * v37) + v88) * v37) + v93) * v37);
+        v103 = ((v98 * v36) + 0.008264397984935742);
+        v108 = ((v103 * v36) + 0.012345681107818056);
+        v113 = ((v108 * v36) + 0.020408163224119494);
+        v118 = ((v113 * v36) + 0.04000000000042643);
+        v123 = ((v118 * v36) + 0.11111111111110937);
+        return ((E_star / 3.141592653589793) * (((R * Math.asinh((Math.sqrt((v12 * v13)) / Math.sqrt(((R - a) * (a + R)))))) / Math.sqrt((v4 * (r + R)))) + (((2.0 * v25) / v30) * (((v123 * v36) + 1.0) + ((v35 * (v35 + v32)) * (((((((((((v99 + v98) * v37) + v103) * v37) + v108) * v37) + v113) * v37) + v118) * v37) + v123))))));
+      }
+      return 0.0;
+    }
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_sphere(r, a, R, E_star);
+};
+
+const pressure = (r, a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, E_star) : 0.0) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const displacement = (r, a, R) => {
-  let node, v10, v11, v16, v19, v21, v3, v30, v33, v35, v36, v37, v39, v4, v41, v43, v44, v47, v51, v52, v54, v64, v65, v66, value, weight;
-  if ((a <= R)) {
-    v39 = (r + R);
-    v47 = (R - r);
-    if ((r > a)) {
-      v3 = (((r < R) || (r !== r)) ? r : R);
-      if ((a < v3)) {
-        v4 = (v3 - a);
-        v10 = (a / Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (v3 + a))));
-        v11 = Math.asinh(v10);
-        v16 = (0.0 - Math.expm1(((-2.0) * v11)));
-        v19 = ((v16 > 0.0) ? v16 : Infinity);
-        v37 = (r - R);
-        v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * v39));
-        v43 = (v41 * v41);
-        v51 = Math.sqrt(((((v47 > 0.0) || (v47 !== v47)) ? v47 : 0.0) * (R + r)));
-        v52 = (v51 * v51);
-        v65 = [];
-        for ([node, weight] of RULE_0((v11 / 1.0))) {
-          v21 = (node * v11);
-          v30 = (v10 * ((Math.exp((-v21)) * (0.0 - Math.expm1(((-2.0) * (v11 - v21))))) / v19));
-          v33 = Math.sqrt((1.0 + (v30 * v30)));
-          v35 = (v3 * (v30 / v33));
-          v36 = (v3 / v33);
-          v44 = (v36 * v36);
-          v54 = Math.sqrt((v52 + v44));
-          v64 = (((Math.asinh((v35 / v54)) + ((R * v35) / (v54 * v54))) * Math.atan2(v35, Math.sqrt((v43 + v44)))) * (v36 / v33));
-          v65.push((weight * v64));
-        }
-        v65 = (math.fsum(v65) * v11);
-        v66 = v65;
-      } else {
-        v66 = Infinity;
-      }
-      value = (0.6366197723675814 * v66);
-      return value;
-    }
-    return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v47 * v39)) + R)));
-  }
-  return NaN;
+const _slope = (t, root, R) => {
+  let angle;
+  angle = Math.asinh((t / root));
+  return (angle + ((R * t) / Math.pow(root, 2)));
 };
 
-const stiffness = (a, E_star, R = 1.0) => {
-  return ((2.0 * E_star) * a);
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
+  let end, fallen, integrand, scale, stop;
+  scale = math.minimum(r, R);
+  end = (a / difference_root(scale, a));
+  stop = Math.asinh(end);
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let beyond, part, root, secant, side, t;
+    side = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    [t, part] = [(scale * (side / secant)), (scale / secant)];
+    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
+    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
+    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
+  };
+  return [integrand, stop, 1.0, (a < scale), Infinity];
+});
+
+const _profile = (r, R) => {
+  let root_Rr;
+  root_Rr = Math.sqrt(((R - r) * (r + R)));
+  return (Math.pow(r, 2) / (root_Rr + R));
+};
+
+const _displacement_of_sphere = (r, a, R) => {
+  let inside, outside, tip;
+  tip = displacement_integral_tanh(_slope, [R], r, a, R);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_sphere(a, R) - _profile(r, R));
+  return math.where((a <= R), math.where((r > a), outside, inside), NaN);
+};
+
+const _displacement = (r, a, R) => {
+  let node, v10, v11, v16, v19, v21, v3, v30, v33, v35, v36, v37, v39, v4, v41, v43, v44, v47, v51, v52, v54, v64, v65, v66, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    if ((a <= R)) {
+      v39 = (r + R);
+      v47 = (R - r);
+      if ((r > a)) {
+        v3 = (((r < R) || (r !== r)) ? r : R);
+        if ((a < v3)) {
+          v4 = (v3 - a);
+          v10 = (a / Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (v3 + a))));
+          v11 = Math.asinh(v10);
+          v16 = (0.0 - Math.expm1(((-2.0) * v11)));
+          v19 = ((v16 > 0.0) ? v16 : Infinity);
+          v37 = (r - R);
+          v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * v39));
+          v43 = (v41 * v41);
+          v51 = Math.sqrt(((((v47 > 0.0) || (v47 !== v47)) ? v47 : 0.0) * (R + r)));
+          v52 = (v51 * v51);
+          v65 = [];
+          for ([node, weight] of RULE_0((v11 / 1.0))) {
+            v21 = (node * v11);
+            v30 = (v10 * ((Math.exp((-v21)) * (0.0 - Math.expm1(((-2.0) * (v11 - v21))))) / v19));
+            v33 = Math.sqrt((1.0 + (v30 * v30)));
+            v35 = (v3 * (v30 / v33));
+            v36 = (v3 / v33);
+            v44 = (v36 * v36);
+            v54 = Math.sqrt((v52 + v44));
+            v64 = (((Math.asinh((v35 / v54)) + ((R * v35) / (v54 * v54))) * Math.atan2(v35, Math.sqrt((v43 + v44)))) * (v36 / v33));
+            v65.push((weight * v64));
+          }
+          v65 = (math.fsum(v65) * v11);
+          v66 = v65;
+        } else {
+          v66 = Infinity;
+        }
+        return (0.6366197723675814 * v66);
+      }
+      return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v47 * v39)) + R)));
+    }
+    return NaN;
+  }
+  return _displacement_of_sphere(r, a, R);
+};
+
+const displacement = (r, a, R) => {
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, R) : 0.0) : NaN);
+};
+
+const _stiffness_of_sphere = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, R = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_sphere(a, E_star);
+};
+
+const stiffness = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const TANH_GAP = [[0.3333333333333333, 0.3073858328214721, 0.08608622548411103, 0.007076196047699156, 0.00019982814521087247, 1.0716932453474512e-06], [1.0, 0.32215749846441627, 0.03639274880225476, 0.001617010334189783, 2.0203143566039827e-05, 2.565078604208634e-08]];
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const tanh_gap = (y, x) => {
+  let t;
+  t = math.minimum(y, 1.0);
+  return math.where((y < 1.0), ((x * (x * x)) * rational((t * t), ...TANH_GAP)), (y - x));
+};
+
+const _force_of_sphere = (a, R, E_star) => {
+  let angle;
+  angle = (Math.log1p(((2 * a) / (R - a))) / 2);
+  return (E_star * ((Math.pow(a, 2) * angle) + (Math.pow(R, 2) * tanh_gap(angle, (a / R)))));
+};
+
+const _mean_pressure_of_sphere = (a, R, E_star) => {
+  return math.where((a > 0.0), (_force_of_sphere(a, R, E_star) / (Math.PI * Math.pow(a, 2))), 0.0);
+};
+
+const _mean_pressure = (a, R, E_star) => {
+  let v10, v11, v14, v20, v55;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a > 0.0)) {
+      v10 = (Math.log1p(((2.0 * a) / (R - a))) / 2.0);
+      v11 = (a * a);
+      v14 = (a / R);
+      if ((v10 < 1.0)) {
+        v20 = (v10 * v10);
+        v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
+      } else {
+        v55 = (v10 - v14);
+      }
+      return ((E_star * ((v11 * v10) + ((R * R) * v55))) / (3.141592653589793 * v11));
+    }
+    return 0.0;
+  }
+  return _mean_pressure_of_sphere(a, R, E_star);
 };
 
 const mean_pressure = (a, R, E_star) => {
-  let v10, v11, v14, v20, v55, value;
-  if ((a > 0.0)) {
-    v10 = (Math.log1p(((2.0 * a) / (R - a))) / 2.0);
-    v11 = (a * a);
-    v14 = (a / R);
-    if ((v10 < 1.0)) {
-      v20 = (v10 * v10);
-      v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
-    } else {
-      v55 = (v10 - v14);
-    }
-    value = ((E_star * ((v11 * v10) + ((R * R) * v55))) / (3.141592653589793 * v11));
-    return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return 0.0;
-};
-
-const energy = (a, R, E_star) => {
-  let node, v15, v16, v21, v24, v26, v35, v38, v40, v45, v48, v49, v5, v51, v9, value, weight;
-  if ((a <= R)) {
-    if ((a < R)) {
-      v5 = (R - a);
-      v9 = (a * (Math.log1p(((2.0 * a) / v5)) / 2.0));
-      v15 = (a / Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + a))));
-      v16 = Math.asinh(v15);
-      v21 = (0.0 - Math.expm1(((-2.0) * v16)));
-      v24 = ((v21 > 0.0) ? v21 : Infinity);
-      v49 = [];
-      for ([node, weight] of RULE_0((v16 / 1.0))) {
-        v26 = (node * v16);
-        v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v16 - v26))))) / v24));
-        v38 = Math.sqrt((1.0 + (v35 * v35)));
-        v40 = (R * (v35 / v38));
-        v45 = (v9 - (v40 * Math.asinh((v40 / (R / v38)))));
-        v48 = ((v45 * v45) / (v38 * v38));
-        v49.push((weight * v48));
-      }
-      v49 = (math.fsum(v49) * v16);
-      v51 = (R * v49);
-    } else {
-      v51 = Infinity;
-    }
-    value = (E_star * v51);
-    return value;
-  }
-  return NaN;
-};
-
-const load_within = (r, a, R, E_star) => {
-  let node, v10, v11, v12, v124, v17, v22, v24, v29, v32, v33, v34, v38, v4, v47, v48, v5, v50, v52, v53, v56, v71, v74, v75, v77, v82, v89, value, weight;
-  if ((a <= R)) {
-    v4 = (((r < a) || (r !== r)) ? r : a);
-    v5 = (R - v4);
-    v11 = (v4 / R);
-    v34 = (v4 > 0.0);
-    v71 = (v11 * v11);
-    if ((v34 && (a < R))) {
-      v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + v4)));
-      v12 = (a - v4);
-      v17 = (R - a);
-      v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * (a + v4))) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (R + a))));
-      v24 = Math.asinh((v22 / v11));
-      v29 = (0.0 - Math.expm1(((-2.0) * v24)));
-      v32 = ((v29 > 0.0) ? v29 : Infinity);
-      v33 = (v4 * v4);
-      v75 = [];
-      for ([node, weight] of RULE_0((v24 / 1.0))) {
-        v38 = (node * v24);
-        v47 = (v22 * ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v24 - v38))))) / v32));
-        v48 = (v47 * v47);
-        v50 = Math.sqrt((1.0 + v48));
-        v52 = (v10 * (v47 / v50));
-        v53 = (v10 / v50);
-        v56 = Math.sqrt((v33 + (v52 * v52)));
-        v74 = ((((Math.asinh((v56 / v53)) + ((R * v56) / (v53 * v53))) * (v52 / (v56 + v52))) * (v53 / ((v50 * v50) * v56))) * Math.sqrt((v71 + v48)));
-        v75.push((weight * v74));
-      }
-      v75 = (math.fsum(v75) * v24);
-      v77 = (v33 * v75);
-    } else {
-      v77 = (v34 ? Infinity : 0.0);
-    }
-    v82 = (Math.log1p(((2.0 * v4) / v5)) / 2.0);
-    if ((v82 < 1.0)) {
-      v89 = (v82 * v82);
-      v124 = ((v11 * v71) * (((((((((((1.0716932453474512e-06 * v89) + 0.00019982814521087247) * v89) + 0.007076196047699156) * v89) + 0.08608622548411103) * v89) + 0.3073858328214721) * v89) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v89) + 2.0203143566039827e-05) * v89) + 0.001617010334189783) * v89) + 0.03639274880225476) * v89) + 0.32215749846441627) * v89) + 1.0)));
-    } else {
-      v124 = (v82 - v11);
-    }
-    value = ((E_star * (((v4 * v4) * v82) + ((R * R) * v124))) + ((2.0 * E_star) * v77));
-    return value;
-  }
-  return NaN;
+  return ((a >= 0.0) ? _mean_pressure(a, R, E_star) : NaN);
 };
 
 const _depth_at = (a, root) => {
+  let angle;
+  angle = Math.asinh((a / root));
+  return (a * angle);
+};
+
+const energy_integral_tanh = math.in_groups((depth, a, d, R) => {
+  let fallen, integrand, ratio, stop;
+  ratio = (a / difference_root(R, a));
+  stop = Math.asinh(ratio);
+  fallen = falling(stop);
+  integrand = (v) => {
+    let secant, short, side;
+    side = (ratio * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    short = (d - depth((R * (side / secant)), (R / secant)));
+    return ((short * short) / (secant * secant));
+  };
+  return [integrand, stop, R, (a < R), Infinity];
+});
+
+const _energy_of_sphere = (a, R, E_star) => {
+  let sunk, tip;
+  sunk = _depth_of_sphere(a, R);
+  tip = energy_integral_tanh(_depth_at, [], a, sunk, R);
+  return math.where((a <= R), (E_star * tip), NaN);
+};
+
+const _energy = (a, R, E_star) => {
+  let node, v15, v16, v21, v24, v26, v35, v38, v40, v45, v48, v49, v5, v51, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= R)) {
+      if ((a < R)) {
+        v5 = (R - a);
+        v9 = (a * (Math.log1p(((2.0 * a) / v5)) / 2.0));
+        v15 = (a / Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + a))));
+        v16 = Math.asinh(v15);
+        v21 = (0.0 - Math.expm1(((-2.0) * v16)));
+        v24 = ((v21 > 0.0) ? v21 : Infinity);
+        v49 = [];
+        for ([node, weight] of RULE_0((v16 / 1.0))) {
+          v26 = (node * v16);
+          v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v16 - v26))))) / v24));
+          v38 = Math.sqrt((1.0 + (v35 * v35)));
+          v40 = (R * (v35 / v38));
+          v45 = (v9 - (v40 * Math.asinh((v40 / (R / v38)))));
+          v48 = ((v45 * v45) / (v38 * v38));
+          v49.push((weight * v48));
+        }
+        v49 = (math.fsum(v49) * v16);
+        v51 = (R * v49);
+      } else {
+        v51 = Infinity;
+      }
+      return (E_star * v51);
+    }
+    return NaN;
+  }
+  return _energy_of_sphere(a, R, E_star);
+};
+
+const energy = (a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, R, E_star) : NaN);
+};
+
+const load_within_integral_tanh = math.in_groups((slope, r, a, R) => {
+  let fallen, integrand, ratio, scale, share, stop;
+  [scale, share] = [difference_root(R, r), (r / R)];
+  ratio = (difference_root(a, r) / difference_root(R, a));
+  stop = Math.asinh((ratio / share));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, side, t, u;
+    side = (ratio * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    [u, root] = [(scale * (side / secant)), (scale / secant)];
+    t = Math.sqrt(((r * r) + (u * u)));
+    return (((slope(t, root) * (u / (t + u))) * (root / ((secant * secant) * t))) * Math.sqrt(((share * share) + (side * side))));
+  };
+  return [integrand, stop, (r * r), ((r > 0.0) & (a < R)), math.where((r > 0.0), Infinity, 0.0)];
+});
+
+const _load_within_of_sphere = (r, a, R, E_star) => {
+  let tip;
+  tip = load_within_integral_tanh(_slope, [R], math.minimum(r, a), a, R);
+  return math.where((a <= R), (_force_of_sphere(math.minimum(r, a), R, E_star) + ((2 * E_star) * tip)), NaN);
+};
+
+const _load_within = (r, a, R, E_star) => {
+  let node, v10, v11, v12, v124, v17, v22, v24, v29, v32, v33, v34, v38, v4, v47, v48, v5, v50, v52, v53, v56, v71, v74, v75, v77, v82, v89, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30))) {
+    if ((a <= R)) {
+      v4 = (((r < a) || (r !== r)) ? r : a);
+      v5 = (R - v4);
+      v11 = (v4 / R);
+      v34 = (v4 > 0.0);
+      v71 = (v11 * v11);
+      if ((v34 && (a < R))) {
+        v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + v4)));
+        v12 = (a - v4);
+        v17 = (R - a);
+        v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * (a + v4))) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (R + a))));
+        v24 = Math.asinh((v22 / v11));
+        v29 = (0.0 - Math.expm1(((-2.0) * v24)));
+        v32 = ((v29 > 0.0) ? v29 : Infinity);
+        v33 = (v4 * v4);
+        v75 = [];
+        for ([node, weight] of RULE_0((v24 / 1.0))) {
+          v38 = (node * v24);
+          v47 = (v22 * ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v24 - v38))))) / v32));
+          v48 = (v47 * v47);
+          v50 = Math.sqrt((1.0 + v48));
+          v52 = (v10 * (v47 / v50));
+          v53 = (v10 / v50);
+          v56 = Math.sqrt((v33 + (v52 * v52)));
+          v74 = ((((Math.asinh((v56 / v53)) + ((R * v56) / (v53 * v53))) * (v52 / (v56 + v52))) * (v53 / ((v50 * v50) * v56))) * Math.sqrt((v71 + v48)));
+          v75.push((weight * v74));
+        }
+        v75 = (math.fsum(v75) * v24);
+        v77 = (v33 * v75);
+      } else {
+        v77 = (v34 ? Infinity : 0.0);
+      }
+      v82 = (Math.log1p(((2.0 * v4) / v5)) / 2.0);
+      if ((v82 < 1.0)) {
+        v89 = (v82 * v82);
+        v124 = ((v11 * v71) * (((((((((((1.0716932453474512e-06 * v89) + 0.00019982814521087247) * v89) + 0.007076196047699156) * v89) + 0.08608622548411103) * v89) + 0.3073858328214721) * v89) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v89) + 2.0203143566039827e-05) * v89) + 0.001617010334189783) * v89) + 0.03639274880225476) * v89) + 0.32215749846441627) * v89) + 1.0)));
+      } else {
+        v124 = (v82 - v11);
+      }
+      return ((E_star * (((v4 * v4) * v82) + ((R * R) * v124))) + ((2.0 * E_star) * v77));
+    }
+    return NaN;
+  }
+  return _load_within_of_sphere(r, a, R, E_star);
+};
+
+const load_within = (r, a, R, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, E_star) : 0.0) : NaN);
+};
+
+const _depth_at_of_sphere = (a, root) => {
   return (a * Math.asinh((a / root)));
 };
 
-const _slope = (t, root, R) => {
+const _slope_of_sphere = (t, root, R) => {
   return (Math.asinh((t / root)) + ((R * t) / (root * root)));
 };
 
@@ -547,8 +782,8 @@ const _contact_from_depth = (d, R) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(R * Math.tanh(t)), (R / Math.cosh(t))];
-    value = _depth_at(a, root);
-    return [value, (((((t * root) * root) / R) * _slope(a, root, R)) / value)];
+    value = _depth_at_of_sphere(a, root);
+    return [value, (((((t * root) * root) / R) * _slope_of_sphere(a, root, R)) / value)];
   };
   rest = [0.9983865, 0.208363, (-4.0282), 30.18372, (-93.92268), 137.5431, (-95.06062), 25.07439];
   start = between(Math.log((d / curve(1.0)[0])), [1.313, 2.0], [1.313, 1.0], 3.75, rest);
@@ -561,9 +796,10 @@ const _radius_from_depth = (d, R) => {
 };
 
 const radius_from_depth = (d, R) => {
-  let value;
-  value = _radius_from_depth(d, R);
-  return value;
+  if ((!(0.0 < R && R < Infinity))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, R) : NaN);
 };
 
 const _force_at = (a, root, R, E_star) => {
@@ -585,7 +821,7 @@ const _contact_from_force = (F, R, E_star) => {
     let a, root, value;
     [a, root] = [(R * Math.tanh(t)), (R / Math.cosh(t))];
     value = _force_at(a, root, R, E_star);
-    return [value, ((((((((2 * E_star) * a) * t) * root) * root) / R) * _slope(a, root, R)) / value)];
+    return [value, ((((((((2 * E_star) * a) * t) * root) * root) / R) * _slope_of_sphere(a, root, R)) / value)];
   };
   rest = [0.998775, 0.1558039, (-2.915358), 22.20415, (-66.84601), 91.96521, (-58.34092), 13.75711];
   start = between(Math.log((F / curve(1.0)[0])), [1.629, 3.0], [2.405, 1.0], 1.75, rest);
@@ -598,44 +834,65 @@ const _radius_from_force = (F, R, E_star) => {
 };
 
 const radius_from_force = (F, R, E_star) => {
-  let value;
-  value = _radius_from_force(F, R, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, R, E_star) : NaN);
 };
 
 const _force_from_depth = (d, R, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_depth(d, R);
-  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at(a, root))) : 0.0);
+  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at_of_sphere(a, root))) : 0.0);
   return (_force_at(a, root, R, E_star) + change);
 };
 
 const force_from_depth = (d, R, E_star) => {
-  let value;
-  value = _force_from_depth(d, R, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, R, E_star) : NaN);
 };
 
 const _depth_from_force = (F, R, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_force(F, R, E_star);
   change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at(a, root, R, E_star)) / ((2 * E_star) * a)) : 0.0);
-  return (_depth_at(a, root) + change);
+  return (_depth_at_of_sphere(a, root) + change);
 };
 
 const depth_from_force = (F, R, E_star) => {
-  let value;
-  value = _depth_from_force(F, R, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, R, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, R, E_star, dgamma) => {
+  return ((a * (math.log1p(((2.0 * a) / (R - a))) / 2.0)) - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
 const depth_of_sphere = (a, R, E_star, dgamma) => {
-  return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, R, E_star, dgamma) : NaN);
 };
 
-const force_of_sphere = (a, R, E_star, dgamma) => {
-  let v13, v19, v54, v9, value;
-  v9 = (Math.log1p(((2.0 * a) / (R - a))) / 2.0);
+const _force_2 = (a, R, E_star, dgamma) => {
+  let v13, v19, v54, v9;
+  v9 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
   v13 = (a / R);
   if ((v9 < 1.0)) {
     v19 = (v9 * v9);
@@ -643,11 +900,17 @@ const force_of_sphere = (a, R, E_star, dgamma) => {
   } else {
     v54 = (v9 - v13);
   }
-  value = ((E_star * (((a * a) * v9) + ((R * R) * v54))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
-  return value;
+  return ((E_star * (((a * a) * v9) + ((R * R) * v54))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
 };
 
-const _pressure_2 = (r, a, R, E_star) => {
+const force_of_sphere = (a, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, R, E_star, dgamma) : NaN);
+};
+
+const _pressure_4 = (r, a, R, E_star) => {
   let inside, pressed, root, root_Rr, root_ar;
   root_Rr = Math.sqrt(((R - r) * (r + R)));
   root = Math.sqrt(((R - a) * (a + R)));
@@ -670,186 +933,153 @@ const tension = (r, a, E_star, dgamma) => {
   return 0.0;
 };
 
-const _pressure_of_sphere = (r, a, R, E_star, dgamma) => {
-  return (_pressure_2(r, a, R, E_star) - tension(r, a, E_star, dgamma));
+const _pressure_3 = (r, a, R, E_star, dgamma) => {
+  return (_pressure_4(r, a, R, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, R, E_star, dgamma) => {
+  let v100, v104, v109, v114, v119, v124, v13, v14, v143, v146, v152, v159, v26, v31, v32, v33, v36, v37, v38, v44, v49, v5, v54, v59, v64, v69, v74, v79, v84, v89, v94, v99;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v5 = (R - r);
+    v13 = (a - r);
+    v14 = (a + r);
+    v26 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v14));
+    v31 = (R + Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + r))));
+    v32 = (a + v26);
+    v33 = (v32 / v31);
+    if ((a <= R)) {
+      if ((r < a)) {
+        v36 = ((r * (r / v32)) / v31);
+        v37 = (v33 * v33);
+        v38 = (v36 * v36);
+        v44 = ((0.13579013365982337 * v37) + (-0.4846453962188766));
+        v49 = ((v44 * v37) + 0.8293825948837366);
+        v54 = ((v49 * v37) + (-0.8745573865774817));
+        v59 = ((v54 * v37) + 0.6371928816963097);
+        v64 = ((v59 * v37) + (-0.3332798652335896));
+        v69 = ((v64 * v37) + 0.13289328569967984);
+        v74 = ((v69 * v37) + (-0.03710676078458442));
+        v79 = ((v74 * v37) + 0.011089560042611895);
+        v84 = ((v79 * v37) + 0.0012521687336059639);
+        v89 = ((v84 * v37) + 0.0036572276005780893);
+        v94 = ((v89 * v37) + 0.004425450516633092);
+        v99 = ((v94 * v37) + 0.005918487051520244);
+        v100 = (((((((((((((((((((((((((0.0 * v38) + 0.13579013365982337) * v38) + v44) * v38) + v49) * v38) + v54) * v38) + v59) * v38) + v64) * v38) + v69) * v38) + v74) * v38) + v79) * v38) + v84) * v38) + v89) * v38) + v94) * v38);
+        v104 = ((v99 * v37) + 0.008264397984935742);
+        v109 = ((v104 * v37) + 0.012345681107818056);
+        v114 = ((v109 * v37) + 0.020408163224119494);
+        v119 = ((v114 * v37) + 0.04000000000042643);
+        v124 = ((v119 * v37) + 0.11111111111110937);
+        v143 = ((E_star / 3.141592653589793) * (((R * Math.asinh((Math.sqrt((v13 * v14)) / Math.sqrt(((R - a) * (a + R)))))) / Math.sqrt((v5 * (r + R)))) + (((2.0 * v26) / v31) * (((v124 * v37) + 1.0) + ((v36 * (v36 + v33)) * (((((((((((v100 + v99) * v38) + v104) * v38) + v109) * v38) + v114) * v38) + v119) * v38) + v124))))));
+      } else {
+        v143 = 0.0;
+      }
+      v146 = v143;
+    } else {
+      v146 = NaN;
+    }
+    if ((r <= a)) {
+      v152 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      v159 = ((v152 > 0.0) ? ((E_star * v152) / (3.141592653589793 * v26)) : 0.0);
+    } else {
+      v159 = 0.0;
+    }
+    if ((v33 > 0.7)) {
+      return _pressure_3(r, a, R, E_star, dgamma);
+    }
+    return (v146 - v159);
+  }
+  return _pressure_3(r, a, R, E_star, dgamma);
 };
 
 const pressure_of_sphere = (r, a, R, E_star, dgamma) => {
-  let v100, v104, v109, v114, v119, v124, v13, v14, v143, v146, v152, v159, v26, v31, v32, v33, v36, v37, v38, v44, v49, v5, v54, v59, v64, v69, v74, v79, v84, v89, v94, v99, value;
-  v5 = (R - r);
-  v13 = (a - r);
-  v14 = (a + r);
-  v26 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v14));
-  v31 = (R + Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (R + r))));
-  v32 = (a + v26);
-  v33 = (v32 / v31);
-  if ((a <= R)) {
-    if ((r < a)) {
-      v36 = ((r * (r / v32)) / v31);
-      v37 = (v33 * v33);
-      v38 = (v36 * v36);
-      v44 = ((0.13579013365982337 * v37) + (-0.4846453962188766));
-      v49 = ((v44 * v37) + 0.8293825948837366);
-      v54 = ((v49 * v37) + (-0.8745573865774817));
-      v59 = ((v54 * v37) + 0.6371928816963097);
-      v64 = ((v59 * v37) + (-0.3332798652335896));
-      v69 = ((v64 * v37) + 0.13289328569967984);
-      v74 = ((v69 * v37) + (-0.03710676078458442));
-      v79 = ((v74 * v37) + 0.011089560042611895);
-      v84 = ((v79 * v37) + 0.0012521687336059639);
-      v89 = ((v84 * v37) + 0.0036572276005780893);
-      v94 = ((v89 * v37) + 0.004425450516633092);
-      v99 = ((v94 * v37) + 0.005918487051520244);
-      v100 = (((((((((((((((((((((((((0.0 * v38) + 0.13579013365982337) * v38) + v44) * v38) + v49) * v38) + v54) * v38) + v59) * v38) + v64) * v38) + v69) * v38) + v74) * v38) + v79) * v38) + v84) * v38) + v89) * v38) + v94) * v38);
-      v104 = ((v99 * v37) + 0.008264397984935742);
-      v109 = ((v104 * v37) + 0.012345681107818056);
-      v114 = ((v109 * v37) + 0.020408163224119494);
-      v119 = ((v114 * v37) + 0.04000000000042643);
-      v124 = ((v119 * v37) + 0.11111111111110937);
-      v143 = ((E_star / 3.141592653589793) * (((R * Math.asinh((Math.sqrt((v13 * v14)) / Math.sqrt(((R - a) * (a + R)))))) / Math.sqrt((v5 * (r + R)))) + (((2.0 * v26) / v31) * (((v124 * v37) + 1.0) + ((v36 * (v36 + v33)) * (((((((((((v100 + v99) * v38) + v104) * v38) + v109) * v38) + v114) * v38) + v119) * v38) + v124))))));
-    } else {
-      v143 = 0.0;
-    }
-    v146 = v143;
-  } else {
-    v146 = NaN;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  if ((r <= a)) {
-    v152 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    v159 = ((v152 > 0.0) ? ((E_star * v152) / (3.141592653589793 * v26)) : 0.0);
-  } else {
-    v159 = 0.0;
-  }
-  if ((v33 > 0.7)) {
-    return _pressure_of_sphere(r, a, R, E_star, dgamma);
-  }
-  value = (v146 - v159);
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_of_sphere = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const displacement_of_sphere = (r, a, R, E_star, dgamma) => {
-  let node, v12, v13, v18, v21, v23, v32, v35, v37, v38, v39, v41, v43, v45, v46, v49, v5, v53, v54, v56, v6, v66, v67, v68, v84, v85, v87, v88, v95, value, weight;
-  v84 = (r > a);
-  if ((a <= R)) {
-    v41 = (r + R);
-    v49 = (R - r);
-    if (v84) {
-      v5 = (((r < R) || (r !== r)) ? r : R);
-      if ((a < v5)) {
-        v6 = (v5 - a);
-        v12 = (a / Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (v5 + a))));
-        v13 = Math.asinh(v12);
-        v18 = (0.0 - Math.expm1(((-2.0) * v13)));
-        v21 = ((v18 > 0.0) ? v18 : Infinity);
-        v39 = (r - R);
-        v43 = Math.sqrt(((((v39 > 0.0) || (v39 !== v39)) ? v39 : 0.0) * v41));
-        v45 = (v43 * v43);
-        v53 = Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (R + r)));
-        v54 = (v53 * v53);
-        v67 = [];
-        for ([node, weight] of RULE_0_of_sphere((v13 / 1.0))) {
-          v23 = (node * v13);
-          v32 = (v12 * ((Math.exp((-v23)) * (0.0 - Math.expm1(((-2.0) * (v13 - v23))))) / v21));
-          v35 = Math.sqrt((1.0 + (v32 * v32)));
-          v37 = (v5 * (v32 / v35));
-          v38 = (v5 / v35);
-          v46 = (v38 * v38);
-          v56 = Math.sqrt((v54 + v46));
-          v66 = (((Math.asinh((v37 / v56)) + ((R * v37) / (v56 * v56))) * Math.atan2(v37, Math.sqrt((v45 + v46)))) * (v38 / v35));
-          v67.push((weight * v66));
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, R, E_star, dgamma) => {
+  return (_displacement_of_sphere(r, a, R) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, R, E_star, dgamma) => {
+  let node, v12, v13, v18, v21, v23, v32, v35, v37, v38, v39, v41, v43, v45, v46, v49, v5, v53, v54, v56, v6, v66, v67, v68, v84, v85, v87, v88, v95, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
+    v84 = (r > a);
+    if ((a <= R)) {
+      v41 = (r + R);
+      v49 = (R - r);
+      if (v84) {
+        v5 = (((r < R) || (r !== r)) ? r : R);
+        if ((a < v5)) {
+          v6 = (v5 - a);
+          v12 = (a / Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (v5 + a))));
+          v13 = Math.asinh(v12);
+          v18 = (0.0 - Math.expm1(((-2.0) * v13)));
+          v21 = ((v18 > 0.0) ? v18 : Infinity);
+          v39 = (r - R);
+          v43 = Math.sqrt(((((v39 > 0.0) || (v39 !== v39)) ? v39 : 0.0) * v41));
+          v45 = (v43 * v43);
+          v53 = Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (R + r)));
+          v54 = (v53 * v53);
+          v67 = [];
+          for ([node, weight] of RULE_0_of_sphere((v13 / 1.0))) {
+            v23 = (node * v13);
+            v32 = (v12 * ((Math.exp((-v23)) * (0.0 - Math.expm1(((-2.0) * (v13 - v23))))) / v21));
+            v35 = Math.sqrt((1.0 + (v32 * v32)));
+            v37 = (v5 * (v32 / v35));
+            v38 = (v5 / v35);
+            v46 = (v38 * v38);
+            v56 = Math.sqrt((v54 + v46));
+            v66 = (((Math.asinh((v37 / v56)) + ((R * v37) / (v56 * v56))) * Math.atan2(v37, Math.sqrt((v45 + v46)))) * (v38 / v35));
+            v67.push((weight * v66));
+          }
+          v67 = (math.fsum(v67) * v13);
+          v68 = v67;
+        } else {
+          v68 = Infinity;
         }
-        v67 = (math.fsum(v67) * v13);
-        v68 = v67;
+        v85 = (0.6366197723675814 * v68);
       } else {
-        v68 = Infinity;
+        v85 = ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v49 * v41)) + R)));
       }
-      v85 = (0.6366197723675814 * v68);
+      v87 = v85;
     } else {
-      v85 = ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v49 * v41)) + R)));
+      v87 = NaN;
     }
-    v87 = v85;
-  } else {
-    v87 = NaN;
+    if (v84) {
+      v88 = (r - a);
+      v95 = (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (r + a)))));
+    } else {
+      v95 = 1.0;
+    }
+    return (v87 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v95));
   }
-  if (v84) {
-    v88 = (r - a);
-    v95 = (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (r + a)))));
-  } else {
-    v95 = 1.0;
+  return _displacement_3(r, a, R, E_star, dgamma);
+};
+
+const displacement_of_sphere = (r, a, R, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v87 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v95));
-  return value;
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
-
-const tangential_force = (a, c, R, E_star, mu) => {
-  let node, v10, v101, v104, v108, v109, v113, v118, v122, v126, v128, v13, v14, v142, v146, v147, v148, v149, v152, v157, v158, v159, v162, v174, v175, v176, v179, v20, v55, v58, v60, v63, v66, v7, v71, v95, v98, value, weight;
-  v7 = (R - a);
-  v10 = (Math.log1p(((2.0 * a) / v7)) / 2.0);
-  v13 = (R * R);
-  v14 = (a / R);
-  if ((v10 < 1.0)) {
-    v20 = (v10 * v10);
-    v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
-  } else {
-    v55 = (v10 - v14);
-  }
-  v58 = (E_star * (((a * a) * v10) + (v13 * v55)));
-  v60 = (R - c);
-  v63 = (Math.log1p(((2.0 * c) / v60)) / 2.0);
-  v66 = (c / R);
-  if ((v63 < 1.0)) {
-    v71 = (v63 * v63);
-    v95 = ((v66 * (v66 * v66)) * (((((((((((1.0716932453474512e-06 * v71) + 0.00019982814521087247) * v71) + 0.007076196047699156) * v71) + 0.08608622548411103) * v71) + 0.3073858328214721) * v71) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v71) + 2.0203143566039827e-05) * v71) + 0.001617010334189783) * v71) + 0.03639274880225476) * v71) + 0.32215749846441627) * v71) + 1.0)));
-  } else {
-    v95 = (v63 - v66);
-  }
-  v98 = (E_star * (((c * c) * v63) + (v13 * v95)));
-  v101 = (v98 >= (0.25 * v58));
-  if (v101) {
-    v128 = (a > c);
-    v142 = (v101 && v128);
-    if (v142) {
-      v104 = (R - 0.0);
-      v108 = Math.sqrt(((((v104 > 0.0) || (v104 !== v104)) ? v104 : 0.0) * (R + 0.0)));
-      v109 = (c - 0.0);
-      v113 = Math.sqrt(((((v109 > 0.0) || (v109 !== v109)) ? v109 : 0.0) * (c + 0.0)));
-      if (v142) {
-        v118 = (a - 0.0);
-        v122 = Math.sqrt(((((v118 > 0.0) || (v118 !== v118)) ? v118 : 0.0) * (a + 0.0)));
-        v126 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (R + a)));
-        v146 = (0.5 * Math.log1p((((((2.0 * v108) * (v128 ? (((a - c) * (a + c)) / (v122 + v113)) : 0.0)) / v126) * ((v108 + v122) / (v108 + v113))) / v126)));
-      } else {
-        v146 = 0.0;
-      }
-      v158 = (v108 * Math.sqrt(((((v60 > 0.0) || (v60 !== v60)) ? v60 : 0.0) * (R + c))));
-      v175 = [];
-      for ([node, weight] of RULE_0_2((v146 / 1.0))) {
-        v147 = (node * v146);
-        v148 = Math.cosh(v147);
-        v149 = Math.sinh(v147);
-        v152 = ((v108 * v148) + (v113 * v149));
-        v157 = ((v108 * ((v113 * v148) + (v108 * v149))) / v152);
-        v159 = (v158 / v152);
-        v162 = Math.sqrt((0.0 + (v157 * v157)));
-        v174 = ((((Math.asinh((v162 / v159)) + ((R * v162) / (v159 * v159))) * (v159 / v108)) * (v159 / v162)) * (v162 * v162));
-        v175.push((weight * v174));
-      }
-      v175 = (math.fsum(v175) * v146);
-      v176 = v175;
-    } else {
-      v176 = 0.0;
-    }
-    v179 = ((2.0 * E_star) * v176);
-  } else {
-    v179 = (v58 - v98);
-  }
-  value = (mu * v179);
-  return value;
-};
 
 const CLOSE = 0.25;
 
@@ -877,81 +1107,180 @@ const growth_below = math.in_groups((slope, order, r, c, a, R, close) => {
   return [integrand, (holds ? (0.5 * Math.log1p(ratio)) : 0.0), 1.0, holds, 0.0];
 });
 
+const _tangential_force_of_sphere = (a, c, R, E_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_force_of_sphere(a, R, E_star), _force_of_sphere(c, R, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  gain = ((2.0 * E_star) * growth_below(_slope, [R], 2, 0.0, c, a, R, close));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, R, E_star, mu) => {
+  let node, v10, v101, v104, v108, v109, v113, v118, v122, v126, v128, v13, v14, v142, v146, v147, v148, v149, v152, v157, v158, v159, v162, v174, v175, v176, v179, v20, v55, v58, v60, v63, v66, v7, v71, v95, v98, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v7 = (R - a);
+    v10 = (Math.log1p(((2.0 * a) / v7)) / 2.0);
+    v13 = (R * R);
+    v14 = (a / R);
+    if ((v10 < 1.0)) {
+      v20 = (v10 * v10);
+      v55 = ((v14 * (v14 * v14)) * (((((((((((1.0716932453474512e-06 * v20) + 0.00019982814521087247) * v20) + 0.007076196047699156) * v20) + 0.08608622548411103) * v20) + 0.3073858328214721) * v20) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v20) + 2.0203143566039827e-05) * v20) + 0.001617010334189783) * v20) + 0.03639274880225476) * v20) + 0.32215749846441627) * v20) + 1.0)));
+    } else {
+      v55 = (v10 - v14);
+    }
+    v58 = (E_star * (((a * a) * v10) + (v13 * v55)));
+    v60 = (R - c);
+    v63 = (Math.log1p(((2.0 * c) / v60)) / 2.0);
+    v66 = (c / R);
+    if ((v63 < 1.0)) {
+      v71 = (v63 * v63);
+      v95 = ((v66 * (v66 * v66)) * (((((((((((1.0716932453474512e-06 * v71) + 0.00019982814521087247) * v71) + 0.007076196047699156) * v71) + 0.08608622548411103) * v71) + 0.3073858328214721) * v71) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v71) + 2.0203143566039827e-05) * v71) + 0.001617010334189783) * v71) + 0.03639274880225476) * v71) + 0.32215749846441627) * v71) + 1.0)));
+    } else {
+      v95 = (v63 - v66);
+    }
+    v98 = (E_star * (((c * c) * v63) + (v13 * v95)));
+    v101 = (v98 >= (0.25 * v58));
+    if (v101) {
+      v128 = (a > c);
+      v142 = (v101 && v128);
+      if (v142) {
+        v104 = (R - 0.0);
+        v108 = Math.sqrt(((((v104 > 0.0) || (v104 !== v104)) ? v104 : 0.0) * (R + 0.0)));
+        v109 = (c - 0.0);
+        v113 = Math.sqrt(((((v109 > 0.0) || (v109 !== v109)) ? v109 : 0.0) * (c + 0.0)));
+        if (v142) {
+          v118 = (a - 0.0);
+          v122 = Math.sqrt(((((v118 > 0.0) || (v118 !== v118)) ? v118 : 0.0) * (a + 0.0)));
+          v126 = Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * (R + a)));
+          v146 = (0.5 * Math.log1p((((((2.0 * v108) * (v128 ? (((a - c) * (a + c)) / (v122 + v113)) : 0.0)) / v126) * ((v108 + v122) / (v108 + v113))) / v126)));
+        } else {
+          v146 = 0.0;
+        }
+        v158 = (v108 * Math.sqrt(((((v60 > 0.0) || (v60 !== v60)) ? v60 : 0.0) * (R + c))));
+        v175 = [];
+        for ([node, weight] of RULE_0_2((v146 / 1.0))) {
+          v147 = (node * v146);
+          v148 = Math.cosh(v147);
+          v149 = Math.sinh(v147);
+          v152 = ((v108 * v148) + (v113 * v149));
+          v157 = ((v108 * ((v113 * v148) + (v108 * v149))) / v152);
+          v159 = (v158 / v152);
+          v162 = Math.sqrt((0.0 + (v157 * v157)));
+          v174 = ((((Math.asinh((v162 / v159)) + ((R * v162) / (v159 * v159))) * (v159 / v108)) * (v159 / v162)) * (v162 * v162));
+          v175.push((weight * v174));
+        }
+        v175 = (math.fsum(v175) * v146);
+        v176 = v175;
+      } else {
+        v176 = 0.0;
+      }
+      v179 = ((2.0 * E_star) * v176);
+    } else {
+      v179 = (v58 - v98);
+    }
+    return (mu * v179);
+  }
+  return _tangential_force_of_sphere(a, c, R, E_star, mu);
+};
+
+const tangential_force = (a, c, R, E_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, R, E_star, mu) : NaN);
+};
+
+const CLOSE_of_sphere = 0.25;
+
 const _traction = (r, a, c, R, E_star, mu) => {
   let close, gain, sliding, stuck;
-  sliding = _pressure(r, a, R, E_star);
-  stuck = _pressure(r, c, R, E_star);
-  close = ((r < c) & (stuck >= (CLOSE * sliding)));
-  gain = ((E_star / Math.PI) * growth_below(_slope, [R], 0, r, c, a, R, close));
+  sliding = _pressure_of_sphere(r, a, R, E_star);
+  stuck = _pressure_of_sphere(r, c, R, E_star);
+  close = ((r < c) & (stuck >= (CLOSE_of_sphere * sliding)));
+  gain = ((E_star / Math.PI) * growth_below(_slope_of_sphere, [R], 0, r, c, a, R, close));
   return (mu * (close ? gain : (sliding - stuck)));
 };
 
 const traction = (r, a, c, R, E_star, mu) => {
-  let value;
-  value = _traction(r, a, c, R, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, R, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_sphere = (a, c, R, E_star, G_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_depth_of_sphere(a, R), _depth_of_sphere(c, R)];
+  close = (sticking >= (CLOSE * whole));
+  gain = growth_below(_slope, [R], 1, 0.0, c, a, R, close);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, R, E_star, G_star, mu) => {
+  let node, v100, v12, v14, v18, v21, v23, v27, v28, v32, v37, v41, v45, v47, v61, v65, v67, v68, v69, v72, v77, v78, v79, v8, v82, v94, v95, v96, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    v8 = (R - a);
+    v12 = (a * (Math.log1p(((2.0 * a) / v8)) / 2.0));
+    v14 = (R - c);
+    v18 = (c * (Math.log1p(((2.0 * c) / v14)) / 2.0));
+    v21 = (v18 >= (0.25 * v12));
+    if (v21) {
+      v47 = (a > c);
+      v61 = (v21 && v47);
+      if (v61) {
+        v23 = (R - 0.0);
+        v27 = Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (R + 0.0)));
+        v28 = (c - 0.0);
+        v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (c + 0.0)));
+        if (v61) {
+          v37 = (a - 0.0);
+          v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * (a + 0.0)));
+          v45 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (R + a)));
+          v65 = (0.5 * Math.log1p((((((2.0 * v27) * (v47 ? (((a - c) * (a + c)) / (v41 + v32)) : 0.0)) / v45) * ((v27 + v41) / (v27 + v32))) / v45)));
+        } else {
+          v65 = 0.0;
+        }
+        v78 = (v27 * Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (R + c))));
+        v95 = [];
+        for ([node, weight] of RULE_0_2((v65 / 1.0))) {
+          v67 = (node * v65);
+          v68 = Math.cosh(v67);
+          v69 = Math.sinh(v67);
+          v72 = ((v27 * v68) + (v32 * v69));
+          v77 = ((v27 * ((v32 * v68) + (v27 * v69))) / v72);
+          v79 = (v78 / v72);
+          v82 = Math.sqrt((0.0 + (v77 * v77)));
+          v94 = ((((Math.asinh((v82 / v79)) + ((R * v82) / (v79 * v79))) * (v79 / v27)) * (v79 / v82)) * Math.pow(v82, 1.0));
+          v95.push((weight * v94));
+        }
+        v95 = (math.fsum(v95) * v65);
+        v96 = v95;
+      } else {
+        v96 = 0.0;
+      }
+      v100 = v96;
+    } else {
+      v100 = (v12 - v18);
+    }
+    return ((mu * (E_star / G_star)) * v100);
+  }
+  return _tangential_displacement_of_sphere(a, c, R, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, R, E_star, G_star, mu) => {
-  let node, v100, v12, v14, v18, v21, v23, v27, v28, v32, v37, v41, v45, v47, v61, v65, v67, v68, v69, v72, v77, v78, v79, v8, v82, v94, v95, v96, value, weight;
-  v8 = (R - a);
-  v12 = (a * (Math.log1p(((2.0 * a) / v8)) / 2.0));
-  v14 = (R - c);
-  v18 = (c * (Math.log1p(((2.0 * c) / v14)) / 2.0));
-  v21 = (v18 >= (0.25 * v12));
-  if (v21) {
-    v47 = (a > c);
-    v61 = (v21 && v47);
-    if (v61) {
-      v23 = (R - 0.0);
-      v27 = Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (R + 0.0)));
-      v28 = (c - 0.0);
-      v32 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (c + 0.0)));
-      if (v61) {
-        v37 = (a - 0.0);
-        v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * (a + 0.0)));
-        v45 = Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (R + a)));
-        v65 = (0.5 * Math.log1p((((((2.0 * v27) * (v47 ? (((a - c) * (a + c)) / (v41 + v32)) : 0.0)) / v45) * ((v27 + v41) / (v27 + v32))) / v45)));
-      } else {
-        v65 = 0.0;
-      }
-      v78 = (v27 * Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (R + c))));
-      v95 = [];
-      for ([node, weight] of RULE_0_2((v65 / 1.0))) {
-        v67 = (node * v65);
-        v68 = Math.cosh(v67);
-        v69 = Math.sinh(v67);
-        v72 = ((v27 * v68) + (v32 * v69));
-        v77 = ((v27 * ((v32 * v68) + (v27 * v69))) / v72);
-        v79 = (v78 / v72);
-        v82 = Math.sqrt((0.0 + (v77 * v77)));
-        v94 = ((((Math.asinh((v82 / v79)) + ((R * v82) / (v79 * v79))) * (v79 / v27)) * (v79 / v82)) * Math.pow(v82, 1.0));
-        v95.push((weight * v94));
-      }
-      v95 = (math.fsum(v95) * v65);
-      v96 = v95;
-    } else {
-      v96 = 0.0;
-    }
-    v100 = v96;
-  } else {
-    v100 = (v12 - v18);
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * v100);
-  return value;
-};
-
-const _force = (a, R, E_star) => {
-  let v12, v18, v53, v8;
-  v8 = (math.log1p(((2.0 * a) / (R - a))) / 2.0);
-  v12 = (a / R);
-  if ((v8 < 1.0)) {
-    v18 = (v8 * v8);
-    v53 = ((v12 * (v12 * v12)) * (((((((((((1.0716932453474512e-06 * v18) + 0.00019982814521087247) * v18) + 0.007076196047699156) * v18) + 0.08608622548411103) * v18) + 0.3073858328214721) * v18) + 0.3333333333333333) / ((((((((((2.565078604208634e-08 * v18) + 2.0203143566039827e-05) * v18) + 0.001617010334189783) * v18) + 0.03639274880225476) * v18) + 0.32215749846441627) * v18) + 1.0)));
-  } else {
-    v53 = (v8 - v12);
+  if ((!(!(c > a)))) {
+    return NaN;
   }
-  return (E_star * (((a * a) * v8) + ((R * R) * v53)));
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, R, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -971,13 +1300,28 @@ const _stick_radius = (F_x, a, R, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, R, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, R, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, R, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_sphere = (a, R, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_sphere(a, R));
+};
+
+const _full_slip_displacement = (a, R, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30))) {
+    return ((mu * (E_star / G_star)) * (a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)));
+  }
+  return _full_slip_displacement_of_sphere(a, R, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, R, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * (a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, R, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -985,7 +1329,7 @@ const formulas = {
   "F": (v) => force(v.a, v.R, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.R, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.R),
-  "k": (v) => stiffness(v.a, v.E_star, v.R),
+  "k": (v) => stiffness(v.a, v.R, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.R, v.E_star),
   "U": (v) => energy(v.a, v.R, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.R, v.E_star),
@@ -993,6 +1337,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.R, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.R, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_sphere(v.a, v.R, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_sphere(v.a, v.R, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_sphere(v.r, v.a, v.R, v.E_star, v.dgamma),
@@ -1200,8 +1545,8 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
-    "R"
+    "R",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1283,6 +1628,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

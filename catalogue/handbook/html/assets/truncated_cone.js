@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,209 +159,473 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
+const _depth_at = (a, root, theta, b) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return ((Math.tan(theta) * a) * angle);
+};
+
+const _depth_of_truncated_cone = (a, theta, b) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return _depth_at(a, root, theta, b);
+};
+
+const _depth = (a, theta, b) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return ((Math.tan(theta) * a) * Math.atan((Math.sqrt(((a - b) * (a + b))) / b)));
+  }
+  return _depth_of_truncated_cone(a, theta, b);
+};
+
 const depth = (a, theta, b) => {
-  return ((Math.tan(theta) * a) * Math.atan((Math.sqrt(((a - b) * (a + b))) / b)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, theta, b) : NaN);
+};
+
+const _force = (a, theta, b, E_star) => {
+  let v7;
+  v7 = math.sqrt(((a - b) * (a + b)));
+  return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan((v7 / b))) + (b * v7)));
 };
 
 const force = (a, theta, b, E_star) => {
-  let v7;
-  v7 = Math.sqrt(((a - b) * (a + b)));
-  return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan((v7 / b))) + (b * v7)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, theta, b, E_star) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure = (r, a, theta, b, E_star) => {
-  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v5, v53, v54, v60, v62, v66, v67, v68, v8, v9, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v5 = (r === b);
-      if ((v5 && (a > b))) {
-        return Infinity;
-      }
-      v8 = (v5 ? math.nextafter(b, Infinity) : r);
-      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-        v9 = (v8 < b);
-        v13 = (a - b);
-        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-        if (v9) {
-          v23 = v17;
+const _slope_beyond = (t, root, theta, b) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return ((Math.tan(theta) * angle) + ((b * Math.tan(theta)) / root));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_truncated_cone = (r, a, theta, b, E_star) => {
+  let growth, inside, pressed;
+  growth = pressure_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  pressed = math.where(((r === b) & (a > b)), Infinity, ((E_star / Math.PI) * growth));
+  inside = math.where((r < a), pressed, 0.0);
+  return math.where((a >= b), inside, NaN);
+};
+
+const _pressure = (r, a, theta, b, E_star) => {
+  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v5, v53, v54, v60, v62, v66, v67, v68, v8, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v5 = (r === b);
+        if ((v5 && (a > b))) {
+          return Infinity;
+        }
+        v8 = (v5 ? math.nextafter(b, Infinity) : r);
+        if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+          v9 = (v8 < b);
+          v13 = (a - b);
+          v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+          if (v9) {
+            v23 = v17;
+          } else {
+            v18 = (a - v8);
+            v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          }
+          v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v33 = (1.0 - v32);
+          v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
+          v40 = ((v38 > 0.0) ? v38 : Infinity);
+          v54 = (b * b);
+          v60 = Math.tan(theta);
+          v62 = (b * v60);
+          v67 = [];
+          for ([node, weight] of RULE_0((v30 / 1.0))) {
+            v43 = (node * v30);
+            v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
+            v66 = ((((v60 * Math.atan((v53 / b))) + (v62 / v53)) * v53) / Math.sqrt((v54 + (v53 * v53))));
+            v67.push((weight * v66));
+          }
+          v67 = (math.fsum(v67) * v30);
+          v68 = v67;
         } else {
-          v18 = (a - v8);
-          v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          v68 = 0.0;
         }
-        v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-        v32 = (2.0 * (v9 ? 0.0 : 1.0));
-        v33 = (1.0 - v32);
-        v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
-        v40 = ((v38 > 0.0) ? v38 : Infinity);
-        v54 = (b * b);
-        v60 = Math.tan(theta);
-        v62 = (b * v60);
-        v67 = [];
-        for ([node, weight] of RULE_0((v30 / 1.0))) {
-          v43 = (node * v30);
-          v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
-          v66 = ((((v60 * Math.atan((v53 / b))) + (v62 / v53)) * v53) / Math.sqrt((v54 + (v53 * v53))));
-          v67.push((weight * v66));
-        }
-        v67 = (math.fsum(v67) * v30);
-        v68 = v67;
-      } else {
-        v68 = 0.0;
+        return ((E_star / 3.141592653589793) * v68);
       }
-      value = ((E_star / 3.141592653589793) * v68);
-      return value;
+      return 0.0;
     }
-    return 0.0;
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_truncated_cone(r, a, theta, b, E_star);
+};
+
+const pressure = (r, a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
+};
+
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, theta, b) => {
+  return math.where((r < b), 0, (Math.tan(theta) * (r - b)));
+};
+
+const _displacement_of_truncated_cone = (r, a, theta, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_truncated_cone(a, theta, b) - _profile(r, theta, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
+const _displacement = (r, a, theta, b) => {
+  let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v60, v62, v70, v71, v73, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (r - b);
+      v11 = (a - b);
+      v13 = (a + b);
+      v60 = Math.tan(theta);
+      if ((r > a)) {
+        if ((a > b)) {
+          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
+          v10 = (b / r);
+          v16 = (r - a);
+          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+          v23 = Math.asinh((v21 / v10));
+          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+          v31 = ((v28 > 0.0) ? v28 : Infinity);
+          v48 = (b * b);
+          v52 = (v10 * v10);
+          v62 = (b * v60);
+          v71 = [];
+          for ([node, weight] of RULE_0((v23 / 1.0))) {
+            v33 = (node * v23);
+            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+            v43 = (v42 * v42);
+            v45 = Math.sqrt((1.0 + v43));
+            v47 = ((v9 * v42) / v45);
+            v51 = Math.sqrt((v48 + (v47 * v47)));
+            v70 = ((((((v60 * Math.atan((v47 / b))) + (v62 / v47)) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+            v71.push((weight * v70));
+          }
+          v71 = (math.fsum(v71) * v23);
+          v73 = (v9 * v71);
+        } else {
+          v73 = 0.0;
+        }
+        return (0.6366197723675814 * v73);
+      }
+      return (((v60 * a) * Math.atan((Math.sqrt((v11 * v13)) / b))) - ((r < b) ? 0.0 : (v60 * v4)));
+    }
+    return NaN;
+  }
+  return _displacement_of_truncated_cone(r, a, theta, b);
 };
 
 const displacement = (r, a, theta, b) => {
-  let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v60, v62, v70, v71, v73, v9, value, weight;
-  if ((a >= b)) {
-    v4 = (r - b);
-    v11 = (a - b);
-    v13 = (a + b);
-    v60 = Math.tan(theta);
-    if ((r > a)) {
-      if ((a > b)) {
-        v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
-        v10 = (b / r);
-        v16 = (r - a);
-        v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-        v23 = Math.asinh((v21 / v10));
-        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-        v31 = ((v28 > 0.0) ? v28 : Infinity);
-        v48 = (b * b);
-        v52 = (v10 * v10);
-        v62 = (b * v60);
-        v71 = [];
-        for ([node, weight] of RULE_0((v23 / 1.0))) {
-          v33 = (node * v23);
-          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-          v43 = (v42 * v42);
-          v45 = Math.sqrt((1.0 + v43));
-          v47 = ((v9 * v42) / v45);
-          v51 = Math.sqrt((v48 + (v47 * v47)));
-          v70 = ((((((v60 * Math.atan((v47 / b))) + (v62 / v47)) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-          v71.push((weight * v70));
-        }
-        v71 = (math.fsum(v71) * v23);
-        v73 = (v9 * v71);
-      } else {
-        v73 = 0.0;
-      }
-      value = (0.6366197723675814 * v73);
-      return value;
-    }
-    return (((v60 * a) * Math.atan((Math.sqrt((v11 * v13)) / b))) - ((r < b) ? 0.0 : (v60 * v4)));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, theta, b) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_truncated_cone = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, theta = 0.7853981633974483, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_truncated_cone(a, E_star);
+};
+
+const stiffness = (a, theta, b, E_star) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_truncated_cone = (a, theta, b, E_star) => {
+  let angle, root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  return (((E_star * Math.tan(theta)) / Math.PI) * (angle + ((b * root) / Math.pow(a, 2))));
+};
+
+const _mean_pressure = (a, theta, b, E_star) => {
+  let v7;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    v7 = Math.sqrt(((a - b) * (a + b)));
+    return (((E_star * Math.tan(theta)) / 3.141592653589793) * (Math.atan((v7 / b)) + ((b * v7) / (a * a))));
+  }
+  return _mean_pressure_of_truncated_cone(a, theta, b, E_star);
 };
 
 const mean_pressure = (a, theta, b, E_star) => {
-  let v7;
-  v7 = Math.sqrt(((a - b) * (a + b)));
-  return (((E_star * Math.tan(theta)) / 3.141592653589793) * (Math.atan((v7 / b)) + ((b * v7) / (a * a))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, theta, b, E_star) : NaN);
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, b);
+  stop = Math.asinh((reach / b));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let root, short;
+    root = (reach * fallen(v));
+    short = (d - depth(Math.sqrt(((b * b) + (root * root))), root));
+    return ((short * short) * root);
+  };
+  return [integrand, stop, 1.0, (a > b), 0.0];
+});
+
+const _energy_of_truncated_cone = (a, theta, b, E_star) => {
+  let beyond, sunk;
+  sunk = _depth_of_truncated_cone(a, theta, b);
+  beyond = energy_integral_beyond(_depth_at, [theta, b], a, sunk, b);
+  return math.where((a >= b), (E_star * (((b * sunk) * sunk) + beyond)), NaN);
+};
+
+const _energy = (a, theta, b, E_star) => {
+  let node, v10, v12, v16, v18, v23, v26, v28, v37, v38, v4, v46, v48, v49, v5, v50, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (a - b);
+      v5 = (a + b);
+      v10 = Math.tan(theta);
+      v12 = ((v10 * a) * Math.atan((Math.sqrt((v4 * v5)) / b)));
+      if ((a > b)) {
+        v16 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
+        v18 = Math.asinh((v16 / b));
+        v23 = (0.0 - Math.expm1(((-2.0) * v18)));
+        v26 = ((v23 > 0.0) ? v23 : Infinity);
+        v38 = (b * b);
+        v49 = [];
+        for ([node, weight] of RULE_0((v18 / 1.0))) {
+          v28 = (node * v18);
+          v37 = (v16 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v18 - v28))))) / v26));
+          v46 = (v12 - ((v10 * Math.sqrt((v38 + (v37 * v37)))) * Math.atan((v37 / b))));
+          v48 = ((v46 * v46) * v37);
+          v49.push((weight * v48));
+        }
+        v49 = (math.fsum(v49) * v18);
+        v50 = v49;
+      } else {
+        v50 = 0.0;
+      }
+      return (E_star * (((b * v12) * v12) + v50));
+    }
+    return NaN;
+  }
+  return _energy_of_truncated_cone(a, theta, b, E_star);
 };
 
 const energy = (a, theta, b, E_star) => {
-  let node, v10, v12, v16, v18, v23, v26, v28, v37, v38, v4, v46, v48, v49, v5, v50, value, weight;
-  if ((a >= b)) {
-    v4 = (a - b);
-    v5 = (a + b);
-    v10 = Math.tan(theta);
-    v12 = ((v10 * a) * Math.atan((Math.sqrt((v4 * v5)) / b)));
-    if ((a > b)) {
-      v16 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
-      v18 = Math.asinh((v16 / b));
-      v23 = (0.0 - Math.expm1(((-2.0) * v18)));
-      v26 = ((v23 > 0.0) ? v23 : Infinity);
-      v38 = (b * b);
-      v49 = [];
-      for ([node, weight] of RULE_0((v18 / 1.0))) {
-        v28 = (node * v18);
-        v37 = (v16 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v18 - v28))))) / v26));
-        v46 = (v12 - ((v10 * Math.sqrt((v38 + (v37 * v37)))) * Math.atan((v37 / b))));
-        v48 = ((v46 * v46) * v37);
-        v49.push((weight * v48));
-      }
-      v49 = (math.fsum(v49) * v18);
-      v50 = v49;
-    } else {
-      v50 = 0.0;
-    }
-    value = (E_star * (((b * v12) * v12) + v50));
-    return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, theta, b, E_star) : NaN);
+};
+
+const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, turned, whole, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
+  stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  integrand = (v) => {
+    let root, t, u;
+    [root, u] = [(reach * fallen(v)), (whole * turned(v))];
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * (root / t)) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (a > math.maximum(r, b)), 0.0];
+});
+
+const _force_at = (a, root, theta, b, E_star) => {
+  let angle;
+  angle = Math.atan((root / b));
+  return ((E_star * Math.tan(theta)) * ((Math.pow(a, 2) * angle) + (b * root)));
+};
+
+const _force_of_truncated_cone = (a, theta, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return _force_at(a, root, theta, b, E_star);
+};
+
+const _load_within_of_truncated_cone = (r, a, theta, b, E_star) => {
+  let beyond, found;
+  beyond = load_within_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  found = (math.where((r > b), _force_of_truncated_cone(math.maximum(math.minimum(r, a), b), theta, b, E_star), 0.0) + ((2 * E_star) * beyond));
+  return math.where((a >= b), found, NaN);
+};
+
+const _load_within = (r, a, theta, b, E_star) => {
+  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v75, v8, v82, v83, v85, v87, v88, v9, v92, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+      v73 = Math.tan(theta);
+      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+        v9 = (v8 < b);
+        v12 = (v9 ? 0.0 : 1.0);
+        v13 = (a - b);
+        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+        v18 = (a - v8);
+        v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+        v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+        v32 = (2.0 * v12);
+        v33 = (1.0 - v32);
+        v36 = Math.expm1(((-2.0) * v30));
+        v38 = (v32 - (v33 * v36));
+        v40 = ((v38 > 0.0) ? v38 : Infinity);
+        v42 = (2.0 * (1.0 - v12));
+        v43 = (1.0 - v42);
+        v45 = (v42 - (v43 * v36));
+        v47 = ((v45 > 0.0) ? v45 : Infinity);
+        v67 = (b * b);
+        v75 = (b * v73);
+        v83 = [];
+        for ([node, weight] of RULE_0((v30 / 1.0))) {
+          v51 = (node * v30);
+          v53 = Math.exp((-v51));
+          v56 = Math.expm1(((-2.0) * (v30 - v51)));
+          v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
+          v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
+          v70 = Math.sqrt((v67 + (v61 * v61)));
+          v82 = ((((v73 * Math.atan((v61 / b))) + (v75 / v61)) * (v61 / v70)) * (v66 / (v70 + v66)));
+          v83.push((weight * v82));
+        }
+        v83 = (math.fsum(v83) * v30);
+        v85 = ((v8 * v8) * v83);
+      } else {
+        v85 = 0.0;
+      }
+      if ((r > b)) {
+        v87 = (((r < a) || (r !== r)) ? r : a);
+        v88 = (((v87 > b) || (v87 !== v87)) ? v87 : b);
+        v92 = Math.sqrt(((v88 - b) * (v88 + b)));
+        v101 = ((E_star * v73) * (((v88 * v88) * Math.atan((v92 / b))) + (b * v92)));
+      } else {
+        v101 = 0.0;
+      }
+      return (v101 + ((2.0 * E_star) * v85));
+    }
+    return NaN;
+  }
+  return _load_within_of_truncated_cone(r, a, theta, b, E_star);
 };
 
 const load_within = (r, a, theta, b, E_star) => {
-  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v75, v8, v82, v83, v85, v87, v88, v9, v92, value, weight;
-  if ((a >= b)) {
-    v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
-    v73 = Math.tan(theta);
-    if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-      v9 = (v8 < b);
-      v12 = (v9 ? 0.0 : 1.0);
-      v13 = (a - b);
-      v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-      v18 = (a - v8);
-      v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-      v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-      v32 = (2.0 * v12);
-      v33 = (1.0 - v32);
-      v36 = Math.expm1(((-2.0) * v30));
-      v38 = (v32 - (v33 * v36));
-      v40 = ((v38 > 0.0) ? v38 : Infinity);
-      v42 = (2.0 * (1.0 - v12));
-      v43 = (1.0 - v42);
-      v45 = (v42 - (v43 * v36));
-      v47 = ((v45 > 0.0) ? v45 : Infinity);
-      v67 = (b * b);
-      v75 = (b * v73);
-      v83 = [];
-      for ([node, weight] of RULE_0((v30 / 1.0))) {
-        v51 = (node * v30);
-        v53 = Math.exp((-v51));
-        v56 = Math.expm1(((-2.0) * (v30 - v51)));
-        v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
-        v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
-        v70 = Math.sqrt((v67 + (v61 * v61)));
-        v82 = ((((v73 * Math.atan((v61 / b))) + (v75 / v61)) * (v61 / v70)) * (v66 / (v70 + v66)));
-        v83.push((weight * v82));
-      }
-      v83 = (math.fsum(v83) * v30);
-      v85 = ((v8 * v8) * v83);
-    } else {
-      v85 = 0.0;
-    }
-    if ((r > b)) {
-      v87 = (((r < a) || (r !== r)) ? r : a);
-      v88 = (((v87 > b) || (v87 !== v87)) ? v87 : b);
-      v92 = Math.sqrt(((v88 - b) * (v88 + b)));
-      v101 = ((E_star * v73) * (((v88 * v88) * Math.atan((v92 / b))) + (b * v92)));
-    } else {
-      v101 = 0.0;
-    }
-    value = (v101 + ((2.0 * E_star) * v85));
-    return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const _depth_at = (a, root, theta, b) => {
+const _depth_at_of_truncated_cone = (a, root, theta, b) => {
   return ((Math.tan(theta) * a) * Math.atan((root / b)));
 };
 
-const _slope_beyond = (t, root, theta, b) => {
+const _slope_beyond_of_truncated_cone = (t, root, theta, b) => {
   let v6;
   v6 = Math.tan(theta);
   return ((v6 * Math.atan((root / b))) + ((b * v6) / root));
@@ -470,8 +758,8 @@ const _contact_from_depth = (d, theta, b) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _depth_at(a, root, theta, b);
-    return [value, ((((root * root) / a) * _slope_beyond(a, root, theta, b)) / value)];
+    value = _depth_at_of_truncated_cone(a, root, theta, b);
+    return [value, ((((root * root) / a) * _slope_beyond_of_truncated_cone(a, root, theta, b)) / value)];
   };
   rest = [1.587574, (-0.008072401), (-0.4352508), (-3.570796), 8.66489, (-8.150206), 3.403791, (-0.4812051)];
   start = between(Math.log((d / curve(1.0)[0])), [0.9003, 1.0], [1.414, 1.0], (-6.0), rest);
@@ -484,12 +772,13 @@ const _radius_from_depth = (d, theta, b) => {
 };
 
 const radius_from_depth = (d, theta, b) => {
-  let value;
-  value = _radius_from_depth(d, theta, b);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, theta, b) : NaN);
 };
 
-const _force_at = (a, root, theta, b, E_star) => {
+const _force_at_of_truncated_cone = (a, root, theta, b, E_star) => {
   return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan((root / b))) + (b * root)));
 };
 
@@ -498,8 +787,8 @@ const _contact_from_force = (F, theta, b, E_star) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _force_at(a, root, theta, b, E_star);
-    return [value, (((((2 * E_star) * root) * root) * _slope_beyond(a, root, theta, b)) / value)];
+    value = _force_at_of_truncated_cone(a, root, theta, b, E_star);
+    return [value, (((((2 * E_star) * root) * root) * _slope_beyond_of_truncated_cone(a, root, theta, b)) / value)];
   };
   rest = [0.9995205, 0.100541, (-0.3986471), 4.536442, (-19.76727), 34.2219, (-25.89697), 7.204481];
   start = between(Math.log((F / curve(1.0)[0])), [0.778, 1.0], [0.611, 2.0], (-2.75), rest);
@@ -512,411 +801,586 @@ const _radius_from_force = (F, theta, b, E_star) => {
 };
 
 const radius_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _radius_from_force(F, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, theta, b, E_star) : NaN);
 };
 
 const _force_from_depth = (d, theta, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_depth(d, theta, b);
-  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at(a, root, theta, b))) : 0.0);
-  return (_force_at(a, root, theta, b, E_star) + change);
+  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at_of_truncated_cone(a, root, theta, b))) : 0.0);
+  return (_force_at_of_truncated_cone(a, root, theta, b, E_star) + change);
 };
 
 const force_from_depth = (d, theta, b, E_star) => {
-  let value;
-  value = _force_from_depth(d, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, theta, b, E_star) : NaN);
 };
 
 const _depth_from_force = (F, theta, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_force(F, theta, b, E_star);
-  change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at(a, root, theta, b, E_star)) / ((2 * E_star) * a)) : 0.0);
-  return (_depth_at(a, root, theta, b) + change);
+  change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at_of_truncated_cone(a, root, theta, b, E_star)) / ((2 * E_star) * a)) : 0.0);
+  return (_depth_at_of_truncated_cone(a, root, theta, b) + change);
 };
 
 const depth_from_force = (F, theta, b, E_star) => {
-  let value;
-  value = _depth_from_force(F, theta, b, E_star);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, theta, b, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, theta, b, E_star, dgamma) => {
+  return (((Math.tan(theta) * a) * Math.atan((math.sqrt(((a - b) * (a + b))) / b))) - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
 const depth_of_truncated_cone = (a, theta, b, E_star, dgamma) => {
-  return (((Math.tan(theta) * a) * Math.atan((Math.sqrt(((a - b) * (a + b))) / b))) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, theta, b, E_star, dgamma) : NaN);
+};
+
+const _force_2 = (a, theta, b, E_star, dgamma) => {
+  let v8;
+  v8 = math.sqrt(((a - b) * (a + b)));
+  return (((E_star * Math.tan(theta)) * (((a * a) * Math.atan((v8 / b))) + (b * v8))) - (((2.0 * E_star) * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
 };
 
 const force_of_truncated_cone = (a, theta, b, E_star, dgamma) => {
-  let v8;
-  v8 = Math.sqrt(((a - b) * (a + b)));
-  return (((E_star * Math.tan(theta)) * (((a * a) * Math.atan((v8 / b))) + (b * v8))) - (((2.0 * E_star) * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
 const RULE_0_of_truncated_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
-  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v6, v61, v63, v67, v68, v69, v75, v77, v80, v86, v89, v9, v96, v98, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v6 = (r === b);
-      if ((v6 && (a > b))) {
-        v75 = Infinity;
-      } else {
-        v9 = (v6 ? math.nextafter(b, Infinity) : r);
-        if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
-          v10 = (v9 < b);
-          v14 = (a - b);
-          v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
-          if (v10) {
-            v24 = v18;
-          } else {
-            v19 = (a - v9);
-            v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
-          }
-          v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
-          v33 = (2.0 * (v10 ? 0.0 : 1.0));
-          v34 = (1.0 - v33);
-          v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
-          v41 = ((v39 > 0.0) ? v39 : Infinity);
-          v55 = (b * b);
-          v61 = Math.tan(theta);
-          v63 = (b * v61);
-          v68 = [];
-          for ([node, weight] of RULE_0_of_truncated_cone((v31 / 1.0))) {
-            v44 = (node * v31);
-            v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
-            v67 = ((((v61 * Math.atan((v54 / b))) + (v63 / v54)) * v54) / Math.sqrt((v55 + (v54 * v54))));
-            v68.push((weight * v67));
-          }
-          v68 = (math.fsum(v68) * v31);
-          v69 = v68;
-        } else {
-          v69 = 0.0;
-        }
-        v75 = ((E_star / 3.141592653589793) * v69);
-      }
-      v77 = v75;
-    } else {
-      v77 = 0.0;
-    }
-    v80 = v77;
-  } else {
-    v80 = NaN;
-  }
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
   if ((r <= a)) {
-    v86 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    if ((v86 > 0.0)) {
-      v89 = (a - r);
-      v96 = ((E_star * v86) / (3.141592653589793 * Math.sqrt(((((v89 > 0.0) || (v89 !== v89)) ? v89 : 0.0) * (a + r)))));
-    } else {
-      v96 = 0.0;
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
     }
-    v98 = v96;
-  } else {
-    v98 = 0.0;
+    return 0.0;
   }
-  value = (v80 - v98);
-  return value;
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_pressure_of_truncated_cone(r, a, theta, b, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v6, v61, v63, v67, v68, v69, v75, v77, v80, v86, v89, v9, v96, v98, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v6 = (r === b);
+        if ((v6 && (a > b))) {
+          v75 = Infinity;
+        } else {
+          v9 = (v6 ? math.nextafter(b, Infinity) : r);
+          if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
+            v10 = (v9 < b);
+            v14 = (a - b);
+            v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
+            if (v10) {
+              v24 = v18;
+            } else {
+              v19 = (a - v9);
+              v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
+            }
+            v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
+            v33 = (2.0 * (v10 ? 0.0 : 1.0));
+            v34 = (1.0 - v33);
+            v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
+            v41 = ((v39 > 0.0) ? v39 : Infinity);
+            v55 = (b * b);
+            v61 = Math.tan(theta);
+            v63 = (b * v61);
+            v68 = [];
+            for ([node, weight] of RULE_0_of_truncated_cone((v31 / 1.0))) {
+              v44 = (node * v31);
+              v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
+              v67 = ((((v61 * Math.atan((v54 / b))) + (v63 / v54)) * v54) / Math.sqrt((v55 + (v54 * v54))));
+              v68.push((weight * v67));
+            }
+            v68 = (math.fsum(v68) * v31);
+            v69 = v68;
+          } else {
+            v69 = 0.0;
+          }
+          v75 = ((E_star / 3.141592653589793) * v69);
+        }
+        v77 = v75;
+      } else {
+        v77 = 0.0;
+      }
+      v80 = v77;
+    } else {
+      v80 = NaN;
+    }
+    if ((r <= a)) {
+      v86 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      if ((v86 > 0.0)) {
+        v89 = (a - r);
+        v96 = ((E_star * v86) / (3.141592653589793 * Math.sqrt(((((v89 > 0.0) || (v89 !== v89)) ? v89 : 0.0) * (a + r)))));
+      } else {
+        v96 = 0.0;
+      }
+      v98 = v96;
+    } else {
+      v98 = 0.0;
+    }
+    return (v80 - v98);
+  }
+  return _pressure_3(r, a, theta, b, E_star, dgamma);
+};
+
+const pressure_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_of_truncated_cone(r, a, theta, b) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v62, v64, v72, v73, v75, v89, v90, v92, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    v18 = (r - a);
+    v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
+    v89 = (r > a);
+    if ((a >= b)) {
+      v6 = (r - b);
+      v13 = (a - b);
+      v15 = (a + b);
+      v62 = Math.tan(theta);
+      if (v89) {
+        if ((a > b)) {
+          v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
+          v12 = (b / r);
+          v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
+          v25 = Math.asinh((v23 / v12));
+          v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+          v33 = ((v30 > 0.0) ? v30 : Infinity);
+          v50 = (b * b);
+          v54 = (v12 * v12);
+          v64 = (b * v62);
+          v73 = [];
+          for ([node, weight] of RULE_0_of_truncated_cone((v25 / 1.0))) {
+            v35 = (node * v25);
+            v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
+            v45 = (v44 * v44);
+            v47 = Math.sqrt((1.0 + v45));
+            v49 = ((v11 * v44) / v47);
+            v53 = Math.sqrt((v50 + (v49 * v49)));
+            v72 = ((((((v62 * Math.atan((v49 / b))) + (v64 / v49)) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
+            v73.push((weight * v72));
+          }
+          v73 = (math.fsum(v73) * v25);
+          v75 = (v11 * v73);
+        } else {
+          v75 = 0.0;
+        }
+        v90 = (0.6366197723675814 * v75);
+      } else {
+        v90 = (((v62 * a) * Math.atan((Math.sqrt((v13 * v15)) / b))) - ((r < b) ? 0.0 : (v62 * v6)));
+      }
+      v92 = v90;
+    } else {
+      v92 = NaN;
+    }
+    return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
+  }
+  return _displacement_3(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
-  let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v62, v64, v72, v73, v75, v89, v90, v92, value, weight;
-  v18 = (r - a);
-  v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
-  v89 = (r > a);
-  if ((a >= b)) {
-    v6 = (r - b);
-    v13 = (a - b);
-    v15 = (a + b);
-    v62 = Math.tan(theta);
-    if (v89) {
-      if ((a > b)) {
-        v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
-        v12 = (b / r);
-        v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
-        v25 = Math.asinh((v23 / v12));
-        v30 = (0.0 - Math.expm1(((-2.0) * v25)));
-        v33 = ((v30 > 0.0) ? v30 : Infinity);
-        v50 = (b * b);
-        v54 = (v12 * v12);
-        v64 = (b * v62);
-        v73 = [];
-        for ([node, weight] of RULE_0_of_truncated_cone((v25 / 1.0))) {
-          v35 = (node * v25);
-          v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
-          v45 = (v44 * v44);
-          v47 = Math.sqrt((1.0 + v45));
-          v49 = ((v11 * v44) / v47);
-          v53 = Math.sqrt((v50 + (v49 * v49)));
-          v72 = ((((((v62 * Math.atan((v49 / b))) + (v64 / v49)) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
-          v73.push((weight * v72));
-        }
-        v73 = (math.fsum(v73) * v25);
-        v75 = (v11 * v73);
-      } else {
-        v75 = 0.0;
-      }
-      v90 = (0.6366197723675814 * v75);
-    } else {
-      v90 = (((v62 * a) * Math.atan((Math.sqrt((v13 * v15)) / b))) - ((r < b) ? 0.0 : (v62 * v6)));
-    }
-    v92 = v90;
-  } else {
-    v92 = NaN;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
-  return value;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const tangential_force = (a, c, theta, b, E_star, mu) => {
-  let node, v12, v13, v19, v23, v30, v33, v35, v36, v41, v42, v46, v50, v53, v57, v6, v64, v66, v7, v70, v72, v77, v78, v81, v85, v9, v91, v92, v93, v96, value, weight;
-  v6 = (a - b);
-  v7 = (a + b);
-  v9 = Math.sqrt((v6 * v7));
-  v12 = Math.tan(theta);
-  v13 = (E_star * v12);
-  v19 = (v13 * (((a * a) * Math.atan((v9 / b))) + (b * v9)));
-  v23 = Math.sqrt(((c - b) * (c + b)));
-  v30 = (v13 * (((c * c) * Math.atan((v23 / b))) + (b * v23)));
-  v33 = (v30 >= (0.25 * v19));
-  if (v33) {
-    v35 = (((b > c) || (b !== b)) ? b : c);
-    v50 = (a > v35);
-    v66 = (v33 && v50);
-    if (v66) {
-      v36 = (v35 - b);
-      v41 = Math.sqrt(((((v36 > 0.0) || (v36 !== v36)) ? v36 : 0.0) * (v35 + b)));
-      v42 = (v35 - 0.0);
-      v46 = Math.sqrt(((((v42 > 0.0) || (v42 !== v42)) ? v42 : 0.0) * (v35 + 0.0)));
-      if (v66) {
-        v53 = ((a - v35) * (a + v35));
-        if (v50) {
-          v57 = (a - 0.0);
-          v64 = (v53 / (Math.sqrt(((((v57 > 0.0) || (v57 !== v57)) ? v57 : 0.0) * (a + 0.0))) + v46));
-        } else {
-          v64 = 0.0;
-        }
-        v70 = Math.log1p((((v50 ? (v53 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v41)) : 0.0) + v64) / (v41 + v46)));
-      } else {
-        v70 = 0.0;
-      }
-      v78 = (b * b);
-      v85 = (b * v12);
-      v92 = [];
-      for ([node, weight] of RULE_0_2((v70 / 1.0))) {
-        v72 = (node * v70);
-        v77 = ((v41 * Math.cosh(v72)) + (v46 * Math.sinh(v72)));
-        v81 = Math.sqrt((v78 + (v77 * v77)));
-        v91 = ((((v12 * Math.atan((v77 / b))) + (v85 / v77)) * (v77 / v81)) * (v81 * v81));
-        v92.push((weight * v91));
-      }
-      v92 = (math.fsum(v92) * v70);
-      v93 = v92;
-    } else {
-      v93 = 0.0;
-    }
-    v96 = ((2.0 * E_star) * v93);
-  } else {
-    v96 = (v19 - v30);
-  }
-  value = (mu * v96);
-  return value;
+const CLOSE = 0.25;
+
+const _gap = (a, c, outer, inner) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
 };
 
-const traction = (r, a, c, theta, b, E_star, mu) => {
-  let node, v10, v100, v102, v11, v112, v122, v123, v124, v128, v129, v130, v132, v136, v137, v138, v142, v143, v147, v148, v15, v151, v155, v162, v164, v168, v169, v174, v177, v186, v187, v188, v19, v191, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v62, v64, v68, v69, v7, v70, v74, v76, v78, v81, v82, v86, v87, v92, v94, v98, value, weight;
-  v7 = (r === b);
-  v10 = (v7 ? math.nextafter(b, Infinity) : r);
-  v11 = (v10 < b);
-  v15 = (a - b);
-  v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
-  v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
-  v34 = (2.0 * (v11 ? 0.0 : 1.0));
-  v35 = (1.0 - v34);
-  v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
-  v56 = (b * b);
-  v62 = Math.tan(theta);
-  v64 = (b * v62);
-  v74 = (E_star / 3.141592653589793);
-  if ((a >= b)) {
-    if ((r < a)) {
-      if ((v7 && (a > b))) {
-        v76 = Infinity;
-      } else {
-        if ((a > v43)) {
-          if (v11) {
-            v25 = v19;
+const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
+  let beyond, gaps, holds, integrand, root, start;
+  start = math.maximum(b, c);
+  [beyond, root] = [difference_root(start, b), difference_root(start, r)];
+  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
+  holds = (close & (a > start));
+  integrand = (v) => {
+    let side, t;
+    side = ((beyond * Math.cosh(v)) + (root * Math.sinh(v)));
+    t = Math.sqrt(((b * b) + (side * side)));
+    return ((slope(t, side) * (side / t)) * Math.pow(t, order));
+  };
+  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+});
+
+const _tangential_force_of_truncated_cone = (a, c, theta, b, E_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_force_of_truncated_cone(a, theta, b, E_star), _force_of_truncated_cone(c, theta, b, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  gain = ((2.0 * E_star) * growth_beyond(_slope_beyond, [theta, b], 2, 0.0, c, a, b, close));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, theta, b, E_star, mu) => {
+  let node, v12, v13, v19, v23, v30, v33, v35, v36, v41, v42, v46, v50, v53, v57, v6, v64, v66, v7, v70, v72, v77, v78, v81, v85, v9, v91, v92, v93, v96, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v6 = (a - b);
+    v7 = (a + b);
+    v9 = Math.sqrt((v6 * v7));
+    v12 = Math.tan(theta);
+    v13 = (E_star * v12);
+    v19 = (v13 * (((a * a) * Math.atan((v9 / b))) + (b * v9)));
+    v23 = Math.sqrt(((c - b) * (c + b)));
+    v30 = (v13 * (((c * c) * Math.atan((v23 / b))) + (b * v23)));
+    v33 = (v30 >= (0.25 * v19));
+    if (v33) {
+      v35 = (((b > c) || (b !== b)) ? b : c);
+      v50 = (a > v35);
+      v66 = (v33 && v50);
+      if (v66) {
+        v36 = (v35 - b);
+        v41 = Math.sqrt(((((v36 > 0.0) || (v36 !== v36)) ? v36 : 0.0) * (v35 + b)));
+        v42 = (v35 - 0.0);
+        v46 = Math.sqrt(((((v42 > 0.0) || (v42 !== v42)) ? v42 : 0.0) * (v35 + 0.0)));
+        if (v66) {
+          v53 = ((a - v35) * (a + v35));
+          if (v50) {
+            v57 = (a - 0.0);
+            v64 = (v53 / (Math.sqrt(((((v57 > 0.0) || (v57 !== v57)) ? v57 : 0.0) * (a + 0.0))) + v46));
           } else {
-            v20 = (a - v10);
-            v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
+            v64 = 0.0;
           }
-          v32 = Math.asinh((v25 / v30));
-          v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
-          v42 = ((v40 > 0.0) ? v40 : Infinity);
-          v69 = [];
-          for ([node, weight] of RULE_0_2((v32 / 1.0))) {
-            v45 = (node * v32);
-            v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
-            v68 = ((((v62 * Math.atan((v55 / b))) + (v64 / v55)) * v55) / Math.sqrt((v56 + (v55 * v55))));
-            v69.push((weight * v68));
-          }
-          v69 = (math.fsum(v69) * v32);
-          v70 = v69;
+          v70 = Math.log1p((((v50 ? (v53 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v41)) : 0.0) + v64) / (v41 + v46)));
         } else {
           v70 = 0.0;
         }
-        v76 = (v74 * v70);
-      }
-      v78 = v76;
-    } else {
-      v78 = 0.0;
-    }
-    v81 = v78;
-  } else {
-    v81 = NaN;
-  }
-  v129 = (r < c);
-  if ((c >= b)) {
-    if (v129) {
-      if ((v7 && (c > b))) {
-        v128 = Infinity;
+        v78 = (b * b);
+        v85 = (b * v12);
+        v92 = [];
+        for ([node, weight] of RULE_0_2((v70 / 1.0))) {
+          v72 = (node * v70);
+          v77 = ((v41 * Math.cosh(v72)) + (v46 * Math.sinh(v72)));
+          v81 = Math.sqrt((v78 + (v77 * v77)));
+          v91 = ((((v12 * Math.atan((v77 / b))) + (v85 / v77)) * (v77 / v81)) * (v81 * v81));
+          v92.push((weight * v91));
+        }
+        v92 = (math.fsum(v92) * v70);
+        v93 = v92;
       } else {
-        if ((c > v43)) {
-          v82 = (c - b);
-          v86 = Math.sqrt(((((v82 > 0.0) || (v82 !== v82)) ? v82 : 0.0) * (c + b)));
-          if (v11) {
-            v92 = v86;
+        v93 = 0.0;
+      }
+      v96 = ((2.0 * E_star) * v93);
+    } else {
+      v96 = (v19 - v30);
+    }
+    return (mu * v96);
+  }
+  return _tangential_force_of_truncated_cone(a, c, theta, b, E_star, mu);
+};
+
+const tangential_force = (a, c, theta, b, E_star, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, theta, b, E_star, mu) : NaN);
+};
+
+const _traction_of_truncated_cone = (r, a, c, theta, b, E_star, mu) => {
+  let close, gain, sliding, stuck;
+  sliding = _pressure_of_truncated_cone(r, a, theta, b, E_star);
+  stuck = _pressure_of_truncated_cone(r, c, theta, b, E_star);
+  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  gain = ((E_star / Math.PI) * growth_beyond(_slope_beyond, [theta, b], 0, r, c, a, b, close));
+  return (mu * math.where(close, gain, (sliding - stuck)));
+};
+
+const _traction = (r, a, c, theta, b, E_star, mu) => {
+  let node, v10, v100, v102, v11, v112, v122, v123, v124, v128, v129, v130, v132, v136, v137, v138, v142, v143, v147, v148, v15, v151, v155, v162, v164, v168, v169, v174, v177, v186, v187, v188, v19, v191, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v62, v64, v68, v69, v7, v70, v74, v76, v78, v81, v82, v86, v87, v92, v94, v98, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v7 = (r === b);
+    v10 = (v7 ? math.nextafter(b, Infinity) : r);
+    v11 = (v10 < b);
+    v15 = (a - b);
+    v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
+    v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
+    v34 = (2.0 * (v11 ? 0.0 : 1.0));
+    v35 = (1.0 - v34);
+    v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
+    v56 = (b * b);
+    v62 = Math.tan(theta);
+    v64 = (b * v62);
+    v74 = (E_star / 3.141592653589793);
+    if ((a >= b)) {
+      if ((r < a)) {
+        if ((v7 && (a > b))) {
+          v76 = Infinity;
+        } else {
+          if ((a > v43)) {
+            if (v11) {
+              v25 = v19;
+            } else {
+              v20 = (a - v10);
+              v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
+            }
+            v32 = Math.asinh((v25 / v30));
+            v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
+            v42 = ((v40 > 0.0) ? v40 : Infinity);
+            v69 = [];
+            for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+              v45 = (node * v32);
+              v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
+              v68 = ((((v62 * Math.atan((v55 / b))) + (v64 / v55)) * v55) / Math.sqrt((v56 + (v55 * v55))));
+              v69.push((weight * v68));
+            }
+            v69 = (math.fsum(v69) * v32);
+            v70 = v69;
           } else {
-            v87 = (c - v10);
-            v92 = Math.sqrt(((((v87 > 0.0) || (v87 !== v87)) ? v87 : 0.0) * (c + v10)));
+            v70 = 0.0;
           }
-          v94 = Math.asinh((v92 / v30));
-          v98 = (v34 - (v35 * Math.expm1(((-2.0) * v94))));
-          v100 = ((v98 > 0.0) ? v98 : Infinity);
-          v123 = [];
-          for ([node, weight] of RULE_0_2((v94 / 1.0))) {
-            v102 = (node * v94);
-            v112 = (v86 * ((Math.exp((-v102)) * (v34 - (v35 * Math.expm1(((-2.0) * (v94 - v102)))))) / v100));
-            v122 = ((((v62 * Math.atan((v112 / b))) + (v64 / v112)) * v112) / Math.sqrt((v56 + (v112 * v112))));
-            v123.push((weight * v122));
-          }
-          v123 = (math.fsum(v123) * v94);
-          v124 = v123;
-        } else {
-          v124 = 0.0;
+          v76 = (v74 * v70);
         }
-        v128 = (v74 * v124);
-      }
-      v130 = v128;
-    } else {
-      v130 = 0.0;
-    }
-    v132 = v130;
-  } else {
-    v132 = NaN;
-  }
-  v136 = (v129 && (v132 >= (0.25 * v81)));
-  if (v136) {
-    v137 = (((b > c) || (b !== b)) ? b : c);
-    v148 = (a > v137);
-    v164 = (v136 && v148);
-    if (v164) {
-      v138 = (v137 - b);
-      v142 = Math.sqrt(((((v138 > 0.0) || (v138 !== v138)) ? v138 : 0.0) * (v137 + b)));
-      v143 = (v137 - r);
-      v147 = Math.sqrt(((((v143 > 0.0) || (v143 !== v143)) ? v143 : 0.0) * (v137 + r)));
-      if (v164) {
-        v151 = ((a - v137) * (a + v137));
-        if (v148) {
-          v155 = (a - r);
-          v162 = (v151 / (Math.sqrt(((((v155 > 0.0) || (v155 !== v155)) ? v155 : 0.0) * (a + r))) + v147));
-        } else {
-          v162 = 0.0;
-        }
-        v168 = Math.log1p((((v148 ? (v151 / (v19 + v142)) : 0.0) + v162) / (v142 + v147)));
+        v78 = v76;
       } else {
-        v168 = 0.0;
+        v78 = 0.0;
       }
-      v187 = [];
-      for ([node, weight] of RULE_0_2((v168 / 1.0))) {
-        v169 = (node * v168);
-        v174 = ((v142 * Math.cosh(v169)) + (v147 * Math.sinh(v169)));
-        v177 = Math.sqrt((v56 + (v174 * v174)));
-        v186 = ((((v62 * Math.atan((v174 / b))) + (v64 / v174)) * (v174 / v177)) * Math.pow(v177, 0.0));
-        v187.push((weight * v186));
-      }
-      v187 = (math.fsum(v187) * v168);
-      v188 = v187;
+      v81 = v78;
     } else {
-      v188 = 0.0;
+      v81 = NaN;
     }
-    v191 = (v74 * v188);
-  } else {
-    v191 = (v81 - v132);
+    v129 = (r < c);
+    if ((c >= b)) {
+      if (v129) {
+        if ((v7 && (c > b))) {
+          v128 = Infinity;
+        } else {
+          if ((c > v43)) {
+            v82 = (c - b);
+            v86 = Math.sqrt(((((v82 > 0.0) || (v82 !== v82)) ? v82 : 0.0) * (c + b)));
+            if (v11) {
+              v92 = v86;
+            } else {
+              v87 = (c - v10);
+              v92 = Math.sqrt(((((v87 > 0.0) || (v87 !== v87)) ? v87 : 0.0) * (c + v10)));
+            }
+            v94 = Math.asinh((v92 / v30));
+            v98 = (v34 - (v35 * Math.expm1(((-2.0) * v94))));
+            v100 = ((v98 > 0.0) ? v98 : Infinity);
+            v123 = [];
+            for ([node, weight] of RULE_0_2((v94 / 1.0))) {
+              v102 = (node * v94);
+              v112 = (v86 * ((Math.exp((-v102)) * (v34 - (v35 * Math.expm1(((-2.0) * (v94 - v102)))))) / v100));
+              v122 = ((((v62 * Math.atan((v112 / b))) + (v64 / v112)) * v112) / Math.sqrt((v56 + (v112 * v112))));
+              v123.push((weight * v122));
+            }
+            v123 = (math.fsum(v123) * v94);
+            v124 = v123;
+          } else {
+            v124 = 0.0;
+          }
+          v128 = (v74 * v124);
+        }
+        v130 = v128;
+      } else {
+        v130 = 0.0;
+      }
+      v132 = v130;
+    } else {
+      v132 = NaN;
+    }
+    v136 = (v129 && (v132 >= (0.25 * v81)));
+    if (v136) {
+      v137 = (((b > c) || (b !== b)) ? b : c);
+      v148 = (a > v137);
+      v164 = (v136 && v148);
+      if (v164) {
+        v138 = (v137 - b);
+        v142 = Math.sqrt(((((v138 > 0.0) || (v138 !== v138)) ? v138 : 0.0) * (v137 + b)));
+        v143 = (v137 - r);
+        v147 = Math.sqrt(((((v143 > 0.0) || (v143 !== v143)) ? v143 : 0.0) * (v137 + r)));
+        if (v164) {
+          v151 = ((a - v137) * (a + v137));
+          if (v148) {
+            v155 = (a - r);
+            v162 = (v151 / (Math.sqrt(((((v155 > 0.0) || (v155 !== v155)) ? v155 : 0.0) * (a + r))) + v147));
+          } else {
+            v162 = 0.0;
+          }
+          v168 = Math.log1p((((v148 ? (v151 / (v19 + v142)) : 0.0) + v162) / (v142 + v147)));
+        } else {
+          v168 = 0.0;
+        }
+        v187 = [];
+        for ([node, weight] of RULE_0_2((v168 / 1.0))) {
+          v169 = (node * v168);
+          v174 = ((v142 * Math.cosh(v169)) + (v147 * Math.sinh(v169)));
+          v177 = Math.sqrt((v56 + (v174 * v174)));
+          v186 = ((((v62 * Math.atan((v174 / b))) + (v64 / v174)) * (v174 / v177)) * Math.pow(v177, 0.0));
+          v187.push((weight * v186));
+        }
+        v187 = (math.fsum(v187) * v168);
+        v188 = v187;
+      } else {
+        v188 = 0.0;
+      }
+      v191 = (v74 * v188);
+    } else {
+      v191 = (v81 - v132);
+    }
+    return (mu * v191);
   }
-  value = (mu * v191);
-  return value;
+  return _traction_of_truncated_cone(r, a, c, theta, b, E_star, mu);
+};
+
+const traction = (r, a, c, theta, b, E_star, mu) => {
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, theta, b, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_truncated_cone = (a, c, theta, b, E_star, G_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_depth_of_truncated_cone(a, theta, b), _depth_of_truncated_cone(c, theta, b)];
+  close = (sticking >= (CLOSE * whole));
+  gain = growth_beyond(_slope_beyond, [theta, b], 1, 0.0, c, a, b, close);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
+  let node, v13, v15, v23, v26, v27, v28, v33, v34, v38, v42, v45, v49, v56, v58, v62, v64, v69, v7, v70, v73, v77, v8, v83, v84, v85, v89, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v7 = (a - b);
+    v8 = (a + b);
+    v13 = Math.tan(theta);
+    v15 = ((v13 * a) * Math.atan((Math.sqrt((v7 * v8)) / b)));
+    v23 = ((v13 * c) * Math.atan((Math.sqrt(((c - b) * (c + b))) / b)));
+    v26 = (v23 >= (0.25 * v15));
+    if (v26) {
+      v27 = (((b > c) || (b !== b)) ? b : c);
+      v42 = (a > v27);
+      v58 = (v26 && v42);
+      if (v58) {
+        v28 = (v27 - b);
+        v33 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (v27 + b)));
+        v34 = (v27 - 0.0);
+        v38 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (v27 + 0.0)));
+        if (v58) {
+          v45 = ((a - v27) * (a + v27));
+          if (v42) {
+            v49 = (a - 0.0);
+            v56 = (v45 / (Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (a + 0.0))) + v38));
+          } else {
+            v56 = 0.0;
+          }
+          v62 = Math.log1p((((v42 ? (v45 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v33)) : 0.0) + v56) / (v33 + v38)));
+        } else {
+          v62 = 0.0;
+        }
+        v70 = (b * b);
+        v77 = (b * v13);
+        v84 = [];
+        for ([node, weight] of RULE_0_2((v62 / 1.0))) {
+          v64 = (node * v62);
+          v69 = ((v33 * Math.cosh(v64)) + (v38 * Math.sinh(v64)));
+          v73 = Math.sqrt((v70 + (v69 * v69)));
+          v83 = ((((v13 * Math.atan((v69 / b))) + (v77 / v69)) * (v69 / v73)) * Math.pow(v73, 1.0));
+          v84.push((weight * v83));
+        }
+        v84 = (math.fsum(v84) * v62);
+        v85 = v84;
+      } else {
+        v85 = 0.0;
+      }
+      v89 = v85;
+    } else {
+      v89 = (v15 - v23);
+    }
+    return ((mu * (E_star / G_star)) * v89);
+  }
+  return _tangential_displacement_of_truncated_cone(a, c, theta, b, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
-  let node, v13, v15, v23, v26, v27, v28, v33, v34, v38, v42, v45, v49, v56, v58, v62, v64, v69, v7, v70, v73, v77, v8, v83, v84, v85, v89, value, weight;
-  v7 = (a - b);
-  v8 = (a + b);
-  v13 = Math.tan(theta);
-  v15 = ((v13 * a) * Math.atan((Math.sqrt((v7 * v8)) / b)));
-  v23 = ((v13 * c) * Math.atan((Math.sqrt(((c - b) * (c + b))) / b)));
-  v26 = (v23 >= (0.25 * v15));
-  if (v26) {
-    v27 = (((b > c) || (b !== b)) ? b : c);
-    v42 = (a > v27);
-    v58 = (v26 && v42);
-    if (v58) {
-      v28 = (v27 - b);
-      v33 = Math.sqrt(((((v28 > 0.0) || (v28 !== v28)) ? v28 : 0.0) * (v27 + b)));
-      v34 = (v27 - 0.0);
-      v38 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (v27 + 0.0)));
-      if (v58) {
-        v45 = ((a - v27) * (a + v27));
-        if (v42) {
-          v49 = (a - 0.0);
-          v56 = (v45 / (Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (a + 0.0))) + v38));
-        } else {
-          v56 = 0.0;
-        }
-        v62 = Math.log1p((((v42 ? (v45 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v33)) : 0.0) + v56) / (v33 + v38)));
-      } else {
-        v62 = 0.0;
-      }
-      v70 = (b * b);
-      v77 = (b * v13);
-      v84 = [];
-      for ([node, weight] of RULE_0_2((v62 / 1.0))) {
-        v64 = (node * v62);
-        v69 = ((v33 * Math.cosh(v64)) + (v38 * Math.sinh(v64)));
-        v73 = Math.sqrt((v70 + (v69 * v69)));
-        v83 = ((((v13 * Math.atan((v69 / b))) + (v77 / v69)) * (v69 / v73)) * Math.pow(v73, 1.0));
-        v84.push((weight * v83));
-      }
-      v84 = (math.fsum(v84) * v62);
-      v85 = v84;
-    } else {
-      v85 = 0.0;
-    }
-    v89 = v85;
-  } else {
-    v89 = (v15 - v23);
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * v89);
-  return value;
-};
-
-const _force = (a, theta, b, E_star) => {
-  let v7;
-  v7 = math.sqrt(((a - b) * (a + b)));
-  return ((E_star * Math.tan(theta)) * (((a * a) * Math.atan((v7 / b))) + (b * v7)));
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -936,13 +1400,34 @@ const _stick_radius = (F_x, a, theta, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, theta, b, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, theta, b, E_star, mu);
-  return value;
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, theta, b, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_truncated_cone = (a, theta, b, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_truncated_cone(a, theta, b));
+};
+
+const _full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    return ((mu * (E_star / G_star)) * ((Math.tan(theta) * a) * Math.atan((Math.sqrt(((a - b) * (a + b))) / b))));
+  }
+  return _full_slip_displacement_of_truncated_cone(a, theta, b, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, theta, b, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * ((Math.tan(theta) * a) * Math.atan((Math.sqrt(((a - b) * (a + b))) / b))));
+  if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, theta, b, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -950,7 +1435,7 @@ const formulas = {
   "F": (v) => force(v.a, v.theta, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.theta, v.b, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.theta, v.b),
-  "k": (v) => stiffness(v.a, v.E_star, v.theta, v.b),
+  "k": (v) => stiffness(v.a, v.theta, v.b, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.theta, v.b, v.E_star),
   "U": (v) => energy(v.a, v.theta, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.theta, v.b, v.E_star),
@@ -958,6 +1443,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.theta, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.theta, v.b, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.theta, v.b, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_truncated_cone(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_truncated_cone(v.a, v.theta, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_truncated_cone(v.r, v.a, v.theta, v.b, v.E_star, v.dgamma),
@@ -1180,9 +1666,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "theta",
-    "b"
+    "b",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1271,6 +1757,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",

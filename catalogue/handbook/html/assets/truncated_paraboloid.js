@@ -19,6 +19,7 @@ const math = {
   log: (x) => Math.log(x),
   log1p: (x) => Math.log1p(x),
   exp2: (x) => Math.pow(2.0, x),
+  all: (x) => x.every(Boolean),
   length: (x) => x.length,
   range: (...given) => {
     const [start, stop, step] = given.length > 1 ? [...given, 1] : [0, given[0], 1];
@@ -34,6 +35,7 @@ const math = {
   sum: (x, start = 0.0) => x.reduce((total, value) => total + value, start),
   // exact before it is rounded: partial sums that do not overlap
   fsum: (values) => {
+    if (!values.every(Number.isFinite)) return math.sum(values);
     const parts = [];
     for (let x of values) {
       let count = 0;
@@ -86,14 +88,14 @@ const math = {
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
     const [longest, count] = lengths.at(-1);
-    return pairs(count, Math.ceil(length / longest));
+    return pairs(count, panelsOf(length / longest));
   },
   integral: (integrand, stop, count) =>
     math.fsum(pairs(count, 1).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_in_strip: (integrand, stop, width = 1.0, lengths = STRIPS) =>
     math.fsum(math.rule(lengths)(stop / width).map(([node, weight]) => weight * integrand(node * stop))) * stop,
   integral_by_panels: (integrand, stop, width, count) => {
-    const panels = Math.max(Math.ceil(stop / width), 1);
+    const panels = panelsOf(Math.max(stop / width, 1.0));
     return math.fsum(pairs(count, panels).map(([node, weight]) => weight * integrand(node * stop))) * stop;
   },
   integral_by_length: (...given) => math.integral_in_strip(...given),
@@ -101,6 +103,27 @@ const math = {
     const { width } = typeof given.at(-1) === "object" ? given.pop() : { width: 1.0 };
     const [integrand, stop, factor, holds, otherwise] = rule_of((...t) => slope(...t, ...parameters), ...given);
     return holds ? factor * math.integral_in_strip(integrand, stop, width) : otherwise;
+  },
+  // the same for what has a power of the place as a weight, whose moments are products of rationals: the smooth factor
+  // is a sum of Legendre's polynomials; `beyond` the value at zero the weights are those over the place
+  products: (power, count, beyond) => {
+    const key = `${power} ${count} ${beyond}`;
+    if (!kept.has(key)) {
+      if (kept.size > 999) kept.clear();
+      const moments = [1.0 / (1.0 + power)];
+      for (let j = 1; j < count; j++) moments.push((moments[j - 1] * (power + (1.0 - j))) / (power + (1.0 + j)));
+      const weighed = ([node, weight]) => {
+        const x = 2.0 * node - 1.0;
+        let [last, now, total] = [1.0, x, moments[0] + 3.0 * moments[1] * x];
+        for (let j = 1; j < count - 1; j++) {
+          [last, now] = [now, ((2.0 * j + 1.0) * x * now - j * last) / (j + 1.0)];
+          total += (2.0 * j + 3.0) * moments[j + 1] * now;
+        }
+        return [node, (weight * total) / (beyond ? node : 1.0)];
+      };
+      kept.set(key, pairs(count, 1).map(weighed));
+    }
+    return kept.get(key);
   },
   at_break: (b) => 1e-100 * b,
 };
@@ -121,6 +144,7 @@ const BELOW = [
   0, 39916800, 120543840, 150917976, 105258076, 45995730, 13339535, 2637558, 357423, 32670, 1925, 66, 1,
 ];
 const STRIPS = [[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]];
+const panelsOf = (length) => (length < 4096.0 ? Math.ceil(length) : 4096);
 const kept = new Map();
 const pairs = (count, panels) => {
   const key = 1000 * count + panels;
@@ -135,210 +159,484 @@ const pairs = (count, panels) => {
 
 const HALVES = {8: [[0.019855071751231884, 0.05061426814518813], [0.10166676129318664, 0.11119051722668724], [0.2372337950418355, 0.15685332293894363], [0.4082826787521751, 0.181341891689181]], 16: [[0.005299532504175033, 0.013576229705877048], [0.02771248846338371, 0.031126761969323947], [0.06718439880608412, 0.04757925584124639], [0.12229779582249849, 0.06231448562776694], [0.19106187779867811, 0.07479799440828837], [0.2709916111713863, 0.08457825969750127], [0.35919822461037054, 0.09130170752246179], [0.4524937450811813, 0.09472530522753425]], 24: [[0.00240639000148932, 0.0061706148999936], [0.012635722014345251, 0.014265694314466832], [0.030862723998633622, 0.022138719408709904], [0.056792236497799485, 0.02964929245771839], [0.08999900701304854, 0.03667324070554015], [0.12993790421072282, 0.04309508076597664], [0.17595317403151223, 0.04880932605205694], [0.22728926430558022, 0.05372213505798282], [0.2831032461869774, 0.0577528340268628], [0.3424786601519183, 0.060835236463901696], [0.40444056626319186, 0.06291872817341415], [0.4679715535686972, 0.06396909767337608]], 32: [[0.0013680690752592183, 0.003509305004735048], [0.007194244227365833, 0.008137197365452835], [0.017618872206246784, 0.01269603265463103], [0.03254696203113015, 0.017136931456510716], [0.05183942211697394, 0.02141794901111334], [0.07531619313371501, 0.025499029631188087], [0.1027581020160288, 0.029342046739267772], [0.13390894062985517, 0.032911111388180925], [0.1684778665348924, 0.03617289705442425], [0.20614212137961885, 0.039096947893535156], [0.2465500455338853, 0.041655962113473374], [0.2893243619346823, 0.043826046502201906], [0.33406569885893617, 0.045586939347881945], [0.38035631887393145, 0.04692219954040228], [0.42776401920860174, 0.04781936003963743], [0.4758461671561308, 0.0482700442573639]], 64: [[0.0003474791321139303, 0.0008916403608482165], [0.0018299416140223604, 0.002073516630281234], [0.00449331426162784, 0.0032522289844891814], [0.008331873057687022, 0.0044233799131819735], [0.013336586105044517, 0.005584069730065564], [0.01949560017397314, 0.006731523948359321], [0.026794312570798593, 0.007863015238012359], [0.035215413934030215, 0.008975857887848672], [0.044738931460748595, 0.010067411576765104], [0.055342277002442944, 0.011135086904191627], [0.06700030092295359, 0.012176351284355437], [0.07968535187370981, 0.01318873485752733], [0.09336734243860122, 0.014169836307129742], [0.1080138205283293, 0.015117328536201239], [0.12359004636973406, 0.016028964177425775], [0.1400590749141946, 0.016902580918570803], [0.15738184347288336, 0.017736106628441193], [0.17551726437267132, 0.018527564270120023], [0.19442232241380336, 0.019275076589307813], [0.21405217689868297, 0.01997687056636017], [0.23436026799005272, 0.020631281621311764], [0.2552984271464735, 0.021236757561826795], [0.27681699137326793, 0.021791862264661725], [0.2988649210180042, 0.022295279081878283], [0.32138992083116596, 0.02274581396370907], [0.34433856400489454, 0.023142398290657208], [0.3676564188956163, 0.02348409140810501], [0.39128817812999644, 0.023770082857415154], [0.41517778978800357, 0.023999694298229155], [0.4392685903519397, 0.024172381117401477], [0.4635034391061005, 0.024287733720751714], [0.48782485366828776, 0.024345478504569862]], 128: [[8.755602643404277e-05, 0.00022469048014604518], [0.0004612700113120525, 0.0005229063396701744], [0.00113337568724299, 0.0008212515093345147], [0.0021036207325094065, 0.0011191442154813093], [0.003371443549893532, 0.0014163757357289956], [0.004936090754132808, 0.0017127630204551078], [0.006796628637706896, 0.002008127491869321], [0.008951945782140732, 0.0023022921283514775], [0.011400754268046306, 0.002595080916338165], [0.01414159062643171, 0.002886318771432849], [0.017172816784017365, 0.0031758315808535944], [0.020492621073150037, 0.003463446283449407], [0.024099019329367807, 0.0037489909628173643], [0.027989856084889908, 0.004032294945243029], [0.03216280586104181, 0.004313188899308375], [0.036615374560526076, 0.004591504935830437], [0.04134490095951973, 0.004867076707503403], [0.046348558299121594, 0.005139739507916079], [0.051623355975420906, 0.005409330369751538], [0.05716614132730139, 0.005675688162040208], [0.06297360152098411, 0.00593865368637014], [0.06904226553022577, 0.0061980697719754615], [0.07536850621101551, 0.006453781369633674], [0.08194854246954658, 0.0067056356443081664], [0.08877844152217808, 0.006953482066475993], [0.09585412124604317, 0.007197172502083423], [0.10317135261890335, 0.007436561301073657], [0.11072576224679402, 0.007671505384432572], [0.11851283497795263, 0.007901864329699674], [0.126527916601469, 0.008127500454892593], [0.1347662166290456, 0.008348278900794603], [0.1432228111582063, 0.00856406771155569], [0.15189264581524284, 0.008774737913558853], [0.16077053877614036, 0.008980163592504344], [0.16985118386367698, 0.00918022196866567], [0.17912915371884622, 0.009374793470272355], [0.18859890304470756, 0.009563761804975472], [0.1982547719207257, 0.009747014029353301], [0.20809098918561847, 0.00992444061641543], [0.21810167588669097, 0.010095935521065021], [0.2282808487935948, 0.010261396243480035], [0.23862242397441227, 0.010420723890375575], [0.24912022043192777, 0.010573823234110675], [0.259767963797914, 0.01072060276960423], [0.2705592900832239, 0.010860974769026038], [0.2814877494814479, 0.010994855334230245], [0.2925468102238625, 0.011122164446899882], [0.30372986248336625, 0.011242826016372484], [0.3150302223250705, 0.01135676792511823], [0.3264411357011823, 0.011463922071843423], [0.3379557824877933, 0.011564224412193513], [0.3495672805611614, 0.01165761499703138], [0.3612686899110478, 0.011744038008267956], [0.3730530167886528, 0.011823441792223808], [0.38491321788667, 0.011895778890501701], [0.3968422045489604, 0.011961006068351729], [0.4088328470073314, 0.012019084340512026], [0.4208779786428875, 0.012069978994509643], [0.4329704002694061, 0.012113659611407625], [0.4451028844361781, 0.012150100083985933], [0.45726817974774225, 0.012179278632345313], [0.4694590151979302, 0.01220117781692479], [0.48166810451563324, 0.012215784548925022], [0.4938881505196921, 0.012223090098131259]]};
 
+const _depth_at = (a, root, R) => {
+  return ((a * root) / R);
+};
+
+const _depth_of_truncated_paraboloid = (a, R, b) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return _depth_at(a, root, R);
+};
+
+const _depth = (a, R, b) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return ((a * Math.sqrt(((a - b) * (a + b)))) / R);
+  }
+  return _depth_of_truncated_paraboloid(a, R, b);
+};
+
 const depth = (a, R, b) => {
-  return ((a * Math.sqrt(((a - b) * (a + b)))) / R);
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth(a, R, b) : NaN);
+};
+
+const _force = (a, R, b, E_star) => {
+  return ((((2.0 * E_star) / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * math.sqrt(((a - b) * (a + b))));
 };
 
 const force = (a, R, b, E_star) => {
-  return ((((2.0 * E_star) / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * Math.sqrt(((a - b) * (a + b))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force(a, R, b, E_star) : NaN);
 };
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure = (r, a, R, b, E_star) => {
-  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v5, v53, v54, v60, v65, v66, v67, v8, v9, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v5 = (r === b);
-      if ((v5 && (a > b))) {
-        return Infinity;
-      }
-      v8 = (v5 ? math.nextafter(b, Infinity) : r);
-      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-        v9 = (v8 < b);
-        v13 = (a - b);
-        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-        if (v9) {
-          v23 = v17;
+const _slope_beyond = (t, root, R, b) => {
+  return (((2 * root) / R) + (Math.pow(b, 2) / (R * root)));
+};
+
+const difference_root = (x, y) => {
+  let v2;
+  v2 = (x - y);
+  return math.sqrt(((((v2 > 0.0) || (v2 !== v2)) ? v2 : 0.0) * (x + y)));
+};
+
+const falling = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
+  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
+  integrand = (v) => {
+    let root, t;
+    root = (reach * fallen(v));
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * root) / t);
+  };
+  return [integrand, stop, 1.0, (a > math.maximum(r, b)), 0.0];
+});
+
+const _pressure_of_truncated_paraboloid = (r, a, R, b, E_star) => {
+  let growth, inside, pressed;
+  growth = pressure_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  pressed = math.where(((r === b) & (a > b)), Infinity, ((E_star / Math.PI) * growth));
+  inside = math.where((r < a), pressed, 0.0);
+  return math.where((a >= b), inside, NaN);
+};
+
+const _pressure = (r, a, R, b, E_star) => {
+  let node, v13, v17, v18, v23, v30, v32, v33, v38, v40, v43, v5, v53, v54, v60, v65, v66, v67, v8, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v5 = (r === b);
+        if ((v5 && (a > b))) {
+          return Infinity;
+        }
+        v8 = (v5 ? math.nextafter(b, Infinity) : r);
+        if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+          v9 = (v8 < b);
+          v13 = (a - b);
+          v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+          if (v9) {
+            v23 = v17;
+          } else {
+            v18 = (a - v8);
+            v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          }
+          v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+          v32 = (2.0 * (v9 ? 0.0 : 1.0));
+          v33 = (1.0 - v32);
+          v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
+          v40 = ((v38 > 0.0) ? v38 : Infinity);
+          v54 = (b * b);
+          v60 = (b * b);
+          v66 = [];
+          for ([node, weight] of RULE_0((v30 / 1.0))) {
+            v43 = (node * v30);
+            v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
+            v65 = (((((2.0 * v53) / R) + (v60 / (R * v53))) * v53) / Math.sqrt((v54 + (v53 * v53))));
+            v66.push((weight * v65));
+          }
+          v66 = (math.fsum(v66) * v30);
+          v67 = v66;
         } else {
-          v18 = (a - v8);
-          v23 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+          v67 = 0.0;
         }
-        v30 = Math.asinh((v23 / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-        v32 = (2.0 * (v9 ? 0.0 : 1.0));
-        v33 = (1.0 - v32);
-        v38 = (v32 - (v33 * Math.expm1(((-2.0) * v30))));
-        v40 = ((v38 > 0.0) ? v38 : Infinity);
-        v54 = (b * b);
-        v60 = (b * b);
-        v66 = [];
-        for ([node, weight] of RULE_0((v30 / 1.0))) {
-          v43 = (node * v30);
-          v53 = (v17 * ((Math.exp((-v43)) * (v32 - (v33 * Math.expm1(((-2.0) * (v30 - v43)))))) / v40));
-          v65 = (((((2.0 * v53) / R) + (v60 / (R * v53))) * v53) / Math.sqrt((v54 + (v53 * v53))));
-          v66.push((weight * v65));
-        }
-        v66 = (math.fsum(v66) * v30);
-        v67 = v66;
-      } else {
-        v67 = 0.0;
+        return ((E_star / 3.141592653589793) * v67);
       }
-      value = ((E_star / 3.141592653589793) * v67);
-      return value;
+      return 0.0;
     }
-    return 0.0;
+    return NaN;
   }
-  return NaN;
+  return _pressure_of_truncated_paraboloid(r, a, R, b, E_star);
+};
+
+const pressure = (r, a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, b, E_star) : 0.0) : NaN);
+};
+
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, R, b) => {
+  return math.where((r < b), 0, (((r - b) * (r + b)) / (2 * R)));
+};
+
+const _displacement_of_truncated_paraboloid = (r, a, R, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_truncated_paraboloid(a, R, b) - _profile(r, R, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
+const _displacement = (r, a, R, b) => {
+  let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v61, v7, v70, v71, v73, v9, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (r - b);
+      v7 = (r + b);
+      v11 = (a - b);
+      v13 = (a + b);
+      if ((r > a)) {
+        if ((a > b)) {
+          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v7));
+          v10 = (b / r);
+          v16 = (r - a);
+          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+          v23 = Math.asinh((v21 / v10));
+          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+          v31 = ((v28 > 0.0) ? v28 : Infinity);
+          v48 = (b * b);
+          v52 = (v10 * v10);
+          v61 = (b * b);
+          v71 = [];
+          for ([node, weight] of RULE_0((v23 / 1.0))) {
+            v33 = (node * v23);
+            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+            v43 = (v42 * v42);
+            v45 = Math.sqrt((1.0 + v43));
+            v47 = ((v9 * v42) / v45);
+            v51 = Math.sqrt((v48 + (v47 * v47)));
+            v70 = (((((((2.0 * v47) / R) + (v61 / (R * v47))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+            v71.push((weight * v70));
+          }
+          v71 = (math.fsum(v71) * v23);
+          v73 = (v9 * v71);
+        } else {
+          v73 = 0.0;
+        }
+        return (0.6366197723675814 * v73);
+      }
+      return (((a * Math.sqrt((v11 * v13))) / R) - ((r < b) ? 0.0 : ((v4 * v7) / (2.0 * R))));
+    }
+    return NaN;
+  }
+  return _displacement_of_truncated_paraboloid(r, a, R, b);
 };
 
 const displacement = (r, a, R, b) => {
-  let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v61, v7, v70, v71, v73, v9, value, weight;
-  if ((a >= b)) {
-    v4 = (r - b);
-    v7 = (r + b);
-    v11 = (a - b);
-    v13 = (a + b);
-    if ((r > a)) {
-      if ((a > b)) {
-        v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v7));
-        v10 = (b / r);
-        v16 = (r - a);
-        v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-        v23 = Math.asinh((v21 / v10));
-        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-        v31 = ((v28 > 0.0) ? v28 : Infinity);
-        v48 = (b * b);
-        v52 = (v10 * v10);
-        v61 = (b * b);
-        v71 = [];
-        for ([node, weight] of RULE_0((v23 / 1.0))) {
-          v33 = (node * v23);
-          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-          v43 = (v42 * v42);
-          v45 = Math.sqrt((1.0 + v43));
-          v47 = ((v9 * v42) / v45);
-          v51 = Math.sqrt((v48 + (v47 * v47)));
-          v70 = (((((((2.0 * v47) / R) + (v61 / (R * v47))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-          v71.push((weight * v70));
-        }
-        v71 = (math.fsum(v71) * v23);
-        v73 = (v9 * v71);
-      } else {
-        v73 = 0.0;
-      }
-      value = (0.6366197723675814 * v73);
-      return value;
-    }
-    return (((a * Math.sqrt((v11 * v13))) / R) - ((r < b) ? 0.0 : ((v4 * v7) / (2.0 * R))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement(r, a, R, b) : 0.0) : NaN);
 };
 
-const stiffness = (a, E_star, R = 1.0, b = 1.0) => {
-  return ((2.0 * E_star) * a);
+const _stiffness_of_truncated_paraboloid = (a, E_star) => {
+  return ((2 * E_star) * a);
+};
+
+const _stiffness = (a, E_star, R = 1.0, b = 1.0) => {
+  if (((a > 1e-30) && (a < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
+    return ((2.0 * E_star) * a);
+  }
+  return _stiffness_of_truncated_paraboloid(a, E_star);
+};
+
+const stiffness = (a, R, b, E_star) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _mean_pressure_of_truncated_paraboloid = (a, R, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return ((((4 * E_star) / ((3 * Math.PI) * R)) * root) + ((((2 * E_star) * Math.pow(b, 2)) * root) / (((3 * Math.PI) * Math.pow(a, 2)) * R)));
+};
+
+const _mean_pressure = (a, R, b, E_star) => {
+  let v7;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    v7 = Math.sqrt(((a - b) * (a + b)));
+    return ((((4.0 * E_star) / (9.42477796076938 * R)) * v7) + ((((2.0 * E_star) * (b * b)) * v7) / ((9.42477796076938 * (a * a)) * R)));
+  }
+  return _mean_pressure_of_truncated_paraboloid(a, R, b, E_star);
 };
 
 const mean_pressure = (a, R, b, E_star) => {
-  let v7;
-  v7 = Math.sqrt(((a - b) * (a + b)));
-  return ((((4.0 * E_star) / (9.42477796076938 * R)) * v7) + ((((2.0 * E_star) * (b * b)) * v7) / ((9.42477796076938 * (a * a)) * R)));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _mean_pressure(a, R, b, E_star) : NaN);
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = ((below > 0.0) ? below : Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
+  let fallen, integrand, reach, stop;
+  reach = difference_root(a, b);
+  stop = Math.asinh((reach / b));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let root, short;
+    root = (reach * fallen(v));
+    short = (d - depth(Math.sqrt(((b * b) + (root * root))), root));
+    return ((short * short) * root);
+  };
+  return [integrand, stop, 1.0, (a > b), 0.0];
+});
+
+const _energy_of_truncated_paraboloid = (a, R, b, E_star) => {
+  let beyond, sunk;
+  sunk = _depth_of_truncated_paraboloid(a, R, b);
+  beyond = energy_integral_beyond(_depth_at, [R], a, sunk, b);
+  return math.where((a >= b), (E_star * (((b * sunk) * sunk) + beyond)), NaN);
+};
+
+const _energy = (a, R, b, E_star) => {
+  let node, v13, v15, v20, v23, v25, v34, v35, v4, v41, v43, v44, v45, v5, v9, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v4 = (a - b);
+      v5 = (a + b);
+      v9 = ((a * Math.sqrt((v4 * v5))) / R);
+      if ((a > b)) {
+        v13 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
+        v15 = Math.asinh((v13 / b));
+        v20 = (0.0 - Math.expm1(((-2.0) * v15)));
+        v23 = ((v20 > 0.0) ? v20 : Infinity);
+        v35 = (b * b);
+        v44 = [];
+        for ([node, weight] of RULE_0((v15 / 1.0))) {
+          v25 = (node * v15);
+          v34 = (v13 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v15 - v25))))) / v23));
+          v41 = (v9 - ((Math.sqrt((v35 + (v34 * v34))) * v34) / R));
+          v43 = ((v41 * v41) * v34);
+          v44.push((weight * v43));
+        }
+        v44 = (math.fsum(v44) * v15);
+        v45 = v44;
+      } else {
+        v45 = 0.0;
+      }
+      return (E_star * (((b * v9) * v9) + v45));
+    }
+    return NaN;
+  }
+  return _energy_of_truncated_paraboloid(a, R, b, E_star);
 };
 
 const energy = (a, R, b, E_star) => {
-  let node, v13, v15, v20, v23, v25, v34, v35, v4, v41, v43, v44, v45, v5, v9, value, weight;
-  if ((a >= b)) {
-    v4 = (a - b);
-    v5 = (a + b);
-    v9 = ((a * Math.sqrt((v4 * v5))) / R);
-    if ((a > b)) {
-      v13 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v5));
-      v15 = Math.asinh((v13 / b));
-      v20 = (0.0 - Math.expm1(((-2.0) * v15)));
-      v23 = ((v20 > 0.0) ? v20 : Infinity);
-      v35 = (b * b);
-      v44 = [];
-      for ([node, weight] of RULE_0((v15 / 1.0))) {
-        v25 = (node * v15);
-        v34 = (v13 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v15 - v25))))) / v23));
-        v41 = (v9 - ((Math.sqrt((v35 + (v34 * v34))) * v34) / R));
-        v43 = ((v41 * v41) * v34);
-        v44.push((weight * v43));
-      }
-      v44 = (math.fsum(v44) * v15);
-      v45 = v44;
-    } else {
-      v45 = 0.0;
-    }
-    value = (E_star * (((b * v9) * v9) + v45));
-    return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _energy(a, R, b, E_star) : NaN);
+};
+
+const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let fallen, integrand, outside, reach, stop, turned, whole, within;
+  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  within = (r < b);
+  [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
+  stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  integrand = (v) => {
+    let root, t, u;
+    [root, u] = [(reach * fallen(v)), (whole * turned(v))];
+    t = Math.sqrt(((b * b) + (root * root)));
+    return ((slope(t, root) * (root / t)) * (u / (t + u)));
+  };
+  return [integrand, stop, (r * r), (a > math.maximum(r, b)), 0.0];
+});
+
+const _force_at = (a, root, R, b, E_star) => {
+  return ((((2 * E_star) / (3 * R)) * ((2 * Math.pow(a, 2)) + Math.pow(b, 2))) * root);
+};
+
+const _force_of_truncated_paraboloid = (a, R, b, E_star) => {
+  let root;
+  root = Math.sqrt(((a - b) * (a + b)));
+  return _force_at(a, root, R, b, E_star);
+};
+
+const _load_within_of_truncated_paraboloid = (r, a, R, b, E_star) => {
+  let beyond, found;
+  beyond = load_within_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  found = (math.where((r > b), _force_of_truncated_paraboloid(math.maximum(math.minimum(r, a), b), R, b, E_star), 0.0) + ((2 * E_star) * beyond));
+  return math.where((a >= b), found, NaN);
+};
+
+const _load_within = (r, a, R, b, E_star) => {
+  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v8, v81, v82, v84, v86, v87, v9, v92, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
+      v73 = (b * b);
+      if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
+        v9 = (v8 < b);
+        v12 = (v9 ? 0.0 : 1.0);
+        v13 = (a - b);
+        v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
+        v18 = (a - v8);
+        v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
+        v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
+        v32 = (2.0 * v12);
+        v33 = (1.0 - v32);
+        v36 = Math.expm1(((-2.0) * v30));
+        v38 = (v32 - (v33 * v36));
+        v40 = ((v38 > 0.0) ? v38 : Infinity);
+        v42 = (2.0 * (1.0 - v12));
+        v43 = (1.0 - v42);
+        v45 = (v42 - (v43 * v36));
+        v47 = ((v45 > 0.0) ? v45 : Infinity);
+        v67 = (b * b);
+        v82 = [];
+        for ([node, weight] of RULE_0((v30 / 1.0))) {
+          v51 = (node * v30);
+          v53 = Math.exp((-v51));
+          v56 = Math.expm1(((-2.0) * (v30 - v51)));
+          v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
+          v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
+          v70 = Math.sqrt((v67 + (v61 * v61)));
+          v81 = (((((2.0 * v61) / R) + (v73 / (R * v61))) * (v61 / v70)) * (v66 / (v70 + v66)));
+          v82.push((weight * v81));
+        }
+        v82 = (math.fsum(v82) * v30);
+        v84 = ((v8 * v8) * v82);
+      } else {
+        v84 = 0.0;
+      }
+      v92 = (2.0 * E_star);
+      if ((r > b)) {
+        v86 = (((r < a) || (r !== r)) ? r : a);
+        v87 = (((v86 > b) || (v86 !== v86)) ? v86 : b);
+        v101 = (((v92 / (3.0 * R)) * ((2.0 * (v87 * v87)) + v73)) * Math.sqrt(((v87 - b) * (v87 + b))));
+      } else {
+        v101 = 0.0;
+      }
+      return (v101 + (v92 * v84));
+    }
+    return NaN;
+  }
+  return _load_within_of_truncated_paraboloid(r, a, R, b, E_star);
 };
 
 const load_within = (r, a, R, b, E_star) => {
-  let node, v101, v12, v13, v17, v18, v22, v30, v32, v33, v36, v38, v40, v42, v43, v45, v47, v51, v53, v56, v61, v66, v67, v70, v73, v8, v81, v82, v84, v86, v87, v9, v92, value, weight;
-  if ((a >= b)) {
-    v8 = ((r === b) ? math.nextafter(b, Infinity) : r);
-    v73 = (b * b);
-    if ((a > (((v8 > b) || (v8 !== v8)) ? v8 : b))) {
-      v9 = (v8 < b);
-      v12 = (v9 ? 0.0 : 1.0);
-      v13 = (a - b);
-      v17 = Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + b)));
-      v18 = (a - v8);
-      v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (a + v8)));
-      v30 = Math.asinh(((v9 ? v17 : v22) / Math.sqrt((Math.abs((v8 - b)) * (v8 + b)))));
-      v32 = (2.0 * v12);
-      v33 = (1.0 - v32);
-      v36 = Math.expm1(((-2.0) * v30));
-      v38 = (v32 - (v33 * v36));
-      v40 = ((v38 > 0.0) ? v38 : Infinity);
-      v42 = (2.0 * (1.0 - v12));
-      v43 = (1.0 - v42);
-      v45 = (v42 - (v43 * v36));
-      v47 = ((v45 > 0.0) ? v45 : Infinity);
-      v67 = (b * b);
-      v82 = [];
-      for ([node, weight] of RULE_0((v30 / 1.0))) {
-        v51 = (node * v30);
-        v53 = Math.exp((-v51));
-        v56 = Math.expm1(((-2.0) * (v30 - v51)));
-        v61 = (v17 * ((v53 * (v32 - (v33 * v56))) / v40));
-        v66 = (v22 * ((v53 * (v42 - (v43 * v56))) / v47));
-        v70 = Math.sqrt((v67 + (v61 * v61)));
-        v81 = (((((2.0 * v61) / R) + (v73 / (R * v61))) * (v61 / v70)) * (v66 / (v70 + v66)));
-        v82.push((weight * v81));
-      }
-      v82 = (math.fsum(v82) * v30);
-      v84 = ((v8 * v8) * v82);
-    } else {
-      v84 = 0.0;
-    }
-    v92 = (2.0 * E_star);
-    if ((r > b)) {
-      v86 = (((r < a) || (r !== r)) ? r : a);
-      v87 = (((v86 > b) || (v86 !== v86)) ? v86 : b);
-      v101 = (((v92 / (3.0 * R)) * ((2.0 * (v87 * v87)) + v73)) * Math.sqrt(((v87 - b) * (v87 + b))));
-    } else {
-      v101 = 0.0;
-    }
-    value = (v101 + (v92 * v84));
-    return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
   }
-  return NaN;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, b, E_star) : 0.0) : NaN);
+};
+
+const _radius_from_depth_of_truncated_paraboloid = (d, R, b) => {
+  let root, root_1;
+  root = Math.sqrt((Math.pow(b, 4) + ((4 * Math.pow(R, 2)) * Math.pow(d, 2))));
+  root_1 = Math.sqrt(((root / R) + (Math.pow(b, 2) / R)));
+  return ((root_1 * Math.sqrt((2 * R))) / 2);
+};
+
+const _radius_from_depth = (d, R, b) => {
+  let v5;
+  if (((d > 1e-30) && (d < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30))) {
+    v5 = (b * b);
+    return ((Math.sqrt(((Math.sqrt(((v5 * v5) + ((4.0 * (R * R)) * (d * d)))) / R) + (v5 / R))) * Math.sqrt((2.0 * R))) / 2.0);
+  }
+  return _radius_from_depth_of_truncated_paraboloid(d, R, b);
 };
 
 const radius_from_depth = (d, R, b) => {
-  let v5;
-  v5 = (b * b);
-  return ((Math.sqrt(((Math.sqrt(((v5 * v5) + ((4.0 * (R * R)) * (d * d)))) / R) + (v5 / R))) * Math.sqrt((2.0 * R))) / 2.0);
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _radius_from_depth(d, R, b) : NaN);
 };
 
-const _force_at = (a, root, R, b, E_star) => {
+const _force_at_of_truncated_paraboloid = (a, root, R, b, E_star) => {
   return ((((2.0 * E_star) / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * root);
 };
 
-const _slope_beyond = (t, root, R, b) => {
+const _slope_beyond_of_truncated_paraboloid = (t, root, R, b) => {
   return (((2.0 * root) / R) + ((b * b) / (R * root)));
 };
 
@@ -469,8 +767,8 @@ const _contact_from_force = (F, R, b, E_star) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _force_at(a, root, R, b, E_star);
-    return [value, (((((2 * E_star) * root) * root) * _slope_beyond(a, root, R, b)) / value)];
+    value = _force_at_of_truncated_paraboloid(a, root, R, b, E_star);
+    return [value, (((((2 * E_star) * root) * root) * _slope_beyond_of_truncated_paraboloid(a, root, R, b)) / value)];
   };
   rest = [0.9990587, 0.3089073, (-0.7678073), 7.512052, (-39.30687), 76.63965, (-63.48232), 19.09787];
   start = between(Math.log((F / curve(1.0)[0])), [0.6, 1.0], [0.4, 3.0], (-1.75), rest);
@@ -483,12 +781,13 @@ const _radius_from_force = (F, R, b, E_star) => {
 };
 
 const radius_from_force = (F, R, b, E_star) => {
-  let value;
-  value = _radius_from_force(F, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _radius_from_force(F, R, b, E_star) : NaN);
 };
 
-const _depth_at = (a, root, R) => {
+const _depth_at_of_truncated_paraboloid = (a, root, R) => {
   return ((a * root) / R);
 };
 
@@ -497,8 +796,8 @@ const _contact_from_depth = (d, R, b) => {
   curve = (t) => {
     let a, root, value;
     [a, root] = [(b * Math.sqrt((1.0 + (t * t)))), (b * t)];
-    value = _depth_at(a, root, R);
-    return [value, ((((root * root) / a) * _slope_beyond(a, root, R, b)) / value)];
+    value = _depth_at_of_truncated_paraboloid(a, root, R);
+    return [value, ((((root * root) / a) * _slope_beyond_of_truncated_paraboloid(a, root, R, b)) / value)];
   };
   rest = [0.9996917, 0.05914493, 0.009062067, 1.353675, (-12.15272), 28.05264, (-25.52146), 8.200478];
   start = between(Math.log((d / curve(1.0)[0])), [0.7071, 1.0], [0.7071, 2.0], (-3.0), rest);
@@ -509,396 +808,572 @@ const _contact_from_depth = (d, R, b) => {
 const _force_from_depth = (d, R, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_depth(d, R, b);
-  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at(a, root, R))) : 0.0);
-  return (_force_at(a, root, R, b, E_star) + change);
+  change = (((a > 0.0) & (a < Infinity)) ? (((2 * E_star) * a) * (d - _depth_at_of_truncated_paraboloid(a, root, R))) : 0.0);
+  return (_force_at_of_truncated_paraboloid(a, root, R, b, E_star) + change);
 };
 
 const force_from_depth = (d, R, b, E_star) => {
-  let value;
-  value = _force_from_depth(d, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((d >= 0.0) ? _force_from_depth(d, R, b, E_star) : NaN);
 };
 
 const _depth_from_force = (F, R, b, E_star) => {
   let a, change, root;
   [a, root] = _contact_from_force(F, R, b, E_star);
-  change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at(a, root, R, b, E_star)) / ((2 * E_star) * a)) : 0.0);
-  return (_depth_at(a, root, R) + change);
+  change = (((a > 0.0) & (a < Infinity)) ? ((F - _force_at_of_truncated_paraboloid(a, root, R, b, E_star)) / ((2 * E_star) * a)) : 0.0);
+  return (_depth_at_of_truncated_paraboloid(a, root, R) + change);
 };
 
 const depth_from_force = (F, R, b, E_star) => {
-  let value;
-  value = _depth_from_force(F, R, b, E_star);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity)))) {
+    return NaN;
+  }
+  return ((F >= 0.0) ? _depth_from_force(F, R, b, E_star) : NaN);
+};
+
+const hess_retraction = (a, E_star, dgamma) => {
+  return (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+};
+
+const retraction = (a, E_star, dgamma) => {
+  if ((!((0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
+};
+
+const _depth_2 = (a, R, b, E_star, dgamma) => {
+  return (((a * math.sqrt(((a - b) * (a + b)))) / R) - (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))));
 };
 
 const depth_of_truncated_paraboloid = (a, R, b, E_star, dgamma) => {
-  return (((a * Math.sqrt(((a - b) * (a + b)))) / R) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _depth_2(a, R, b, E_star, dgamma) : NaN);
+};
+
+const _force_2 = (a, R, b, E_star, dgamma) => {
+  let v10;
+  v10 = (2.0 * E_star);
+  return ((((v10 / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * math.sqrt(((a - b) * (a + b)))) - ((v10 * a) * (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
 };
 
 const force_of_truncated_paraboloid = (a, R, b, E_star, dgamma) => {
-  let v10;
-  v10 = (2.0 * E_star);
-  return ((((v10 / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * Math.sqrt(((a - b) * (a + b)))) - ((v10 * a) * (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)))));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _force_2(a, R, b, E_star, dgamma) : NaN);
 };
 
 const RULE_0_of_truncated_paraboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const pressure_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
-  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v6, v61, v66, v67, v68, v74, v76, v79, v85, v88, v9, v95, v97, value, weight;
-  if ((a >= b)) {
-    if ((r < a)) {
-      v6 = (r === b);
-      if ((v6 && (a > b))) {
-        v74 = Infinity;
-      } else {
-        v9 = (v6 ? math.nextafter(b, Infinity) : r);
-        if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
-          v10 = (v9 < b);
-          v14 = (a - b);
-          v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
-          if (v10) {
-            v24 = v18;
-          } else {
-            v19 = (a - v9);
-            v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
-          }
-          v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
-          v33 = (2.0 * (v10 ? 0.0 : 1.0));
-          v34 = (1.0 - v33);
-          v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
-          v41 = ((v39 > 0.0) ? v39 : Infinity);
-          v55 = (b * b);
-          v61 = (b * b);
-          v67 = [];
-          for ([node, weight] of RULE_0_of_truncated_paraboloid((v31 / 1.0))) {
-            v44 = (node * v31);
-            v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
-            v66 = (((((2.0 * v54) / R) + (v61 / (R * v54))) * v54) / Math.sqrt((v55 + (v54 * v54))));
-            v67.push((weight * v66));
-          }
-          v67 = (math.fsum(v67) * v31);
-          v68 = v67;
-        } else {
-          v68 = 0.0;
-        }
-        v74 = ((E_star / 3.141592653589793) * v68);
-      }
-      v76 = v74;
-    } else {
-      v76 = 0.0;
-    }
-    v79 = v76;
-  } else {
-    v79 = NaN;
-  }
+const tension = (r, a, E_star, dgamma) => {
+  let v13, v9;
   if ((r <= a)) {
-    v85 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
-    if ((v85 > 0.0)) {
-      v88 = (a - r);
-      v95 = ((E_star * v85) / (3.141592653589793 * Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (a + r)))));
-    } else {
-      v95 = 0.0;
+    v9 = (math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+    if ((v9 > 0.0)) {
+      v13 = (a - r);
+      return ((E_star * v9) / (3.141592653589793 * math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * (a + r)))));
     }
-    v97 = v95;
-  } else {
-    v97 = 0.0;
+    return 0.0;
   }
-  value = (v79 - v97);
-  return value;
+  return 0.0;
+};
+
+const _pressure_3 = (r, a, R, b, E_star, dgamma) => {
+  return (_pressure_of_truncated_paraboloid(r, a, R, b, E_star) - tension(r, a, E_star, dgamma));
+};
+
+const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
+  let node, v10, v14, v18, v19, v24, v31, v33, v34, v39, v41, v44, v54, v55, v6, v61, v66, v67, v68, v74, v76, v79, v85, v88, v9, v95, v97, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    if ((a >= b)) {
+      if ((r < a)) {
+        v6 = (r === b);
+        if ((v6 && (a > b))) {
+          v74 = Infinity;
+        } else {
+          v9 = (v6 ? math.nextafter(b, Infinity) : r);
+          if ((a > (((v9 > b) || (v9 !== v9)) ? v9 : b))) {
+            v10 = (v9 < b);
+            v14 = (a - b);
+            v18 = Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (a + b)));
+            if (v10) {
+              v24 = v18;
+            } else {
+              v19 = (a - v9);
+              v24 = Math.sqrt(((((v19 > 0.0) || (v19 !== v19)) ? v19 : 0.0) * (a + v9)));
+            }
+            v31 = Math.asinh((v24 / Math.sqrt((Math.abs((v9 - b)) * (v9 + b)))));
+            v33 = (2.0 * (v10 ? 0.0 : 1.0));
+            v34 = (1.0 - v33);
+            v39 = (v33 - (v34 * Math.expm1(((-2.0) * v31))));
+            v41 = ((v39 > 0.0) ? v39 : Infinity);
+            v55 = (b * b);
+            v61 = (b * b);
+            v67 = [];
+            for ([node, weight] of RULE_0_of_truncated_paraboloid((v31 / 1.0))) {
+              v44 = (node * v31);
+              v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
+              v66 = (((((2.0 * v54) / R) + (v61 / (R * v54))) * v54) / Math.sqrt((v55 + (v54 * v54))));
+              v67.push((weight * v66));
+            }
+            v67 = (math.fsum(v67) * v31);
+            v68 = v67;
+          } else {
+            v68 = 0.0;
+          }
+          v74 = ((E_star / 3.141592653589793) * v68);
+        }
+        v76 = v74;
+      } else {
+        v76 = 0.0;
+      }
+      v79 = v76;
+    } else {
+      v79 = NaN;
+    }
+    if ((r <= a)) {
+      v85 = (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star)));
+      if ((v85 > 0.0)) {
+        v88 = (a - r);
+        v95 = ((E_star * v85) / (3.141592653589793 * Math.sqrt(((((v88 > 0.0) || (v88 !== v88)) ? v88 : 0.0) * (a + r)))));
+      } else {
+        v95 = 0.0;
+      }
+      v97 = v95;
+    } else {
+      v97 = 0.0;
+    }
+    return (v79 - v97);
+  }
+  return _pressure_3(r, a, R, b, E_star, dgamma);
+};
+
+const pressure_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
+};
+
+const lift = (r, a, E_star, dgamma) => {
+  let v15, v5;
+  if ((r > a)) {
+    v5 = (r - a);
+    v15 = (0.6366197723675814 * Math.atan2(a, math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + a)))));
+  } else {
+    v15 = 1.0;
+  }
+  return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
+};
+
+const _displacement_3 = (r, a, R, b, E_star, dgamma) => {
+  return (_displacement_of_truncated_paraboloid(r, a, R, b) - lift(r, a, E_star, dgamma));
+};
+
+const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+  let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v63, v72, v73, v75, v89, v9, v90, v92, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
+    v18 = (r - a);
+    v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
+    v89 = (r > a);
+    if ((a >= b)) {
+      v6 = (r - b);
+      v9 = (r + b);
+      v13 = (a - b);
+      v15 = (a + b);
+      if (v89) {
+        if ((a > b)) {
+          v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v9));
+          v12 = (b / r);
+          v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
+          v25 = Math.asinh((v23 / v12));
+          v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+          v33 = ((v30 > 0.0) ? v30 : Infinity);
+          v50 = (b * b);
+          v54 = (v12 * v12);
+          v63 = (b * b);
+          v73 = [];
+          for ([node, weight] of RULE_0_of_truncated_paraboloid((v25 / 1.0))) {
+            v35 = (node * v25);
+            v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
+            v45 = (v44 * v44);
+            v47 = Math.sqrt((1.0 + v45));
+            v49 = ((v11 * v44) / v47);
+            v53 = Math.sqrt((v50 + (v49 * v49)));
+            v72 = (((((((2.0 * v49) / R) + (v63 / (R * v49))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
+            v73.push((weight * v72));
+          }
+          v73 = (math.fsum(v73) * v25);
+          v75 = (v11 * v73);
+        } else {
+          v75 = 0.0;
+        }
+        v90 = (0.6366197723675814 * v75);
+      } else {
+        v90 = (((a * Math.sqrt((v13 * v15))) / R) - ((r < b) ? 0.0 : ((v6 * v9) / (2.0 * R))));
+      }
+      v92 = v90;
+    } else {
+      v92 = NaN;
+    }
+    return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
+  }
+  return _displacement_3(r, a, R, b, E_star, dgamma);
 };
 
 const displacement_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
-  let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v63, v72, v73, v75, v89, v9, v90, v92, value, weight;
-  v18 = (r - a);
-  v22 = Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a)));
-  v89 = (r > a);
-  if ((a >= b)) {
-    v6 = (r - b);
-    v9 = (r + b);
-    v13 = (a - b);
-    v15 = (a + b);
-    if (v89) {
-      if ((a > b)) {
-        v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v9));
-        v12 = (b / r);
-        v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / v22);
-        v25 = Math.asinh((v23 / v12));
-        v30 = (0.0 - Math.expm1(((-2.0) * v25)));
-        v33 = ((v30 > 0.0) ? v30 : Infinity);
-        v50 = (b * b);
-        v54 = (v12 * v12);
-        v63 = (b * b);
-        v73 = [];
-        for ([node, weight] of RULE_0_of_truncated_paraboloid((v25 / 1.0))) {
-          v35 = (node * v25);
-          v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
-          v45 = (v44 * v44);
-          v47 = Math.sqrt((1.0 + v45));
-          v49 = ((v11 * v44) / v47);
-          v53 = Math.sqrt((v50 + (v49 * v49)));
-          v72 = (((((((2.0 * v49) / R) + (v63 / (R * v49))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
-          v73.push((weight * v72));
-        }
-        v73 = (math.fsum(v73) * v25);
-        v75 = (v11 * v73);
-      } else {
-        v75 = 0.0;
-      }
-      v90 = (0.6366197723675814 * v75);
-    } else {
-      v90 = (((a * Math.sqrt((v13 * v15))) / R) - ((r < b) ? 0.0 : ((v6 * v9) / (2.0 * R))));
-    }
-    v92 = v90;
-  } else {
-    v92 = NaN;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
+    return NaN;
   }
-  value = (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
-  return value;
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const tangential_force = (a, c, R, b, E_star, mu) => {
-  let node, v11, v14, v17, v20, v29, v32, v33, v34, v39, v40, v44, v48, v51, v55, v6, v62, v64, v68, v7, v70, v75, v76, v79, v88, v89, v90, v93, value, weight;
-  v6 = (a - b);
-  v7 = (a + b);
-  v11 = (2.0 * E_star);
-  v14 = (v11 / (3.0 * R));
-  v17 = (b * b);
-  v20 = ((v14 * ((2.0 * (a * a)) + v17)) * Math.sqrt((v6 * v7)));
-  v29 = ((v14 * ((2.0 * (c * c)) + v17)) * Math.sqrt(((c - b) * (c + b))));
-  v32 = (v29 >= (0.25 * v20));
-  if (v32) {
-    v33 = (((b > c) || (b !== b)) ? b : c);
-    v48 = (a > v33);
-    v64 = (v32 && v48);
-    if (v64) {
-      v34 = (v33 - b);
-      v39 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (v33 + b)));
-      v40 = (v33 - 0.0);
-      v44 = Math.sqrt(((((v40 > 0.0) || (v40 !== v40)) ? v40 : 0.0) * (v33 + 0.0)));
+const CLOSE = 0.25;
+
+const _gap = (a, c, outer, inner) => {
+  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
+};
+
+const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
+  let beyond, gaps, holds, integrand, root, start;
+  start = math.maximum(b, c);
+  [beyond, root] = [difference_root(start, b), difference_root(start, r)];
+  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
+  holds = (close & (a > start));
+  integrand = (v) => {
+    let side, t;
+    side = ((beyond * Math.cosh(v)) + (root * Math.sinh(v)));
+    t = Math.sqrt(((b * b) + (side * side)));
+    return ((slope(t, side) * (side / t)) * Math.pow(t, order));
+  };
+  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+});
+
+const _tangential_force_of_truncated_paraboloid = (a, c, R, b, E_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_force_of_truncated_paraboloid(a, R, b, E_star), _force_of_truncated_paraboloid(c, R, b, E_star)];
+  close = (sticking >= (CLOSE * whole));
+  gain = ((2.0 * E_star) * growth_beyond(_slope_beyond, [R, b], 2, 0.0, c, a, b, close));
+  return (mu * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_force = (a, c, R, b, E_star, mu) => {
+  let node, v11, v14, v17, v20, v29, v32, v33, v34, v39, v40, v44, v48, v51, v55, v6, v62, v64, v68, v7, v70, v75, v76, v79, v88, v89, v90, v93, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v6 = (a - b);
+    v7 = (a + b);
+    v11 = (2.0 * E_star);
+    v14 = (v11 / (3.0 * R));
+    v17 = (b * b);
+    v20 = ((v14 * ((2.0 * (a * a)) + v17)) * Math.sqrt((v6 * v7)));
+    v29 = ((v14 * ((2.0 * (c * c)) + v17)) * Math.sqrt(((c - b) * (c + b))));
+    v32 = (v29 >= (0.25 * v20));
+    if (v32) {
+      v33 = (((b > c) || (b !== b)) ? b : c);
+      v48 = (a > v33);
+      v64 = (v32 && v48);
       if (v64) {
-        v51 = ((a - v33) * (a + v33));
-        if (v48) {
-          v55 = (a - 0.0);
-          v62 = (v51 / (Math.sqrt(((((v55 > 0.0) || (v55 !== v55)) ? v55 : 0.0) * (a + 0.0))) + v44));
+        v34 = (v33 - b);
+        v39 = Math.sqrt(((((v34 > 0.0) || (v34 !== v34)) ? v34 : 0.0) * (v33 + b)));
+        v40 = (v33 - 0.0);
+        v44 = Math.sqrt(((((v40 > 0.0) || (v40 !== v40)) ? v40 : 0.0) * (v33 + 0.0)));
+        if (v64) {
+          v51 = ((a - v33) * (a + v33));
+          if (v48) {
+            v55 = (a - 0.0);
+            v62 = (v51 / (Math.sqrt(((((v55 > 0.0) || (v55 !== v55)) ? v55 : 0.0) * (a + 0.0))) + v44));
+          } else {
+            v62 = 0.0;
+          }
+          v68 = Math.log1p((((v48 ? (v51 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v39)) : 0.0) + v62) / (v39 + v44)));
         } else {
-          v62 = 0.0;
+          v68 = 0.0;
         }
-        v68 = Math.log1p((((v48 ? (v51 / (Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v7)) + v39)) : 0.0) + v62) / (v39 + v44)));
+        v76 = (b * b);
+        v89 = [];
+        for ([node, weight] of RULE_0_2((v68 / 1.0))) {
+          v70 = (node * v68);
+          v75 = ((v39 * Math.cosh(v70)) + (v44 * Math.sinh(v70)));
+          v79 = Math.sqrt((v76 + (v75 * v75)));
+          v88 = (((((2.0 * v75) / R) + (v17 / (R * v75))) * (v75 / v79)) * (v79 * v79));
+          v89.push((weight * v88));
+        }
+        v89 = (math.fsum(v89) * v68);
+        v90 = v89;
       } else {
-        v68 = 0.0;
+        v90 = 0.0;
       }
-      v76 = (b * b);
-      v89 = [];
-      for ([node, weight] of RULE_0_2((v68 / 1.0))) {
-        v70 = (node * v68);
-        v75 = ((v39 * Math.cosh(v70)) + (v44 * Math.sinh(v70)));
-        v79 = Math.sqrt((v76 + (v75 * v75)));
-        v88 = (((((2.0 * v75) / R) + (v17 / (R * v75))) * (v75 / v79)) * (v79 * v79));
-        v89.push((weight * v88));
-      }
-      v89 = (math.fsum(v89) * v68);
-      v90 = v89;
+      v93 = (v11 * v90);
     } else {
-      v90 = 0.0;
+      v93 = (v20 - v29);
     }
-    v93 = (v11 * v90);
-  } else {
-    v93 = (v20 - v29);
+    return (mu * v93);
   }
-  value = (mu * v93);
-  return value;
+  return _tangential_force_of_truncated_paraboloid(a, c, R, b, E_star, mu);
+};
+
+const tangential_force = (a, c, R, b, E_star, mu) => {
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, R, b, E_star, mu) : NaN);
+};
+
+const _traction_of_truncated_paraboloid = (r, a, c, R, b, E_star, mu) => {
+  let close, gain, sliding, stuck;
+  sliding = _pressure_of_truncated_paraboloid(r, a, R, b, E_star);
+  stuck = _pressure_of_truncated_paraboloid(r, c, R, b, E_star);
+  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  gain = ((E_star / Math.PI) * growth_beyond(_slope_beyond, [R, b], 0, r, c, a, b, close));
+  return (mu * math.where(close, gain, (sliding - stuck)));
+};
+
+const _traction = (r, a, c, R, b, E_star, mu) => {
+  let node, v10, v101, v11, v111, v121, v122, v123, v127, v128, v129, v131, v135, v136, v137, v141, v142, v146, v147, v15, v150, v154, v161, v163, v167, v168, v173, v176, v185, v186, v187, v19, v190, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v62, v67, v68, v69, v7, v73, v75, v77, v80, v81, v85, v86, v91, v93, v97, v99, weight;
+  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v7 = (r === b);
+    v10 = (v7 ? math.nextafter(b, Infinity) : r);
+    v11 = (v10 < b);
+    v15 = (a - b);
+    v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
+    v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
+    v34 = (2.0 * (v11 ? 0.0 : 1.0));
+    v35 = (1.0 - v34);
+    v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
+    v56 = (b * b);
+    v62 = (b * b);
+    v73 = (E_star / 3.141592653589793);
+    if ((a >= b)) {
+      if ((r < a)) {
+        if ((v7 && (a > b))) {
+          v75 = Infinity;
+        } else {
+          if ((a > v43)) {
+            if (v11) {
+              v25 = v19;
+            } else {
+              v20 = (a - v10);
+              v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
+            }
+            v32 = Math.asinh((v25 / v30));
+            v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
+            v42 = ((v40 > 0.0) ? v40 : Infinity);
+            v68 = [];
+            for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+              v45 = (node * v32);
+              v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
+              v67 = (((((2.0 * v55) / R) + (v62 / (R * v55))) * v55) / Math.sqrt((v56 + (v55 * v55))));
+              v68.push((weight * v67));
+            }
+            v68 = (math.fsum(v68) * v32);
+            v69 = v68;
+          } else {
+            v69 = 0.0;
+          }
+          v75 = (v73 * v69);
+        }
+        v77 = v75;
+      } else {
+        v77 = 0.0;
+      }
+      v80 = v77;
+    } else {
+      v80 = NaN;
+    }
+    v128 = (r < c);
+    if ((c >= b)) {
+      if (v128) {
+        if ((v7 && (c > b))) {
+          v127 = Infinity;
+        } else {
+          if ((c > v43)) {
+            v81 = (c - b);
+            v85 = Math.sqrt(((((v81 > 0.0) || (v81 !== v81)) ? v81 : 0.0) * (c + b)));
+            if (v11) {
+              v91 = v85;
+            } else {
+              v86 = (c - v10);
+              v91 = Math.sqrt(((((v86 > 0.0) || (v86 !== v86)) ? v86 : 0.0) * (c + v10)));
+            }
+            v93 = Math.asinh((v91 / v30));
+            v97 = (v34 - (v35 * Math.expm1(((-2.0) * v93))));
+            v99 = ((v97 > 0.0) ? v97 : Infinity);
+            v122 = [];
+            for ([node, weight] of RULE_0_2((v93 / 1.0))) {
+              v101 = (node * v93);
+              v111 = (v85 * ((Math.exp((-v101)) * (v34 - (v35 * Math.expm1(((-2.0) * (v93 - v101)))))) / v99));
+              v121 = (((((2.0 * v111) / R) + (v62 / (R * v111))) * v111) / Math.sqrt((v56 + (v111 * v111))));
+              v122.push((weight * v121));
+            }
+            v122 = (math.fsum(v122) * v93);
+            v123 = v122;
+          } else {
+            v123 = 0.0;
+          }
+          v127 = (v73 * v123);
+        }
+        v129 = v127;
+      } else {
+        v129 = 0.0;
+      }
+      v131 = v129;
+    } else {
+      v131 = NaN;
+    }
+    v135 = (v128 && (v131 >= (0.25 * v80)));
+    if (v135) {
+      v136 = (((b > c) || (b !== b)) ? b : c);
+      v147 = (a > v136);
+      v163 = (v135 && v147);
+      if (v163) {
+        v137 = (v136 - b);
+        v141 = Math.sqrt(((((v137 > 0.0) || (v137 !== v137)) ? v137 : 0.0) * (v136 + b)));
+        v142 = (v136 - r);
+        v146 = Math.sqrt(((((v142 > 0.0) || (v142 !== v142)) ? v142 : 0.0) * (v136 + r)));
+        if (v163) {
+          v150 = ((a - v136) * (a + v136));
+          if (v147) {
+            v154 = (a - r);
+            v161 = (v150 / (Math.sqrt(((((v154 > 0.0) || (v154 !== v154)) ? v154 : 0.0) * (a + r))) + v146));
+          } else {
+            v161 = 0.0;
+          }
+          v167 = Math.log1p((((v147 ? (v150 / (v19 + v141)) : 0.0) + v161) / (v141 + v146)));
+        } else {
+          v167 = 0.0;
+        }
+        v186 = [];
+        for ([node, weight] of RULE_0_2((v167 / 1.0))) {
+          v168 = (node * v167);
+          v173 = ((v141 * Math.cosh(v168)) + (v146 * Math.sinh(v168)));
+          v176 = Math.sqrt((v56 + (v173 * v173)));
+          v185 = (((((2.0 * v173) / R) + (v62 / (R * v173))) * (v173 / v176)) * Math.pow(v176, 0.0));
+          v186.push((weight * v185));
+        }
+        v186 = (math.fsum(v186) * v167);
+        v187 = v186;
+      } else {
+        v187 = 0.0;
+      }
+      v190 = (v73 * v187);
+    } else {
+      v190 = (v80 - v131);
+    }
+    return (mu * v190);
+  }
+  return _traction_of_truncated_paraboloid(r, a, c, R, b, E_star, mu);
 };
 
 const traction = (r, a, c, R, b, E_star, mu) => {
-  let node, v10, v101, v11, v111, v121, v122, v123, v127, v128, v129, v131, v135, v136, v137, v141, v142, v146, v147, v15, v150, v154, v161, v163, v167, v168, v173, v176, v185, v186, v187, v19, v190, v20, v25, v30, v32, v34, v35, v40, v42, v43, v45, v55, v56, v62, v67, v68, v69, v7, v73, v75, v77, v80, v81, v85, v86, v91, v93, v97, v99, value, weight;
-  v7 = (r === b);
-  v10 = (v7 ? math.nextafter(b, Infinity) : r);
-  v11 = (v10 < b);
-  v15 = (a - b);
-  v19 = Math.sqrt(((((v15 > 0.0) || (v15 !== v15)) ? v15 : 0.0) * (a + b)));
-  v30 = Math.sqrt((Math.abs((v10 - b)) * (v10 + b)));
-  v34 = (2.0 * (v11 ? 0.0 : 1.0));
-  v35 = (1.0 - v34);
-  v43 = (((v10 > b) || (v10 !== v10)) ? v10 : b);
-  v56 = (b * b);
-  v62 = (b * b);
-  v73 = (E_star / 3.141592653589793);
-  if ((a >= b)) {
-    if ((r < a)) {
-      if ((v7 && (a > b))) {
-        v75 = Infinity;
-      } else {
-        if ((a > v43)) {
-          if (v11) {
-            v25 = v19;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((r >= 0.0) && (a >= 0.0) && (c >= 0.0)) ? ((r < Infinity) ? _traction(r, a, c, R, b, E_star, mu) : 0.0) : NaN);
+};
+
+const _tangential_displacement_of_truncated_paraboloid = (a, c, R, b, E_star, G_star, mu) => {
+  let close, gain, sticking, whole;
+  [whole, sticking] = [_depth_of_truncated_paraboloid(a, R, b), _depth_of_truncated_paraboloid(c, R, b)];
+  close = (sticking >= (CLOSE * whole));
+  gain = growth_beyond(_slope_beyond, [R, b], 1, 0.0, c, a, b, close);
+  return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
+};
+
+const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
+  let node, v12, v18, v21, v22, v23, v28, v29, v33, v37, v40, v44, v51, v53, v57, v59, v64, v65, v68, v7, v72, v79, v8, v80, v81, v85, weight;
+  if (((a > 1e-30) && (a < 1e+30) && (c > 1e-30) && (c < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    v7 = (a - b);
+    v8 = (a + b);
+    v12 = ((a * Math.sqrt((v7 * v8))) / R);
+    v18 = ((c * Math.sqrt(((c - b) * (c + b)))) / R);
+    v21 = (v18 >= (0.25 * v12));
+    if (v21) {
+      v22 = (((b > c) || (b !== b)) ? b : c);
+      v37 = (a > v22);
+      v53 = (v21 && v37);
+      if (v53) {
+        v23 = (v22 - b);
+        v28 = Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (v22 + b)));
+        v29 = (v22 - 0.0);
+        v33 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (v22 + 0.0)));
+        if (v53) {
+          v40 = ((a - v22) * (a + v22));
+          if (v37) {
+            v44 = (a - 0.0);
+            v51 = (v40 / (Math.sqrt(((((v44 > 0.0) || (v44 !== v44)) ? v44 : 0.0) * (a + 0.0))) + v33));
           } else {
-            v20 = (a - v10);
-            v25 = Math.sqrt(((((v20 > 0.0) || (v20 !== v20)) ? v20 : 0.0) * (a + v10)));
+            v51 = 0.0;
           }
-          v32 = Math.asinh((v25 / v30));
-          v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
-          v42 = ((v40 > 0.0) ? v40 : Infinity);
-          v68 = [];
-          for ([node, weight] of RULE_0_2((v32 / 1.0))) {
-            v45 = (node * v32);
-            v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
-            v67 = (((((2.0 * v55) / R) + (v62 / (R * v55))) * v55) / Math.sqrt((v56 + (v55 * v55))));
-            v68.push((weight * v67));
-          }
-          v68 = (math.fsum(v68) * v32);
-          v69 = v68;
+          v57 = Math.log1p((((v37 ? (v40 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v28)) : 0.0) + v51) / (v28 + v33)));
         } else {
-          v69 = 0.0;
+          v57 = 0.0;
         }
-        v75 = (v73 * v69);
-      }
-      v77 = v75;
-    } else {
-      v77 = 0.0;
-    }
-    v80 = v77;
-  } else {
-    v80 = NaN;
-  }
-  v128 = (r < c);
-  if ((c >= b)) {
-    if (v128) {
-      if ((v7 && (c > b))) {
-        v127 = Infinity;
+        v65 = (b * b);
+        v72 = (b * b);
+        v80 = [];
+        for ([node, weight] of RULE_0_2((v57 / 1.0))) {
+          v59 = (node * v57);
+          v64 = ((v28 * Math.cosh(v59)) + (v33 * Math.sinh(v59)));
+          v68 = Math.sqrt((v65 + (v64 * v64)));
+          v79 = (((((2.0 * v64) / R) + (v72 / (R * v64))) * (v64 / v68)) * Math.pow(v68, 1.0));
+          v80.push((weight * v79));
+        }
+        v80 = (math.fsum(v80) * v57);
+        v81 = v80;
       } else {
-        if ((c > v43)) {
-          v81 = (c - b);
-          v85 = Math.sqrt(((((v81 > 0.0) || (v81 !== v81)) ? v81 : 0.0) * (c + b)));
-          if (v11) {
-            v91 = v85;
-          } else {
-            v86 = (c - v10);
-            v91 = Math.sqrt(((((v86 > 0.0) || (v86 !== v86)) ? v86 : 0.0) * (c + v10)));
-          }
-          v93 = Math.asinh((v91 / v30));
-          v97 = (v34 - (v35 * Math.expm1(((-2.0) * v93))));
-          v99 = ((v97 > 0.0) ? v97 : Infinity);
-          v122 = [];
-          for ([node, weight] of RULE_0_2((v93 / 1.0))) {
-            v101 = (node * v93);
-            v111 = (v85 * ((Math.exp((-v101)) * (v34 - (v35 * Math.expm1(((-2.0) * (v93 - v101)))))) / v99));
-            v121 = (((((2.0 * v111) / R) + (v62 / (R * v111))) * v111) / Math.sqrt((v56 + (v111 * v111))));
-            v122.push((weight * v121));
-          }
-          v122 = (math.fsum(v122) * v93);
-          v123 = v122;
-        } else {
-          v123 = 0.0;
-        }
-        v127 = (v73 * v123);
+        v81 = 0.0;
       }
-      v129 = v127;
+      v85 = v81;
     } else {
-      v129 = 0.0;
+      v85 = (v12 - v18);
     }
-    v131 = v129;
-  } else {
-    v131 = NaN;
+    return ((mu * (E_star / G_star)) * v85);
   }
-  v135 = (v128 && (v131 >= (0.25 * v80)));
-  if (v135) {
-    v136 = (((b > c) || (b !== b)) ? b : c);
-    v147 = (a > v136);
-    v163 = (v135 && v147);
-    if (v163) {
-      v137 = (v136 - b);
-      v141 = Math.sqrt(((((v137 > 0.0) || (v137 !== v137)) ? v137 : 0.0) * (v136 + b)));
-      v142 = (v136 - r);
-      v146 = Math.sqrt(((((v142 > 0.0) || (v142 !== v142)) ? v142 : 0.0) * (v136 + r)));
-      if (v163) {
-        v150 = ((a - v136) * (a + v136));
-        if (v147) {
-          v154 = (a - r);
-          v161 = (v150 / (Math.sqrt(((((v154 > 0.0) || (v154 !== v154)) ? v154 : 0.0) * (a + r))) + v146));
-        } else {
-          v161 = 0.0;
-        }
-        v167 = Math.log1p((((v147 ? (v150 / (v19 + v141)) : 0.0) + v161) / (v141 + v146)));
-      } else {
-        v167 = 0.0;
-      }
-      v186 = [];
-      for ([node, weight] of RULE_0_2((v167 / 1.0))) {
-        v168 = (node * v167);
-        v173 = ((v141 * Math.cosh(v168)) + (v146 * Math.sinh(v168)));
-        v176 = Math.sqrt((v56 + (v173 * v173)));
-        v185 = (((((2.0 * v173) / R) + (v62 / (R * v173))) * (v173 / v176)) * Math.pow(v176, 0.0));
-        v186.push((weight * v185));
-      }
-      v186 = (math.fsum(v186) * v167);
-      v187 = v186;
-    } else {
-      v187 = 0.0;
-    }
-    v190 = (v73 * v187);
-  } else {
-    v190 = (v80 - v131);
-  }
-  value = (mu * v190);
-  return value;
+  return _tangential_displacement_of_truncated_paraboloid(a, c, R, b, E_star, G_star, mu);
 };
 
 const tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
-  let node, v12, v18, v21, v22, v23, v28, v29, v33, v37, v40, v44, v51, v53, v57, v59, v64, v65, v68, v7, v72, v79, v8, v80, v81, v85, value, weight;
-  v7 = (a - b);
-  v8 = (a + b);
-  v12 = ((a * Math.sqrt((v7 * v8))) / R);
-  v18 = ((c * Math.sqrt(((c - b) * (c + b)))) / R);
-  v21 = (v18 >= (0.25 * v12));
-  if (v21) {
-    v22 = (((b > c) || (b !== b)) ? b : c);
-    v37 = (a > v22);
-    v53 = (v21 && v37);
-    if (v53) {
-      v23 = (v22 - b);
-      v28 = Math.sqrt(((((v23 > 0.0) || (v23 !== v23)) ? v23 : 0.0) * (v22 + b)));
-      v29 = (v22 - 0.0);
-      v33 = Math.sqrt(((((v29 > 0.0) || (v29 !== v29)) ? v29 : 0.0) * (v22 + 0.0)));
-      if (v53) {
-        v40 = ((a - v22) * (a + v22));
-        if (v37) {
-          v44 = (a - 0.0);
-          v51 = (v40 / (Math.sqrt(((((v44 > 0.0) || (v44 !== v44)) ? v44 : 0.0) * (a + 0.0))) + v33));
-        } else {
-          v51 = 0.0;
-        }
-        v57 = Math.log1p((((v37 ? (v40 / (Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)) + v28)) : 0.0) + v51) / (v28 + v33)));
-      } else {
-        v57 = 0.0;
-      }
-      v65 = (b * b);
-      v72 = (b * b);
-      v80 = [];
-      for ([node, weight] of RULE_0_2((v57 / 1.0))) {
-        v59 = (node * v57);
-        v64 = ((v28 * Math.cosh(v59)) + (v33 * Math.sinh(v59)));
-        v68 = Math.sqrt((v65 + (v64 * v64)));
-        v79 = (((((2.0 * v64) / R) + (v72 / (R * v64))) * (v64 / v68)) * Math.pow(v68, 1.0));
-        v80.push((weight * v79));
-      }
-      v80 = (math.fsum(v80) * v57);
-      v81 = v80;
-    } else {
-      v81 = 0.0;
-    }
-    v85 = v81;
-  } else {
-    v85 = (v12 - v18);
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
   }
-  value = ((mu * (E_star / G_star)) * v85);
-  return value;
-};
-
-const _force = (a, R, b, E_star) => {
-  return ((((2.0 * E_star) / (3.0 * R)) * ((2.0 * (a * a)) + (b * b))) * math.sqrt(((a - b) * (a + b))));
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  if ((!(!(c > a)))) {
+    return NaN;
+  }
+  return (((a >= 0.0) && (c >= 0.0)) ? _tangential_displacement(a, c, R, b, E_star, G_star, mu) : NaN);
 };
 
 const stick_force = (F, F_x, mu) => {
@@ -918,13 +1393,34 @@ const _stick_radius = (F_x, a, R, b, E_star, mu) => {
 };
 
 const stick_radius = (F_x, a, R, b, E_star, mu) => {
-  let value;
-  value = _stick_radius(F_x, a, R, b, E_star, mu);
-  return value;
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return (((F_x >= 0.0) && (a >= 0.0)) ? _stick_radius(F_x, a, R, b, E_star, mu) : NaN);
+};
+
+const _full_slip_displacement_of_truncated_paraboloid = (a, R, b, E_star, G_star, mu) => {
+  return ((mu * (E_star / G_star)) * _depth_of_truncated_paraboloid(a, R, b));
+};
+
+const _full_slip_displacement = (a, R, b, E_star, G_star, mu) => {
+  if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (G_star > 1e-30) && (G_star < 1e+30) && (mu > 1e-30) && (mu < 1e+30) && (b <= a))) {
+    return ((mu * (E_star / G_star)) * ((a * Math.sqrt(((a - b) * (a + b)))) / R));
+  }
+  return _full_slip_displacement_of_truncated_paraboloid(a, R, b, E_star, G_star, mu);
 };
 
 const full_slip_displacement = (a, R, b, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * ((a * Math.sqrt(((a - b) * (a + b)))) / R));
+  if ((!((0.0 < R && R < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 < G_star && G_star < Infinity) && (0.0 <= mu && mu < Infinity)))) {
+    return NaN;
+  }
+  if ((!(a >= b))) {
+    return NaN;
+  }
+  return ((a >= 0.0) ? _full_slip_displacement(a, R, b, E_star, G_star, mu) : NaN);
 };
 
 const formulas = {
@@ -932,7 +1428,7 @@ const formulas = {
   "F": (v) => force(v.a, v.R, v.b, v.E_star),
   "p": (v) => pressure(v.r, v.a, v.R, v.b, v.E_star),
   "w": (v) => displacement(v.r, v.a, v.R, v.b),
-  "k": (v) => stiffness(v.a, v.E_star, v.R, v.b),
+  "k": (v) => stiffness(v.a, v.R, v.b, v.E_star),
   "pm": (v) => mean_pressure(v.a, v.R, v.b, v.E_star),
   "U": (v) => energy(v.a, v.R, v.b, v.E_star),
   "Fr": (v) => load_within(v.r, v.a, v.R, v.b, v.E_star),
@@ -940,6 +1436,7 @@ const formulas = {
   "aF": (v) => radius_from_force(v.F, v.R, v.b, v.E_star),
   "Fd": (v) => force_from_depth(v.d, v.R, v.b, v.E_star),
   "dF": (v) => depth_from_force(v.F, v.R, v.b, v.E_star),
+  "adh.Dl": (v) => retraction(v.a, v.E_star, v.dgamma),
   "adh.d": (v) => depth_of_truncated_paraboloid(v.a, v.R, v.b, v.E_star, v.dgamma),
   "adh.F": (v) => force_of_truncated_paraboloid(v.a, v.R, v.b, v.E_star, v.dgamma),
   "adh.p": (v) => pressure_of_truncated_paraboloid(v.r, v.a, v.R, v.b, v.E_star, v.dgamma),
@@ -1162,9 +1659,9 @@ window.calculator = { ...{
    "gives": "stiffness",
    "needs": [
     "a",
-    "E_star",
     "R",
-    "b"
+    "b",
+    "E_star"
    ],
    "unit": "N/m",
    "place": "",
@@ -1253,6 +1750,17 @@ window.calculator = { ...{
    "unit": "m",
    "place": "",
    "suffix": "dF"
+  },
+  "adh.Dl": {
+   "gives": "retraction",
+   "needs": [
+    "a",
+    "E_star",
+    "dgamma"
+   ],
+   "unit": "m",
+   "place": "",
+   "suffix": ""
   },
   "adh.d": {
    "gives": "d",
