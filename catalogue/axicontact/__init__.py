@@ -7,8 +7,10 @@ from typing import Any
 
 __all__ = [
     "adhesive",
+    "cohesive",
     "expressions",
     "graded",
+    "layer",
     "loads",
     "materials",
     "normal",

@@ -86,7 +86,7 @@ def transversely_isotropic_modulus(C_11: ArrayLike, C_33: ArrayLike, C_13: Array
     C_33 : array_like
         Elastic constant, into the half-space [Pa], C_33 > 0.
     C_13 : array_like
-        Elastic constant, couples both directions, C_13^2 < C_11 C_33 [Pa].
+        Elastic constant of both directions, its square below C_11 C_33 [Pa].
     C_44 : array_like
         Shear modulus in planes across the surface [Pa], C_44 > 0.
 
@@ -378,7 +378,7 @@ def _effective_modulus(E_1: Array, nu_1: Array, E_2: Array, nu_2: Array) -> Arra
 
 
 def _transversely_isotropic_modulus(C_11: Array, C_33: Array, C_13: Array, C_44: Array) -> Array:
-    mean = np.sqrt(C_11) * np.sqrt(C_33)
+    mean = C_11 * np.sqrt(C_33 / C_11)
     high, low = mean + C_13, mean - C_13
     return 2.0 * high * np.sqrt(C_44 / C_11 * (low / (high + 2.0 * C_44)))
 

@@ -142,7 +142,7 @@ def block_tabor_all_signed(out, R, E_star, dgamma, z_0, t0):
 def transversely_isotropic_modulus(C_11, C_33, C_13, C_44):
     if C_11.__class__ is C_33.__class__ is C_13.__class__ is C_44.__class__ is float and C_11 > 1e-30 and (C_11 < 1e+30) and (C_33 > 1e-30) and (C_33 < 1e+30) and (C_13 > 1e-30) and (C_13 < 1e+30) and (C_44 > 1e-30) and (C_44 < 1e+30):
         try:
-            v6 = sqrt(C_11) * sqrt(C_33)
+            v6 = C_11 * sqrt(C_33 / C_11)
             v7 = v6 + C_13
             return 2.0 * v7 * sqrt(C_44 / C_11 * ((v6 - C_13) / (v7 + 2.0 * C_44)))
         except (ArithmeticError, ValueError):
@@ -155,16 +155,16 @@ def prepare_transversely_isotropic_modulus_all_signed():
 
 
 def block_transversely_isotropic_modulus_all_signed(out, C_11, C_33, C_13, C_44, t0, t1, t2, t3):
-    np.sqrt(C_11, out)
-    np.sqrt(C_33, t0)
-    np.multiply(out, t0, t0)
-    np.add(t0, C_13, out)
-    np.subtract(t0, C_13, t0)
-    np.multiply(C1, out, t1)
+    np.divide(C_33, C_11, out)
+    np.sqrt(out, out)
+    np.multiply(C_11, out, out)
+    np.add(out, C_13, t0)
+    np.subtract(out, C_13, out)
+    np.multiply(C1, t0, t1)
     np.divide(C_44, C_11, t2)
     np.multiply(C1, C_44, t3)
-    np.add(out, t3, t3)
-    np.divide(t0, t3, t3)
+    np.add(t0, t3, t3)
+    np.divide(out, t3, t3)
     np.multiply(t2, t3, t3)
     np.sqrt(t3, t3)
     np.multiply(t1, t3, out)

@@ -33,6 +33,8 @@ INSIDE = {
     "relaxation": (0.0, inf),
     "alpha": (0.0, 1.0),
     "t_0": (0.0, inf),
+    "v_2": (0.0, inf),
+    "t_m": (0.0, inf),
     "young_1": (0.0, inf),
     "young_2": (0.0, inf),
     "C_11": (0.0, inf),
@@ -52,4 +54,5 @@ INSIDE = {
     "sigma": (-1.0, inf),
     "G": (0.0, inf),
     "twist": (0.0, inf),
+    "thickness": (0.0, inf),
 }

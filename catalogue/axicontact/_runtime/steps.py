@@ -188,3 +188,17 @@ def fading(xp: Any, x: Any, m: Any) -> Any:
     place = nodes * stop
     tail = stop * xp.sum(weights * m * xp.exp((m - 1.0) * xp.log1p(-place) - high * place), axis=0)
     return xp.where(x <= SWITCH, total, tail)
+
+
+def fraction(xp: Any, x: Any, p: Any, q: Any) -> Any:
+    """The continued fraction of an incomplete beta function, by as many terms as p, q < 50 ask for."""
+    from .physics.retraction import coefficients
+
+    above, below = 1.0, 1.0 / (1.0 - (p + q) * x / (p + 1.0))
+    total = below
+    for k in range(1, MOST):
+        for own in coefficients(k, x, p, q):
+            below = 1.0 / (1.0 + own * below)
+            above = 1.0 + own / above
+            total = total * (above * below)
+    return total

@@ -56,7 +56,7 @@ SYMBOLS = {
     "v": Domain(
         "v > 0",
         "speed of indentation, d = v t, in m/s",
-        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0",
+        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0, and retract_force for the way back",
     ),
     "E": Domain("E > 0", "effective (plane-strain) modulus of the viscoelastic law, in Pa"),
     "E_inf": Domain("E_inf > 0", "long-time effective modulus, in Pa"),
@@ -69,11 +69,13 @@ SYMBOLS = {
         instead="use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
     ),
     "t_0": Domain("t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E, in s"),
+    "v_2": Domain("v_2 > 0", "speed of retraction, d = v t_m - v_2 (t - t_m), in m/s"),
+    "t_m": Domain("t_m > 0", "time at which the indenter turns back, in s"),
     "young_1": Domain("E_1 > 0", "Young's modulus of the first body, in Pa", letter="E_1"),
     "young_2": Domain("E_2 > 0", "Young's modulus of the second body, in Pa", letter="E_2"),
     "C_11": Domain("C_11 > 0", "elastic constant, along the surface, in Pa"),
     "C_33": Domain("C_33 > 0", "elastic constant, into the half-space, in Pa"),
-    "C_13": Domain("-oo < C_13 < oo", "elastic constant, couples both directions, C_13^2 < C_11 C_33, in Pa"),
+    "C_13": Domain("-oo < C_13 < oo", "elastic constant of both directions, its square below C_11 C_33, in Pa"),
     "C_44": Domain("C_44 > 0", "shear modulus in planes across the surface, in Pa"),
     "E_0": Domain("E_0 > 0", "Young's modulus at the depth of reference, in Pa"),
     "c_0": Domain("c_0 > 0", "depth of reference of the graded half-space, in m"),
@@ -93,6 +95,7 @@ SYMBOLS = {
     ),
     "G": Domain("G > 0", "shear modulus of the half-space, in Pa"),
     "twist": Domain("twist >= 0", "angle by which the punch turns, in rad", closed="low", letter="beta"),
+    "thickness": Domain("thickness > 0", "thickness of the layer, in m"),
 }
 UNITS = {
     "r": "m",
@@ -130,6 +133,8 @@ UNITS = {
     "tau": "s",
     "alpha": "1",
     "t_0": "s",
+    "v_2": "m/s",
+    "t_m": "s",
     "E_2": "Pa",
     "C_11": "Pa",
     "C_33": "Pa",
@@ -148,5 +153,6 @@ UNITS = {
     "x": "m",
     "G": "Pa",
     "beta": "rad",
+    "thickness": "m",
 }
 """Units of the arguments, by their letters in the interface."""

@@ -627,7 +627,7 @@ def _energy(d: Array, a: Array, h: Array, E_star: Array) -> Array:
 def _load_within(r: Array, d: Array, a: Array, h: Array, E_star: Array) -> Array:
     root = np.sqrt((a - r) * (a + r))
     rise = r**2 / (a + root)
-    face = 4 * h * (16 * root**4 + 21 * a**4 + 16 * root**3 * a - 24 * root**2 * a**2 - 24 * root * a**3) / (45 * a**4)
+    face = 4 * h * (5 * a**4 + rise * (rise * (120 * a**2 + rise * (16 * rise - 80 * a)) - 40 * a**3)) / (45 * a**4)
     within = 2 * E_star * rise * (d - _minimum_depth(h) + face)
     complete = _minimum_depth(h) * (1.0 - 1e-15) <= d
     result = np.where(r < a, within, _force(d, a, h, E_star))

@@ -551,5 +551,5 @@ def _shape(
     depth = normal._depth(a, R, h, wavelength)
     radius = np.where(np.isnan(depth), np.nan, a)
     edge = 0.0 if d is None else d - depth
-    tip = Piece(PLAIN, 0.0, a, normal._slope, (R, h, wavelength), longest=3 * wavelength / np.pi)
+    tip = Piece(PLAIN, 0.0, a, normal._slope, (R, h, wavelength), longest=2 * wavelength / np.pi)
     return radius, edge, (tip,)

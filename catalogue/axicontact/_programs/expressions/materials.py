@@ -8,7 +8,7 @@ def effective_modulus(xp, E_1, nu_1, E_2, nu_2):
 
 
 def transversely_isotropic_modulus(xp, C_11, C_33, C_13, C_44):
-    v3 = xp.sqrt(C_11) * xp.sqrt(C_33)
+    v3 = C_11 * xp.sqrt(C_33 / C_11)
     v4 = v3 + C_13
     return 2.0 * v4 * xp.sqrt(C_44 / C_11 * ((v3 - C_13) / (v4 + 2.0 * C_44)))
 

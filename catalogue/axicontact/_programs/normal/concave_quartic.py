@@ -20,13 +20,15 @@ C7 = np.array(3.0)
 C8 = np.array(16.0)
 C9 = np.array(64.0)
 C10 = np.array(81.0)
-C11 = np.array(24.0)
-C12 = np.array(21.0)
-C13 = np.array(45.0)
-C14 = np.array(0.0)
-C15 = np.array(9.0)
-C16 = np.array(3.141592653589793)
-C17 = np.array(0.5)
+C11 = np.array(5.0)
+C12 = np.array(120.0)
+C13 = np.array(80.0)
+C14 = np.array(40.0)
+C15 = np.array(45.0)
+C16 = np.array(0.0)
+C17 = np.array(9.0)
+C18 = np.array(3.141592653589793)
+C19 = np.array(0.5)
 RULE_0 = rule(((inf, 64),))
 
 
@@ -276,21 +278,20 @@ def load_within(r, d, a, h, E_star):
     if r.__class__ is d.__class__ is a.__class__ is h.__class__ is E_star.__class__ is float and r > 1e-30 and (r < 1e+30) and (d > 1e-30) and (d < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30):
         try:
             v14 = 4.0 * h
-            v43 = v14 / 3.0
-            v49 = v43 * 0.999999999999999 <= d
-            if v49:
-                v41 = 2.0 * E_star
+            v42 = v14 / 3.0
+            v48 = v42 * 0.999999999999999 <= d
+            if v48:
+                v40 = 2.0 * E_star
                 if r < a:
-                    v8 = sqrt((a - r) * (a + r))
-                    v15 = v8 * v8
-                    v19 = a * a
-                    v20 = v19 * v19
-                    value = v41 * (r * r / (a + v8)) * (d - v43 + v14 * (16.0 * (v15 * v15) + 21.0 * v20 + 16.0 * (v8 * v15) * a - 24.0 * v15 * v19 - 24.0 * v8 * (a * v19)) / (45.0 * v20))
+                    v12 = r * r / (a + sqrt((a - r) * (a + r)))
+                    v15 = a * a
+                    v16 = v15 * v15
+                    value = v40 * v12 * (d - v42 + v14 * (5.0 * v16 + v12 * (v12 * (120.0 * v15 + v12 * (16.0 * v12 - 80.0 * a)) - 40.0 * (a * v15))) / (45.0 * v16))
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
-                if v49:
-                    return v41 * a * (d + 8.0 * h / 15.0)
+                if v48:
+                    return v40 * a * (d + 8.0 * h / 15.0)
                 return nan
             return nan
         except (ArithmeticError, ValueError):
@@ -300,134 +301,128 @@ def load_within(r, d, a, h, E_star):
 
 def prepare_load_within_r(d, a, h, E_star):
     v14 = (4.0) * h
-    v19 = np.square(a)
-    v20 = np.square(v19)
-    v22 = (21.0) * v20
-    v34 = a * v19
-    v39 = (45.0) * v20
-    v41 = (2.0) * E_star
-    v43 = v14 / (3.0)
-    v44 = d - v43
-    v48 = v43 * (0.999999999999999)
-    v49 = np.less_equal(v48, d)
-    v51 = v41 * a
-    v53 = (8.0) * h
-    v55 = v53 / (15.0)
-    v56 = d + v55
-    v57 = v51 * v56
-    v59 = v57 if v49 else (np.nan)
-    return (a, v14, v19, v22, v34, v39, v41, v44, v49, v59)
+    v15 = np.square(a)
+    v16 = np.square(v15)
+    v18 = (5.0) * v16
+    v20 = (120.0) * v15
+    v24 = (80.0) * a
+    v30 = a * v15
+    v32 = (40.0) * v30
+    v38 = (45.0) * v16
+    v40 = (2.0) * E_star
+    v42 = v14 / (3.0)
+    v43 = d - v42
+    v47 = v42 * (0.999999999999999)
+    v48 = np.less_equal(v47, d)
+    v50 = v40 * a
+    v52 = (8.0) * h
+    v54 = v52 / (15.0)
+    v55 = d + v54
+    v56 = v50 * v55
+    v58 = v56 if v48 else (np.nan)
+    return (a, v14, v18, v20, v24, v32, v38, v40, v43, v48, v58)
 
 
-def block_load_within_r(out, r, a, v14, v19, v22, v34, v39, v41, v44, v49, v59, t0, t1, t2, t3, m0):
+def block_load_within_r(out, r, a, v14, v18, v20, v24, v32, v38, v40, v43, v48, v58, t0, m0):
     size = out.size
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
-    if v49:
+    if v48:
         np.less(r, a, m0)
-        some60 = np.count_nonzero(m0)
-        if some60:
+        some59 = np.count_nonzero(m0)
+        if some59:
             np.subtract(a, r, out)
             np.add(a, r, t0)
             np.multiply(out, t0, t0)
             np.sqrt(t0, t0)
             np.square(r, out)
-            np.add(a, t0, t1)
-            np.divide(out, t1, t1)
-            np.square(t0, out)
-            np.square(out, t2)
-            np.multiply(C8, t2, t2)
-            np.add(t2, v22, t2)
-            np.multiply(t0, out, t3)
-            np.multiply(C8, t3, t3)
-            np.multiply(t3, a, t3)
-            np.add(t2, t3, t3)
-            np.multiply(C11, out, out)
-            np.multiply(out, v19, out)
-            np.subtract(t3, out, out)
-            np.multiply(C11, t0, t0)
-            np.multiply(t0, v34, t0)
-            np.subtract(out, t0, t0)
-            np.multiply(v14, t0, t0)
-            np.divide(t0, v39, t0)
-            np.multiply(v41, t1, t1)
-            np.add(v44, t0, t0)
-            np.multiply(t1, t0, out)
-        if some60 != size:
-            np.copyto(out, v59, where=~m0)
+            np.add(a, t0, t0)
+            np.divide(out, t0, t0)
+            np.multiply(C8, t0, out)
+            np.subtract(out, v24, out)
+            np.multiply(t0, out, out)
+            np.add(v20, out, out)
+            np.multiply(t0, out, out)
+            np.subtract(out, v32, out)
+            np.multiply(t0, out, out)
+            np.add(v18, out, out)
+            np.multiply(v14, out, out)
+            np.divide(out, v38, out)
+            np.multiply(v40, t0, t0)
+            np.add(v43, out, out)
+            np.multiply(t0, out, out)
+        if some59 != size:
+            np.copyto(out, v58, where=~m0)
     else:
         np.copyto(out, C0)
 
 
 def prepare_load_within_r_d(a, h, E_star):
     v14 = (4.0) * h
-    v19 = np.square(a)
-    v20 = np.square(v19)
-    v22 = (21.0) * v20
-    v34 = a * v19
-    v39 = (45.0) * v20
-    v41 = (2.0) * E_star
-    v43 = v14 / (3.0)
-    v48 = v43 * (0.999999999999999)
-    v51 = v41 * a
-    v53 = (8.0) * h
-    v55 = v53 / (15.0)
-    return (a, v14, v19, v22, v34, v39, v41, v43, v48, v51, v55)
+    v15 = np.square(a)
+    v16 = np.square(v15)
+    v18 = (5.0) * v16
+    v20 = (120.0) * v15
+    v24 = (80.0) * a
+    v30 = a * v15
+    v32 = (40.0) * v30
+    v38 = (45.0) * v16
+    v40 = (2.0) * E_star
+    v42 = v14 / (3.0)
+    v47 = v42 * (0.999999999999999)
+    v50 = v40 * a
+    v52 = (8.0) * h
+    v54 = v52 / (15.0)
+    return (a, v14, v18, v20, v24, v32, v38, v40, v42, v47, v50, v54)
 
 
-def block_load_within_r_d(out, r, d, a, v14, v19, v22, v34, v39, v41, v43, v48, v51, v55, t0, t1, t2, t3, m0, m1):
+def block_load_within_r_d(out, r, d, a, v14, v18, v20, v24, v32, v38, v40, v42, v47, v50, v54, t0, t1, m0, m1):
     size = out.size
-    np.less_equal(v48, d, m0)
+    np.less_equal(v47, d, m0)
     largest_r = largest(r)
     if largest_r == np.inf:
         raise FloatingPointError
     largest_d = largest(d)
     if largest_d == np.inf:
         raise FloatingPointError
-    some61 = np.count_nonzero(m0)
-    if some61:
+    some60 = np.count_nonzero(m0)
+    if some60:
         np.less(r, a, m1)
-        some60 = np.count_nonzero(m1)
-        if some60:
+        some59 = np.count_nonzero(m1)
+        if some59:
             np.subtract(a, r, out)
             np.add(a, r, t0)
             np.multiply(out, t0, t0)
             np.sqrt(t0, t0)
             np.square(r, out)
-            np.add(a, t0, t1)
-            np.divide(out, t1, t1)
-            np.square(t0, out)
-            np.square(out, t2)
-            np.multiply(C8, t2, t2)
-            np.add(t2, v22, t2)
-            np.multiply(t0, out, t3)
-            np.multiply(C8, t3, t3)
-            np.multiply(t3, a, t3)
-            np.add(t2, t3, t3)
-            np.multiply(C11, out, out)
-            np.multiply(out, v19, out)
-            np.subtract(t3, out, out)
-            np.multiply(C11, t0, t0)
-            np.multiply(t0, v34, t0)
-            np.subtract(out, t0, t0)
-            np.multiply(v14, t0, t0)
-            np.divide(t0, v39, t0)
-            np.multiply(v41, t1, t1)
-            np.subtract(d, v43, out)
-            np.add(out, t0, t0)
-            np.multiply(t1, t0, out)
-        if some60 != size:
-            other60 = t0 if some60 else out
-            some59 = np.count_nonzero(m0)
+            np.add(a, t0, t0)
+            np.divide(out, t0, t0)
+            np.multiply(C8, t0, out)
+            np.subtract(out, v24, out)
+            np.multiply(t0, out, out)
+            np.add(v20, out, out)
+            np.multiply(t0, out, out)
+            np.subtract(out, v32, out)
+            np.multiply(t0, out, out)
+            np.add(v18, out, out)
+            np.multiply(v14, out, out)
+            np.divide(out, v38, out)
+            np.multiply(v40, t0, t0)
+            np.subtract(d, v42, t1)
+            np.add(t1, out, out)
+            np.multiply(t0, out, out)
+        if some59 != size:
+            other59 = t0 if some59 else out
+            some58 = np.count_nonzero(m0)
+            if some58:
+                np.add(d, v54, other59)
+                np.multiply(v50, other59, other59)
+            if some58 != size:
+                np.copyto(other59, C0, where=~m0)
             if some59:
-                np.add(d, v55, other60)
-                np.multiply(v51, other60, other60)
-            if some59 != size:
-                np.copyto(other60, C0, where=~m0)
-            if some60:
-                np.copyto(out, other60, where=~m1)
-    if some61 != size:
+                np.copyto(out, other59, where=~m1)
+    if some60 != size:
         np.copyto(out, C0, where=~m0)
 
 
@@ -447,58 +442,55 @@ def block_load_within_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, t5, t6, t
     np.divide(t0, C7, t1)
     np.multiply(t1, C3, t2)
     np.less_equal(t2, d, m0)
-    some61 = np.count_nonzero(m0)
-    if some61:
+    some60 = np.count_nonzero(m0)
+    if some60:
         np.multiply(C4, E_star, t2)
         np.less(r, a, m1)
-        some60 = np.count_nonzero(m1)
-        if some60:
+        some59 = np.count_nonzero(m1)
+        if some59:
             np.subtract(a, r, out)
             np.add(a, r, t3)
             np.multiply(out, t3, t3)
             np.sqrt(t3, t3)
             np.square(r, out)
-            np.add(a, t3, t4)
+            np.add(a, t3, t3)
+            np.divide(out, t3, t3)
+            np.square(a, out)
+            np.square(out, t4)
+            np.multiply(C11, t4, t5)
+            np.multiply(C12, out, t6)
+            np.multiply(C8, t3, t7)
+            np.multiply(C13, a, t8)
+            np.subtract(t7, t8, t8)
+            np.multiply(t3, t8, t8)
+            np.add(t6, t8, t8)
+            np.multiply(t3, t8, t8)
+            np.multiply(a, out, out)
+            np.multiply(C14, out, out)
+            np.subtract(t8, out, out)
+            np.multiply(t3, out, out)
+            np.add(t5, out, out)
+            np.multiply(t0, out, out)
+            np.multiply(C15, t4, t4)
             np.divide(out, t4, t4)
-            np.square(t3, out)
-            np.square(out, t5)
-            np.multiply(C8, t5, t5)
-            np.square(a, t6)
-            np.square(t6, t7)
-            np.multiply(C12, t7, t8)
-            np.add(t5, t8, t8)
-            np.multiply(t3, out, t5)
-            np.multiply(C8, t5, t5)
-            np.multiply(t5, a, t5)
-            np.add(t8, t5, t5)
-            np.multiply(C11, out, out)
-            np.multiply(out, t6, out)
-            np.subtract(t5, out, out)
-            np.multiply(C11, t3, t3)
-            np.multiply(a, t6, t6)
-            np.multiply(t3, t6, t6)
-            np.subtract(out, t6, t6)
-            np.multiply(t0, t6, t6)
-            np.multiply(C13, t7, t7)
-            np.divide(t6, t7, t7)
-            np.multiply(t2, t4, t4)
-            np.subtract(d, t1, t6)
-            np.add(t6, t7, t7)
-            np.multiply(t4, t7, out)
-        if some60 != size:
-            other60 = t7 if some60 else out
-            some59 = np.count_nonzero(m0)
+            np.multiply(t2, t3, t3)
+            np.subtract(d, t1, out)
+            np.add(out, t4, t4)
+            np.multiply(t3, t4, out)
+        if some59 != size:
+            other59 = t4 if some59 else out
+            some58 = np.count_nonzero(m0)
+            if some58:
+                np.multiply(t2, a, other59)
+                np.multiply(C5, h, t3)
+                np.divide(t3, C2, t3)
+                np.add(d, t3, t3)
+                np.multiply(other59, t3, other59)
+            if some58 != size:
+                np.copyto(other59, C0, where=~m0)
             if some59:
-                np.multiply(t2, a, other60)
-                np.multiply(C5, h, t4)
-                np.divide(t4, C2, t4)
-                np.add(d, t4, t4)
-                np.multiply(other60, t4, other60)
-            if some59 != size:
-                np.copyto(other60, C0, where=~m0)
-            if some60:
-                np.copyto(out, other60, where=~m1)
-    if some61 != size:
+                np.copyto(out, other59, where=~m1)
+    if some60 != size:
         np.copyto(out, C0, where=~m0)
 
 
@@ -602,7 +594,7 @@ def block_pressure_r(out, r, a, v10, v22, v28, v31, v34, v35, t0, t1, m0):
             np.multiply(v34, out, out)
             np.divide(out, t0, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m0)
+            np.copyto(out, C16, where=~m0)
     else:
         np.copyto(out, C0)
 
@@ -630,7 +622,7 @@ def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, t0, t1, m0, m1, m2
     some41 = np.count_nonzero(m0)
     if some41:
         np.less_equal(r, a, m1)
-        np.greater(d, C14, m2)
+        np.greater(d, C16, m2)
         np.bitwise_and(m1, m2, m2)
         some39 = np.count_nonzero(m2)
         if some39:
@@ -651,7 +643,7 @@ def block_pressure_r_d(out, r, d, a, v10, v22, v25, v27, v34, t0, t1, m0, m1, m2
             np.multiply(v34, out, out)
             np.divide(out, t0, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m2)
+            np.copyto(out, C16, where=~m2)
     if some41 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -675,7 +667,7 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
     some41 = np.count_nonzero(m0)
     if some41:
         np.less_equal(r, a, m1)
-        np.greater(d, C14, m2)
+        np.greater(d, C16, m2)
         np.bitwise_and(m1, m2, m2)
         some39 = np.count_nonzero(m2)
         if some39:
@@ -692,15 +684,15 @@ def block_pressure_all(out, r, d, a, h, E_star, t0, t1, t2, t3, t4, m0, m1, m2):
             np.multiply(t3, out, out)
             np.square(a, t3)
             np.square(t3, t3)
-            np.multiply(C15, t3, t3)
+            np.multiply(C17, t3, t3)
             np.divide(out, t3, t3)
-            np.divide(E_star, C16, out)
+            np.divide(E_star, C18, out)
             np.subtract(d, t1, t4)
             np.add(t4, t3, t3)
             np.multiply(out, t3, t3)
             np.divide(t3, t2, out)
         if some39 != size:
-            np.copyto(out, C14, where=~m2)
+            np.copyto(out, C16, where=~m2)
     if some41 != size:
         np.copyto(out, C0, where=~m0)
 
@@ -796,7 +788,7 @@ def prepare_zero_radius_all_signed():
 
 
 def block_zero_radius_all_signed(out, a):
-    np.multiply(a, C17, out)
+    np.multiply(a, C19, out)
 
 
 BLOCKS = {
@@ -813,8 +805,8 @@ BLOCKS = {
         ('d', 'a', 'h', 'E_star'): (('d', 'a', 'h', 'E_star'), prepare_force_all, block_force_all, 1, 1, (), False),
     },
     ('_load_within', 2, 'r', 'd', 'a', 'h', 'E_star'): {
-        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 4, 1, (), False),
-        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 4, 2, (), False),
+        ('r',): (('r',), prepare_load_within_r, block_load_within_r, 1, 1, (), False),
+        ('r', 'd'): (('r', 'd'), prepare_load_within_r_d, block_load_within_r_d, 2, 2, (), False),
         ('r', 'd', 'a', 'h', 'E_star'): (('r', 'd', 'a', 'h', 'E_star'), prepare_load_within_all, block_load_within_all, 9, 2, (), False),
     },
     ('_minimum_depth', 0, 'h'): {

@@ -2,20 +2,345 @@
 
 from __future__ import annotations
 
-from math import cbrt, exp, expm1, inf, pow, sin, sqrt
+from math import cbrt, exp, expm1, inf, log1p, pow, sin, sqrt
 
 import numpy as np
 
 from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import paraboloid as bodies
 
-C0 = np.array(0.0)
-C1 = np.array(1.3333333333333333)
-C2 = np.array(1.5)
-C3 = np.array(np.inf)
-C4 = np.array(3.141592653589793)
-C5 = np.array(0.75)
-C6 = np.array(1.0)
+C0 = np.array(1.0)
+C1 = np.array(np.inf)
+C2 = np.array(0.0)
+C3 = np.array(1.3333333333333333)
+C4 = np.array(1.5)
+C5 = np.array(3.141592653589793)
+C6 = np.array(0.75)
+
+
+def contact_time_kelvin_voigt(v, v_2, t_m, E, eta):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v8 = t_m / (v_2 / v) - eta / E
+            return t_m + (v8 if v8 > 0.0 or v8 != v8 else 0.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_kelvin_voigt_all_signed():
+    return ()
+
+
+def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, E, eta, t0, f0):
+    np.divide(v_2, v, out)
+    np.divide(t_m, out, out)
+    np.divide(eta, E, t0)
+    np.subtract(out, t0, t0)
+    np.maximum(t0, f0, out=t0)
+    np.add(t_m, t0, out)
+
+
+def contact_time_maxwell(v, v_2, t_m, E, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = t_m + tau * log1p(-expm1(-t_m / tau) / (v_2 / v))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_maxwell_all_signed():
+    return ()
+
+
+def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, E, tau, t0):
+    np.divide(v_2, v, out)
+    np.negative(t_m, t0)
+    np.divide(t0, tau, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, out, out)
+    np.log1p(out, out)
+    np.multiply(tau, out, out)
+    np.add(t_m, out, out)
+
+
+def contact_time_power_creep(v, v_2, t_m, E, alpha, t_0):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v10 = log1p(v_2 / v) / (1.0 - alpha)
+            value = t_m + t_m / expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_power_creep_all_signed():
+    return ()
+
+
+def block_contact_time_power_creep_all_signed(out, v, v_2, t_m, E, alpha, t_0, t0, f0):
+    np.divide(v_2, v, out)
+    np.log1p(out, out)
+    np.subtract(C0, alpha, t0)
+    np.divide(out, t0, t0)
+    np.minimum(t0, f0, out=t0)
+    np.expm1(t0, t0)
+    np.divide(t_m, t0, t0)
+    np.add(t_m, t0, out)
+
+
+def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
+        try:
+            value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def earlier_time_kelvin_voigt(t, v, v_2, t_m, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t > t_m:
+                v7 = t - t_m
+                v14 = t_m - v_2 / v * ((v7 if v7 > 0.0 or v7 != v7 else 0.0) + eta / E)
+                return v14 if v14 > 0.0 or v14 != v14 else 0.0
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, E, eta):
+    v6 = v_2 / v
+    v10 = eta / E
+    return (t_m, v6, v10)
+
+
+def block_earlier_time_kelvin_voigt_t(out, t, t_m, v6, v10, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.add(out, v10, out)
+        np.multiply(v6, out, out)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some16 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_kelvin_voigt_all():
+    return ()
+
+
+def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, E, eta, t0, t1, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(eta, E, t1)
+        np.add(t0, t1, t1)
+        np.multiply(out, t1, t1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=out)
+    if some16 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            if t > t_m:
+                v7 = t - t_m
+                v10 = (v7 if v7 > 0.0 or v7 != v7 else 0.0) / tau
+                v14 = v_2 / v * expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+                v26 = t_m - (-tau * log1p(-(v14 if v14 < 0.9999999999999998 or v14 != v14 else 0.9999999999999998)) if v14 < 1.0 else inf)
+                value = v26 if v26 > 0.0 or v26 != v26 else 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_maxwell_t(v, v_2, t_m, E, tau):
+    v5 = v_2 / v
+    v16 = np.negative(tau)
+    return (t_m, tau, v5, v16)
+
+
+def block_earlier_time_maxwell_t(out, t, t_m, tau, v5, v16, t0, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.divide(out, tau, out)
+        np.minimum(out, f1, out=out)
+        np.expm1(out, out)
+        np.multiply(v5, out, out)
+        np.less(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.minimum(out, f2, out=t0)
+            np.negative(t0, t0)
+            np.log1p(t0, t0)
+            np.multiply(v16, t0, t0)
+        if some23 != size:
+            np.copyto(t0, C1, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some27 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_maxwell_all():
+    return ()
+
+
+def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, E, tau, t0, t1, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(out, t0, t0)
+        np.less(t0, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.negative(tau, out)
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(out, t1, out)
+        if some23 != size:
+            np.copyto(out, C1, where=~m1)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some27 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v8 = t - t_m
+                v14 = log1p(v_2 / v) / (1.0 - alpha)
+                v20 = t_m - (v8 if v8 > 0.0 or v8 != v8 else 0.0) * expm1(v14 if v14 < 700.0 or v14 != v14 else 700.0)
+                value = v20 if v20 > 0.0 or v20 != v20 else 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_power_creep_t(v, v_2, t_m, E, alpha, t_0):
+    v5 = v_2 / v
+    v9 = np.log1p(v5)
+    v11 = (1.0) - alpha
+    v12 = v9 / v11
+    v14 = np.minimum(v12, (700.0))
+    v15 = np.expm1(v14)
+    return (t_m, v15)
+
+
+def block_earlier_time_power_creep_t(out, t, t_m, v15, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.multiply(out, v15, out)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some20 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_power_creep_all():
+    return ()
+
+
+def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, E, alpha, t_0, t0, t1, m0, f0, f1):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.log1p(out, out)
+        np.subtract(C0, alpha, t1)
+        np.divide(out, t1, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=out)
+    if some20 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def ramp_force_kelvin_voigt(t, v, R, E, eta):
@@ -37,17 +362,17 @@ def prepare_ramp_force_kelvin_voigt_t(R, v, E, eta):
 
 def block_ramp_force_kelvin_voigt_t(out, t, v, R, E, v12, t0, t1, m0):
     size = out.size
-    np.equal(t, C0, m0)
+    np.equal(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some18 = np.count_nonzero(m0)
     if some18:
-        np.copyto(out, C0)
+        np.copyto(out, C2)
     if some18 != size:
         other18 = t0 if some18 else out
         np.multiply(v, t, other18)
-        np.multiply(C1, other18, t1)
+        np.multiply(C3, other18, t1)
         np.multiply(R, other18, other18)
         np.sqrt(other18, other18)
         np.multiply(t1, other18, other18)
@@ -64,21 +389,21 @@ def prepare_ramp_force_kelvin_voigt_all():
 
 def block_ramp_force_kelvin_voigt_all(out, t, R, v, E, eta, t0, t1, m0):
     size = out.size
-    np.equal(t, C0, m0)
+    np.equal(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some18 = np.count_nonzero(m0)
     if some18:
-        np.copyto(out, C0)
+        np.copyto(out, C2)
     if some18 != size:
         other18 = t0 if some18 else out
         np.multiply(v, t, other18)
-        np.multiply(C1, other18, t1)
+        np.multiply(C3, other18, t1)
         np.multiply(R, other18, other18)
         np.sqrt(other18, other18)
         np.multiply(t1, other18, other18)
-        np.multiply(eta, C2, t1)
+        np.multiply(eta, C4, t1)
         np.divide(t1, t, t1)
         np.add(E, t1, t1)
         np.multiply(other18, t1, other18)
@@ -125,6 +450,509 @@ def ramp_force_standard_solid(t, v, R, E_inf, E_1, tau):
     return None
 
 
+def retract_force_kelvin_voigt(t, v, v_2, t_m, R, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v14 = t > t_m
+            if v14:
+                if v14:
+                    v8 = t - t_m
+                    v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
+                    v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+                else:
+                    v17 = t
+                if v17 > 0.0:
+                    v21 = v * v17
+                    value = 1.3333333333333333 * v21 * sqrt(R * v21) * (E + 0.0 * v17)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            if t == 0.0:
+                return 0.0
+            v30 = v * t
+            return 1.3333333333333333 * v30 * sqrt(R * v30) * (E + eta * 1.5 / t)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_force_kelvin_voigt_t(R, v, v_2, t_m, E, eta):
+    v7 = v_2 / v
+    v11 = eta / E
+    v35 = eta * (1.5)
+    return (v, t_m, R, E, v7, v11, v35)
+
+
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, R, E, v7, v11, v35, t0, t1, t2, m0, m1, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some41 = np.count_nonzero(m0)
+    if some41:
+        some17 = np.count_nonzero(m0)
+        if some17:
+            np.subtract(t, t_m, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(t0, v11, t0)
+            np.multiply(v7, t0, t0)
+            np.subtract(t_m, t0, t0)
+            np.maximum(t0, f0, out=t0)
+        if some17 != size:
+            np.copyto(t0, t, where=~m0)
+        np.greater(t0, C2, m1)
+        some28 = np.count_nonzero(m1)
+        if some28:
+            np.multiply(C2, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.multiply(C3, t1, t2)
+            np.multiply(R, t1, t1)
+            np.sqrt(t1, t1)
+            np.multiply(t2, t1, t1)
+            np.multiply(t1, out, out)
+        if some28 != size:
+            np.copyto(out, C2, where=~m1)
+    if some41 != size:
+        other41 = t0 if some41 else out
+        np.equal(t, C2, m1)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.copyto(other41, C2)
+        if some40 != size:
+            other40 = t1 if some40 else other41
+            np.multiply(v, t, other40)
+            np.multiply(C3, other40, t2)
+            np.multiply(R, other40, other40)
+            np.sqrt(other40, other40)
+            np.multiply(t2, other40, other40)
+            np.divide(v35, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(other40, t2, other40)
+            if some40:
+                np.copyto(other41, other40, where=~m1)
+        if some41:
+            np.copyto(out, other41, where=~m0)
+
+
+def prepare_retract_force_kelvin_voigt_all():
+    return ()
+
+
+def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, E, eta, t0, t1, t2, m0, m1, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some41 = np.count_nonzero(m0)
+    if some41:
+        some17 = np.count_nonzero(m0)
+        if some17:
+            np.divide(v_2, v, t0)
+            np.subtract(t, t_m, t1)
+            np.maximum(t1, f0, out=t1)
+            np.divide(eta, E, t2)
+            np.add(t1, t2, t2)
+            np.multiply(t0, t2, t2)
+            np.subtract(t_m, t2, t2)
+            np.maximum(t2, f0, out=t0)
+        if some17 != size:
+            np.copyto(t0, t, where=~m0)
+        np.greater(t0, C2, m1)
+        some28 = np.count_nonzero(m1)
+        if some28:
+            np.multiply(C2, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t2)
+            np.multiply(C3, t2, t1)
+            np.multiply(R, t2, t2)
+            np.sqrt(t2, t2)
+            np.multiply(t1, t2, t2)
+            np.multiply(t2, out, out)
+        if some28 != size:
+            np.copyto(out, C2, where=~m1)
+    if some41 != size:
+        other41 = t0 if some41 else out
+        np.equal(t, C2, m1)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.copyto(other41, C2)
+        if some40 != size:
+            other40 = t2 if some40 else other41
+            np.multiply(v, t, other40)
+            np.multiply(C3, other40, t1)
+            np.multiply(R, other40, other40)
+            np.sqrt(other40, other40)
+            np.multiply(t1, other40, other40)
+            np.multiply(eta, C4, t1)
+            np.divide(t1, t, t1)
+            np.add(E, t1, t1)
+            np.multiply(other40, t1, other40)
+            if some40:
+                np.copyto(other41, other40, where=~m1)
+        if some41:
+            np.copyto(out, other41, where=~m0)
+
+
+def retract_force_maxwell(t, v, v_2, t_m, R, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, R, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, R, E, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_power_creep(t, v, v_2, t_m, R, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, R, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, R, E, alpha, t_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, R, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_radius_kelvin_voigt(t, v, v_2, t_m, R, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t > t_m:
+                v8 = t - t_m
+                v15 = t_m - v_2 / v * ((v8 if v8 > 0.0 or v8 != v8 else 0.0) + eta / E)
+                v17 = v15 if v15 > 0.0 or v15 != v15 else 0.0
+            else:
+                v17 = t
+            if v17 <= 0.0:
+                return 0.0
+            return sqrt(R * (v * v17))
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_kelvin_voigt_t(R, v, v_2, t_m, E, eta):
+    v7 = v_2 / v
+    v11 = eta / E
+    return (v, t_m, R, v7, v11)
+
+
+def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, R, v7, v11, t0, t1, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.add(t0, v11, t0)
+        np.multiply(v7, t0, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some17 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.copyto(out, C2)
+    if some22 != size:
+        other22 = t1 if some22 else out
+        np.multiply(v, t0, other22)
+        np.multiply(R, other22, other22)
+        np.sqrt(other22, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+
+
+def prepare_retract_radius_kelvin_voigt_all():
+    return ()
+
+
+def block_retract_radius_kelvin_voigt_all(out, t, R, v, v_2, t_m, E, eta, t0, t1, t2, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some17 = np.count_nonzero(m0)
+    if some17:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(eta, E, t2)
+        np.add(t1, t2, t2)
+        np.multiply(t0, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=t0)
+    if some17 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.copyto(out, C2)
+    if some22 != size:
+        other22 = t2 if some22 else out
+        np.multiply(v, t0, other22)
+        np.multiply(R, other22, other22)
+        np.sqrt(other22, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+
+
+def retract_radius_maxwell(t, v, v_2, t_m, R, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            if t > t_m:
+                v8 = t - t_m
+                v11 = (v8 if v8 > 0.0 or v8 != v8 else 0.0) / tau
+                v15 = v_2 / v * expm1(v11 if v11 < 700.0 or v11 != v11 else 700.0)
+                v27 = t_m - (-tau * log1p(-(v15 if v15 < 0.9999999999999998 or v15 != v15 else 0.9999999999999998)) if v15 < 1.0 else inf)
+                v29 = v27 if v27 > 0.0 or v27 != v27 else 0.0
+            else:
+                v29 = t
+            if v29 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = sqrt(R * (v * v29))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_maxwell_t(R, v, v_2, t_m, E, tau):
+    v6 = v_2 / v
+    v17 = np.negative(tau)
+    return (v, t_m, R, tau, v6, v17)
+
+
+def block_retract_radius_maxwell_t(out, t, v, t_m, R, tau, v6, v17, t0, t1, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some28 = np.count_nonzero(m0)
+    if some28:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(v6, t0, t0)
+        np.less(t0, C0, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(v17, t1, t1)
+        if some24 != size:
+            np.copyto(t1, C1, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some28 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.copyto(out, C2)
+    if some33 != size:
+        other33 = t1 if some33 else out
+        np.multiply(v, t0, other33)
+        np.multiply(R, other33, other33)
+        np.sqrt(other33, other33)
+        if some33:
+            np.copyto(out, other33, where=~m0)
+
+
+def prepare_retract_radius_maxwell_all():
+    return ()
+
+
+def block_retract_radius_maxwell_all(out, t, R, v, v_2, t_m, E, tau, t0, t1, t2, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some28 = np.count_nonzero(m0)
+    if some28:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(t1, tau, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.less(t1, C0, m1)
+        some24 = np.count_nonzero(m1)
+        if some24:
+            np.negative(tau, t0)
+            np.minimum(t1, f2, out=t2)
+            np.negative(t2, t2)
+            np.log1p(t2, t2)
+            np.multiply(t0, t2, t0)
+        if some24 != size:
+            np.copyto(t0, C1, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some28 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.copyto(out, C2)
+    if some33 != size:
+        other33 = t1 if some33 else out
+        np.multiply(v, t0, other33)
+        np.multiply(R, other33, other33)
+        np.sqrt(other33, other33)
+        if some33:
+            np.copyto(out, other33, where=~m0)
+
+
+def retract_radius_power_creep(t, v, v_2, t_m, R, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v9 = t - t_m
+                v15 = log1p(v_2 / v) / (1.0 - alpha)
+                v21 = t_m - (v9 if v9 > 0.0 or v9 != v9 else 0.0) * expm1(v15 if v15 < 700.0 or v15 != v15 else 700.0)
+                v23 = v21 if v21 > 0.0 or v21 != v21 else 0.0
+            else:
+                v23 = t
+            if v23 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = sqrt(R * (v * v23))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_power_creep_t(R, v, v_2, t_m, E, alpha, t_0):
+    v6 = v_2 / v
+    v10 = np.log1p(v6)
+    v12 = (1.0) - alpha
+    v13 = v10 / v12
+    v15 = np.minimum(v13, (700.0))
+    v16 = np.expm1(v15)
+    return (v, t_m, R, v16)
+
+
+def block_retract_radius_power_creep_t(out, t, v, t_m, R, v16, t0, t1, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.multiply(t0, v16, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some21 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some26 = np.count_nonzero(m0)
+    if some26:
+        np.copyto(out, C2)
+    if some26 != size:
+        other26 = t1 if some26 else out
+        np.multiply(v, t0, other26)
+        np.multiply(R, other26, other26)
+        np.sqrt(other26, other26)
+        if some26:
+            np.copyto(out, other26, where=~m0)
+
+
+def prepare_retract_radius_power_creep_all():
+    return ()
+
+
+def block_retract_radius_power_creep_all(out, t, R, v, v_2, t_m, E, alpha, t_0, t0, t1, t2, m0, f0, f1):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some21 = np.count_nonzero(m0)
+    if some21:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.log1p(t0, t0)
+        np.subtract(C0, alpha, t2)
+        np.divide(t0, t2, t2)
+        np.minimum(t2, f1, out=t2)
+        np.expm1(t2, t2)
+        np.multiply(t1, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=t0)
+    if some21 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some26 = np.count_nonzero(m0)
+    if some26:
+        np.copyto(out, C2)
+    if some26 != size:
+        other26 = t2 if some26 else out
+        np.multiply(v, t0, other26)
+        np.multiply(R, other26, other26)
+        np.sqrt(other26, other26)
+        if some26:
+            np.copyto(out, other26, where=~m0)
+
+
+def retract_radius_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is R.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, R, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, R, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def step_force_kelvin_voigt(t, d, R, E, eta):
     if t.__class__ is d.__class__ is R.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (d > 1e-30) and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
@@ -147,7 +975,7 @@ def prepare_step_force_kelvin_voigt_t(d, R, E, eta):
 
 def block_step_force_kelvin_voigt_t(out, t, E, v12, m0):
     size = out.size
-    np.greater(t, C0, m0)
+    np.greater(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -155,7 +983,7 @@ def block_step_force_kelvin_voigt_t(out, t, E, v12, m0):
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C3, where=~m0)
+        np.copyto(out, C1, where=~m0)
     np.multiply(out, v12, out)
 
 
@@ -165,7 +993,7 @@ def prepare_step_force_kelvin_voigt_all():
 
 def block_step_force_kelvin_voigt_all(out, t, d, R, E, eta, t0, t1, m0):
     size = out.size
-    np.greater(t, C0, m0)
+    np.greater(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -173,8 +1001,8 @@ def block_step_force_kelvin_voigt_all(out, t, d, R, E, eta, t0, t1, m0):
     if some7:
         np.copyto(out, E)
     if some7 != size:
-        np.copyto(out, C3, where=~m0)
-    np.multiply(C1, d, t0)
+        np.copyto(out, C1, where=~m0)
+    np.multiply(C3, d, t0)
     np.multiply(R, d, t1)
     np.sqrt(t1, t1)
     np.multiply(t0, t1, t1)
@@ -224,7 +1052,7 @@ def block_step_force_maxwell_all(out, t, d, R, E, tau, t0, t1):
     np.divide(out, tau, out)
     np.exp(out, out)
     np.multiply(E, out, out)
-    np.multiply(C1, d, t0)
+    np.multiply(C3, d, t0)
     np.multiply(R, d, t1)
     np.sqrt(t1, t1)
     np.multiply(t0, t1, t1)
@@ -277,11 +1105,11 @@ def block_step_force_power_creep_all(out, t, d, R, E, alpha, t_0, t0, t1):
         raise FloatingPointError
     np.power(out, alpha, out)
     np.multiply(E, out, out)
-    np.multiply(C4, alpha, t0)
+    np.multiply(C5, alpha, t0)
     np.sin(t0, t1)
     np.multiply(out, t1, t1)
     np.divide(t1, t0, t0)
-    np.multiply(C1, d, t1)
+    np.multiply(C3, d, t1)
     np.multiply(R, d, out)
     np.sqrt(out, out)
     np.multiply(t1, out, out)
@@ -333,7 +1161,7 @@ def block_step_force_standard_solid_all(out, t, d, R, E_inf, E_1, tau, t0, t1):
     np.exp(out, out)
     np.multiply(E_1, out, out)
     np.add(E_inf, out, out)
-    np.multiply(C1, d, t0)
+    np.multiply(C3, d, t0)
     np.multiply(R, d, t1)
     np.sqrt(t1, t1)
     np.multiply(t0, t1, t1)
@@ -388,7 +1216,7 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, R, E, eta, t0):
     np.negative(out, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, t0)
+    np.multiply(C6, R, t0)
     np.multiply(t0, out, out)
     np.cbrt(out, out)
 
@@ -413,7 +1241,7 @@ def block_step_load_radius_maxwell_t(out, t, F, E, tau, v13):
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C6, out, out)
+    np.add(C0, out, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
     np.multiply(v13, out, out)
@@ -429,10 +1257,10 @@ def block_step_load_radius_maxwell_all(out, t, F, R, E, tau, t0):
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C6, out, out)
+    np.add(C0, out, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, t0)
+    np.multiply(C6, R, t0)
     np.multiply(t0, out, out)
     np.cbrt(out, out)
 
@@ -479,7 +1307,7 @@ def block_step_load_radius_power_creep_all(out, t, F, R, E, alpha, t_0, t0):
     np.power(out, alpha, out)
     np.divide(out, E, out)
     np.multiply(F, out, out)
-    np.multiply(C5, R, t0)
+    np.multiply(C6, R, t0)
     np.multiply(t0, out, out)
     np.cbrt(out, out)
 
@@ -535,7 +1363,7 @@ def block_step_load_radius_standard_solid_all(out, t, F, R, E_inf, E_1, tau, t0,
     np.divide(t, tau, t0)
     np.divide(E_inf, out, t1)
     np.multiply(t0, t1, t1)
-    np.divide(C6, out, t0)
+    np.divide(C0, out, t0)
     np.divide(E_1, out, out)
     np.negative(t1, t1)
     np.expm1(t1, t1)
@@ -543,15 +1371,52 @@ def block_step_load_radius_standard_solid_all(out, t, F, R, E_inf, E_1, tau, t0,
     np.divide(t1, E_inf, t1)
     np.subtract(t0, t1, t1)
     np.multiply(F, t1, t1)
-    np.multiply(C5, R, t0)
+    np.multiply(C6, R, t0)
     np.multiply(t0, t1, t1)
     np.cbrt(t1, out)
 
 
 BLOCKS = {
+    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('v', 'v_2', 't_m', 'E', 'eta'): (('v', 'v_2', 't_m', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
+    },
+    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('v', 'v_2', 't_m', 'E', 'tau'): (('v', 'v_2', 't_m', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 1, 0, (), False),
+    },
+    ('_contact_time_power_creep', 0, 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_contact_time_power_creep_all_signed, block_contact_time_power_creep_all_signed, 1, 0, (700.0,), False),
+    },
+    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 1, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 1, (0.0,), False),
+    },
+    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('t',): (('t',), prepare_earlier_time_maxwell_t, block_earlier_time_maxwell_t, 1, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+    },
+    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 0, 1, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 2, 1, (0.0, 700.0), False),
+    },
     ('_ramp_force_kelvin_voigt', 1, 't', 'R', 'v', 'E', 'eta'): {
         ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 2, 1, (), False),
         ('t', 'R', 'v', 'E', 'eta'): (('t', 'R', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 2, 1, (), False),
+    },
+    ('_retract_force_kelvin_voigt', 1, 't', 'R', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_retract_force_kelvin_voigt_t, block_retract_force_kelvin_voigt_t, 3, 2, (0.0,), False),
+        ('t', 'R', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'R', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 3, 2, (0.0,), False),
+    },
+    ('_retract_radius_kelvin_voigt', 1, 't', 'R', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 2, 1, (0.0,), False),
+        ('t', 'R', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'R', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 3, 1, (0.0,), False),
+    },
+    ('_retract_radius_maxwell', 1, 't', 'R', 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('t',): (('t',), prepare_retract_radius_maxwell_t, block_retract_radius_maxwell_t, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'R', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'R', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 3, 2, (0.0, 700.0, 0.9999999999999998), False),
+    },
+    ('_retract_radius_power_creep', 1, 't', 'R', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 2, 1, (0.0,), False),
+        ('t', 'R', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'R', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 3, 1, (0.0, 700.0), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'R', 'E', 'eta'): {
         ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from math import exp, expm1, inf, pow, sin, sqrt
+from math import exp, expm1, inf, log1p, pow, sin, sqrt
 
 import numpy as np
 
 from ..._runtime.interface import largest, ordinary
 from ..._programs.bodies.viscoelastic import power_law as bodies
 
-C0 = np.array(0.0)
+C0 = np.array(1.0)
 C1 = np.array(np.inf)
-C2 = np.array(1.0)
+C2 = np.array(0.0)
 C3 = np.array(0.5)
 C4 = np.array(1.75)
 C5 = np.array(1.5)
@@ -32,6 +32,331 @@ C19 = np.array(16.763212110504565)
 C20 = np.array(1.7724538509055159)
 C21 = np.array(3.5449077018110318)
 C22 = np.array(3.141592653589793)
+
+
+def contact_time_kelvin_voigt(v, v_2, t_m, E, eta):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v8 = t_m / (v_2 / v) - eta / E
+            return t_m + (v8 if v8 > 0.0 or v8 != v8 else 0.0)
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_kelvin_voigt_all_signed():
+    return ()
+
+
+def block_contact_time_kelvin_voigt_all_signed(out, v, v_2, t_m, E, eta, t0, f0):
+    np.divide(v_2, v, out)
+    np.divide(t_m, out, out)
+    np.divide(eta, E, t0)
+    np.subtract(out, t0, t0)
+    np.maximum(t0, f0, out=t0)
+    np.add(t_m, t0, out)
+
+
+def contact_time_maxwell(v, v_2, t_m, E, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = t_m + tau * log1p(-expm1(-t_m / tau) / (v_2 / v))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_maxwell_all_signed():
+    return ()
+
+
+def block_contact_time_maxwell_all_signed(out, v, v_2, t_m, E, tau, t0):
+    np.divide(v_2, v, out)
+    np.negative(t_m, t0)
+    np.divide(t0, tau, t0)
+    np.expm1(t0, t0)
+    np.negative(t0, t0)
+    np.divide(t0, out, out)
+    np.log1p(out, out)
+    np.multiply(tau, out, out)
+    np.add(t_m, out, out)
+
+
+def contact_time_power_creep(v, v_2, t_m, E, alpha, t_0):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            v10 = log1p(v_2 / v) / (1.0 - alpha)
+            value = t_m + t_m / expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_contact_time_power_creep_all_signed():
+    return ()
+
+
+def block_contact_time_power_creep_all_signed(out, v, v_2, t_m, E, alpha, t_0, t0, f0):
+    np.divide(v_2, v, out)
+    np.log1p(out, out)
+    np.subtract(C0, alpha, t0)
+    np.divide(out, t0, t0)
+    np.minimum(t0, f0, out=t0)
+    np.expm1(t0, t0)
+    np.divide(t_m, t0, t0)
+    np.add(t_m, t0, out)
+
+
+def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
+    if v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and v > 1e-30 and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > -1e+30) and (tau < 1e+30):
+        try:
+            value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def earlier_time_kelvin_voigt(t, v, v_2, t_m, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t > t_m:
+                v7 = t - t_m
+                v14 = t_m - v_2 / v * ((v7 if v7 > 0.0 or v7 != v7 else 0.0) + eta / E)
+                return v14 if v14 > 0.0 or v14 != v14 else 0.0
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_kelvin_voigt_t(v, v_2, t_m, E, eta):
+    v6 = v_2 / v
+    v10 = eta / E
+    return (t_m, v6, v10)
+
+
+def block_earlier_time_kelvin_voigt_t(out, t, t_m, v6, v10, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.add(out, v10, out)
+        np.multiply(v6, out, out)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some16 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_kelvin_voigt_all():
+    return ()
+
+
+def block_earlier_time_kelvin_voigt_all(out, t, v, v_2, t_m, E, eta, t0, t1, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some16 = np.count_nonzero(m0)
+    if some16:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(eta, E, t1)
+        np.add(t0, t1, t1)
+        np.multiply(out, t1, t1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=out)
+    if some16 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_maxwell(t, v, v_2, t_m, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            if t > t_m:
+                v7 = t - t_m
+                v10 = (v7 if v7 > 0.0 or v7 != v7 else 0.0) / tau
+                v14 = v_2 / v * expm1(v10 if v10 < 700.0 or v10 != v10 else 700.0)
+                v26 = t_m - (-tau * log1p(-(v14 if v14 < 0.9999999999999998 or v14 != v14 else 0.9999999999999998)) if v14 < 1.0 else inf)
+                value = v26 if v26 > 0.0 or v26 != v26 else 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_maxwell_t(v, v_2, t_m, E, tau):
+    v5 = v_2 / v
+    v16 = np.negative(tau)
+    return (t_m, tau, v5, v16)
+
+
+def block_earlier_time_maxwell_t(out, t, t_m, tau, v5, v16, t0, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.divide(out, tau, out)
+        np.minimum(out, f1, out=out)
+        np.expm1(out, out)
+        np.multiply(v5, out, out)
+        np.less(out, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.minimum(out, f2, out=t0)
+            np.negative(t0, t0)
+            np.log1p(t0, t0)
+            np.multiply(v16, t0, t0)
+        if some23 != size:
+            np.copyto(t0, C1, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=out)
+    if some27 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_maxwell_all():
+    return ()
+
+
+def block_earlier_time_maxwell_all(out, t, v, v_2, t_m, E, tau, t0, t1, m0, m1, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some27 = np.count_nonzero(m0)
+    if some27:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(out, t0, t0)
+        np.less(t0, C0, m1)
+        some23 = np.count_nonzero(m1)
+        if some23:
+            np.negative(tau, out)
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(out, t1, out)
+        if some23 != size:
+            np.copyto(out, C1, where=~m1)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some27 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_power_creep(t, v, v_2, t_m, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v8 = t - t_m
+                v14 = log1p(v_2 / v) / (1.0 - alpha)
+                v20 = t_m - (v8 if v8 > 0.0 or v8 != v8 else 0.0) * expm1(v14 if v14 < 700.0 or v14 != v14 else 700.0)
+                value = v20 if v20 > 0.0 or v20 != v20 else 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            return t
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_earlier_time_power_creep_t(v, v_2, t_m, E, alpha, t_0):
+    v5 = v_2 / v
+    v9 = np.log1p(v5)
+    v11 = (1.0) - alpha
+    v12 = v9 / v11
+    v14 = np.minimum(v12, (700.0))
+    v15 = np.expm1(v14)
+    return (t_m, v15)
+
+
+def block_earlier_time_power_creep_t(out, t, t_m, v15, m0, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.subtract(t, t_m, out)
+        np.maximum(out, f0, out=out)
+        np.multiply(out, v15, out)
+        np.subtract(t_m, out, out)
+        np.maximum(out, f0, out=out)
+    if some20 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def prepare_earlier_time_power_creep_all():
+    return ()
+
+
+def block_earlier_time_power_creep_all(out, t, v, v_2, t_m, E, alpha, t_0, t0, t1, m0, f0, f1):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some20 = np.count_nonzero(m0)
+    if some20:
+        np.divide(v_2, v, out)
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.log1p(out, out)
+        np.subtract(C0, alpha, t1)
+        np.divide(out, t1, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=out)
+    if some20 != size:
+        np.copyto(out, t, where=~m0)
+
+
+def earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._earlier_time_standard_solid(t, v, v_2, t_m, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
 
 
 def ramp_force_kelvin_voigt(t, v, A, n, E, eta):
@@ -120,29 +445,29 @@ def prepare_ramp_force_kelvin_voigt_t(A, n, v, E, eta):
 
 def block_ramp_force_kelvin_voigt_t(out, t, v, n, E, v76, v82, v85, v86, v102, t0, t1, t2, t3, t4, m0, m1, m2):
     size = out.size
-    np.equal(t, C0, m0)
+    np.equal(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some107 = np.count_nonzero(m0)
     if some107:
-        np.copyto(out, C0)
+        np.copyto(out, C2)
     if some107 != size:
         other107 = t0 if some107 else out
         np.multiply(v, t, other107)
         np.divide(other107, v76, other107)
         np.multiply(v82, other107, t1)
         np.power(other107, v86, t2)
-        np.greater(other107, C0, m1)
+        np.greater(other107, C2, m1)
         np.less(other107, C1, m2)
         np.bitwise_and(m1, m2, m2)
         some100 = np.count_nonzero(m2)
         if some100:
             np.power(t2, n, t3)
-            np.power(t2, C0, t4)
+            np.power(t2, C2, t4)
             np.multiply(t3, t4, t4)
             np.divide(other107, t4, t4)
-            np.subtract(t4, C2, t4)
+            np.subtract(t4, C0, t4)
             np.divide(t4, v85, t4)
             np.multiply(t2, t4, t4)
             np.add(t2, t4, t3)
@@ -162,16 +487,16 @@ def prepare_ramp_force_kelvin_voigt_all():
 
 def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2):
     size = out.size
-    np.equal(t, C0, m0)
+    np.equal(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
     some107 = np.count_nonzero(m0)
     if some107:
-        np.copyto(out, C0)
+        np.copyto(out, C2)
     if some107 != size:
         other107 = t0 if some107 else out
-        np.add(n, C2, other107)
+        np.add(n, C0, other107)
         np.divide(other107, n, t1)
         np.multiply(v, t, t2)
         np.multiply(n, C3, t3)
@@ -180,23 +505,23 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.add(t3, C3, t5)
         np.add(t3, C5, t6)
         np.multiply(t5, t6, t6)
-        np.less(t3, C2, m1)
+        np.less(t3, C0, m1)
         some28 = np.count_nonzero(m1)
         if some28:
-            np.add(t3, C2, t5)
+            np.add(t3, C0, t5)
             np.multiply(t3, t5, t5)
             np.divide(t5, t6, t5)
         if some28 != size:
             other28 = t7 if some28 else t5
             np.add(t3, C6, other28)
             np.divide(other28, t6, other28)
-            np.subtract(C2, other28, other28)
+            np.subtract(C0, other28, other28)
             if some28:
                 np.copyto(t5, other28, where=~m1)
         np.sqrt(t4, t6)
         np.multiply(t5, t6, t6)
         np.multiply(t4, t4, t4)
-        np.divide(C2, t4, t4)
+        np.divide(C0, t4, t4)
         np.multiply(C7, t4, t5)
         np.add(t5, C8, t5)
         np.multiply(t5, t4, t5)
@@ -220,10 +545,10 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.multiply(t3, t4, t3)
         np.add(t3, C19, t3)
         np.multiply(t3, t4, t3)
-        np.add(t3, C2, t3)
+        np.add(t3, C0, t3)
         np.divide(t5, t3, t3)
         np.multiply(t4, t3, t3)
-        np.add(C2, t3, t3)
+        np.add(C0, t3, t3)
         np.multiply(t6, t3, t3)
         np.multiply(C20, A, t6)
         np.multiply(t6, t3, t6)
@@ -233,19 +558,19 @@ def block_ramp_force_kelvin_voigt_all(out, t, A, n, v, E, eta, t0, t1, t2, t3, t
         np.divide(t2, other107, other107)
         np.multiply(other107, t3, t3)
         np.multiply(t3, t6, t3)
-        np.add(n, C0, other107)
-        np.divide(C2, other107, t2)
+        np.add(n, C2, other107)
+        np.divide(C0, other107, t2)
         np.power(t6, t2, t2)
-        np.greater(t6, C0, m1)
+        np.greater(t6, C2, m1)
         np.less(t6, C1, m2)
         np.bitwise_and(m1, m2, m2)
         some100 = np.count_nonzero(m2)
         if some100:
             np.power(t2, n, t4)
-            np.power(t2, C0, t5)
+            np.power(t2, C2, t5)
             np.multiply(t4, t5, t5)
             np.divide(t6, t5, t5)
-            np.subtract(t5, C2, t5)
+            np.subtract(t5, C0, t5)
             np.divide(t5, other107, t5)
             np.multiply(t2, t5, t5)
             np.add(t2, t5, t4)
@@ -293,6 +618,1145 @@ def ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(t, v, A, n, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            v9 = n + 1.0
+            v18 = t > t_m
+            v29 = n / 2.0 + 0.5
+            v31 = v29 + 1.75
+            v35 = (v29 + 0.5) * (v29 + 1.5)
+            v48 = 1.0 / (v31 * v31)
+            v89 = (v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0)))
+            v92 = 1.7724538509055159 * A * v89
+            v98 = 3.5449077018110318 * n * A / v9 * v89
+            v100 = n + 0.0
+            v101 = 1.0 / v100
+            if v18:
+                if v18:
+                    v12 = t - t_m
+                    v19 = t_m - v_2 / v * ((v12 if v12 > 0.0 or v12 != v12 else 0.0) + eta / E)
+                    v21 = v19 if v19 > 0.0 or v19 != v19 else 0.0
+                else:
+                    v21 = t
+                if v21 > 0.0:
+                    v93 = v * v21 / v92
+                    v102 = pow(v93, v101)
+                    value = v98 * v93 * (v102 + v102 * ((v93 / (pow(v102, n) * pow(v102, 0.0)) - 1.0) / v100) if v93 > 0.0 and v93 < inf else v102) * (E + 0.0 * v21)
+                    if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                        return value
+                    return None
+                return 0.0
+            if t == 0.0:
+                return 0.0
+            v121 = v * t / v92
+            v123 = pow(v121, v101)
+            value = v98 * v121 * (v123 + v123 * ((v121 / (pow(v123, n) * pow(v123, 0.0)) - 1.0) / v100) if v121 > 0.0 and v121 < inf else v123) * (E + eta * (v9 / n) / t)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, E, eta):
+    v9 = n + (1.0)
+    v10 = v9 / n
+    v11 = v_2 / v
+    v15 = eta / E
+    v26 = n / (2.0)
+    v28 = v26 + (0.5)
+    v30 = v28 + (1.75)
+    v31 = v28 + (0.5)
+    v33 = v28 + (1.5)
+    v34 = v31 * v33
+    v35 = np.less(v28, (1.0))
+    v36 = v28 + (1.0)
+    v37 = v28 * v36
+    v38 = v37 / v34
+    v40 = v28 + (0.75)
+    v41 = v40 / v34
+    v42 = (1.0) - v41
+    v43 = v38 if v35 else v42
+    v44 = np.sqrt(v30)
+    v45 = v43 * v44
+    v46 = v30 * v30
+    v47 = (1.0) / v46
+    v49 = (0.01524698625788054) * v47
+    v51 = v49 + (0.5334320651111477)
+    v52 = v51 * v47
+    v54 = v52 + (2.250488865813539)
+    v55 = v54 * v47
+    v57 = v55 + (2.8612106440066865)
+    v58 = v57 * v47
+    v60 = v58 + (1.3794681629043655)
+    v61 = v60 * v47
+    v63 = v61 + (0.2596058532893223)
+    v64 = v63 * v47
+    v66 = v64 + (0.015624999999999823)
+    v68 = (3.278794792785737) * v47
+    v70 = v68 + (49.328555418276075)
+    v71 = v70 * v47
+    v73 = v71 + (167.28648538571198)
+    v74 = v73 * v47
+    v76 = v74 + (195.37226190335065)
+    v77 = v76 * v47
+    v79 = v77 + (90.69722535867314)
+    v80 = v79 * v47
+    v82 = v80 + (16.763212110504565)
+    v83 = v82 * v47
+    v84 = v83 + (1.0)
+    v85 = v66 / v84
+    v86 = v47 * v85
+    v87 = (1.0) + v86
+    v88 = v45 * v87
+    v90 = (1.7724538509055159) * A
+    v91 = v90 * v88
+    v94 = (3.5449077018110318) * n
+    v95 = v94 * A
+    v96 = v95 / v9
+    v97 = v96 * v88
+    v99 = n + (0.0)
+    v100 = (1.0) / v99
+    v136 = eta * v10
+    return (v, t_m, n, E, v11, v15, v91, v97, v99, v100, v136)
+
+
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v11, v15, v91, v97, v99, v100, v136, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some142 = np.count_nonzero(m0)
+    if some142:
+        some21 = np.count_nonzero(m0)
+        if some21:
+            np.subtract(t, t_m, t0)
+            np.maximum(t0, f0, out=t0)
+            np.add(t0, v15, t0)
+            np.multiply(v11, t0, t0)
+            np.subtract(t_m, t0, t0)
+            np.maximum(t0, f0, out=t0)
+        if some21 != size:
+            np.copyto(t0, t, where=~m0)
+        np.greater(t0, C2, m1)
+        some118 = np.count_nonzero(m1)
+        if some118:
+            np.multiply(C2, t0, out)
+            np.add(E, out, out)
+            np.multiply(v, t0, t1)
+            np.divide(t1, v91, t1)
+            np.multiply(v97, t1, t2)
+            np.power(t1, v100, t3)
+            np.greater(t1, C2, m2)
+            np.less(t1, C1, m3)
+            np.bitwise_and(m2, m3, m3)
+            some114 = np.count_nonzero(m3)
+            if some114:
+                np.power(t3, n, t4)
+                np.power(t3, C2, t5)
+                np.multiply(t4, t5, t5)
+                np.divide(t1, t5, t5)
+                np.subtract(t5, C0, t5)
+                np.divide(t5, v99, t5)
+                np.multiply(t3, t5, t5)
+                np.add(t3, t5, t4)
+            if some114 != size:
+                np.copyto(t4, t3, where=~m3)
+            np.multiply(t2, t4, t4)
+            np.multiply(t4, out, out)
+        if some118 != size:
+            np.copyto(out, C2, where=~m1)
+    if some142 != size:
+        other142 = t0 if some142 else out
+        np.equal(t, C2, m1)
+        some141 = np.count_nonzero(m1)
+        if some141:
+            np.copyto(other142, C2)
+        if some141 != size:
+            other141 = t4 if some141 else other142
+            np.multiply(v, t, other141)
+            np.divide(other141, v91, other141)
+            np.multiply(v97, other141, t2)
+            np.power(other141, v100, t1)
+            np.greater(other141, C2, m3)
+            np.less(other141, C1, m2)
+            np.bitwise_and(m3, m2, m2)
+            some134 = np.count_nonzero(m2)
+            if some134:
+                np.power(t1, n, t3)
+                np.power(t1, C2, t5)
+                np.multiply(t3, t5, t5)
+                np.divide(other141, t5, t5)
+                np.subtract(t5, C0, t5)
+                np.divide(t5, v99, t5)
+                np.multiply(t1, t5, t5)
+                np.add(t1, t5, t3)
+            if some134 != size:
+                np.copyto(t3, t1, where=~m2)
+            np.multiply(t2, t3, t3)
+            np.divide(v136, t, t2)
+            np.add(E, t2, t2)
+            np.multiply(t3, t2, other141)
+            if some141:
+                np.copyto(other142, other141, where=~m1)
+        if some142:
+            np.copyto(out, other142, where=~m0)
+
+
+def prepare_retract_force_kelvin_voigt_all():
+    return ()
+
+
+def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, m2, m3, f0):
+    size = out.size
+    np.add(n, C0, t0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    np.greater(t, t_m, m0)
+    np.multiply(n, C3, t1)
+    np.add(t1, C3, t1)
+    np.add(t1, C4, t2)
+    np.add(t1, C3, t3)
+    np.add(t1, C5, t4)
+    np.multiply(t3, t4, t4)
+    np.less(t1, C0, m1)
+    some43 = np.count_nonzero(m1)
+    if some43:
+        np.add(t1, C0, t3)
+        np.multiply(t1, t3, t3)
+        np.divide(t3, t4, t3)
+    if some43 != size:
+        other43 = t5 if some43 else t3
+        np.add(t1, C6, other43)
+        np.divide(other43, t4, other43)
+        np.subtract(C0, other43, other43)
+        if some43:
+            np.copyto(t3, other43, where=~m1)
+    np.sqrt(t2, t4)
+    np.multiply(t3, t4, t4)
+    np.multiply(t2, t2, t2)
+    np.divide(C0, t2, t2)
+    np.multiply(C7, t2, t3)
+    np.add(t3, C8, t3)
+    np.multiply(t3, t2, t3)
+    np.add(t3, C9, t3)
+    np.multiply(t3, t2, t3)
+    np.add(t3, C10, t3)
+    np.multiply(t3, t2, t3)
+    np.add(t3, C11, t3)
+    np.multiply(t3, t2, t3)
+    np.add(t3, C12, t3)
+    np.multiply(t3, t2, t3)
+    np.add(t3, C13, t3)
+    np.multiply(C14, t2, t1)
+    np.add(t1, C15, t1)
+    np.multiply(t1, t2, t1)
+    np.add(t1, C16, t1)
+    np.multiply(t1, t2, t1)
+    np.add(t1, C17, t1)
+    np.multiply(t1, t2, t1)
+    np.add(t1, C18, t1)
+    np.multiply(t1, t2, t1)
+    np.add(t1, C19, t1)
+    np.multiply(t1, t2, t1)
+    np.add(t1, C0, t1)
+    np.divide(t3, t1, t1)
+    np.multiply(t2, t1, t1)
+    np.add(C0, t1, t1)
+    np.multiply(t4, t1, t1)
+    np.multiply(C20, A, t4)
+    np.multiply(t4, t1, t4)
+    np.multiply(C21, n, t2)
+    np.multiply(t2, A, t2)
+    np.divide(t2, t0, t2)
+    np.multiply(t2, t1, t1)
+    np.add(n, C2, t2)
+    np.divide(C0, t2, t3)
+    some142 = np.count_nonzero(m0)
+    if some142:
+        some21 = np.count_nonzero(m0)
+        if some21:
+            np.divide(v_2, v, t5)
+            np.subtract(t, t_m, t6)
+            np.maximum(t6, f0, out=t6)
+            np.divide(eta, E, t7)
+            np.add(t6, t7, t7)
+            np.multiply(t5, t7, t7)
+            np.subtract(t_m, t7, t7)
+            np.maximum(t7, f0, out=t5)
+        if some21 != size:
+            np.copyto(t5, t, where=~m0)
+        np.greater(t5, C2, m1)
+        some118 = np.count_nonzero(m1)
+        if some118:
+            np.multiply(C2, t5, out)
+            np.add(E, out, out)
+            np.multiply(v, t5, t7)
+            np.divide(t7, t4, t7)
+            np.multiply(t1, t7, t6)
+            np.power(t7, t3, t8)
+            np.greater(t7, C2, m2)
+            np.less(t7, C1, m3)
+            np.bitwise_and(m2, m3, m3)
+            some114 = np.count_nonzero(m3)
+            if some114:
+                np.power(t8, n, t9)
+                np.power(t8, C2, t10)
+                np.multiply(t9, t10, t10)
+                np.divide(t7, t10, t10)
+                np.subtract(t10, C0, t10)
+                np.divide(t10, t2, t10)
+                np.multiply(t8, t10, t10)
+                np.add(t8, t10, t9)
+            if some114 != size:
+                np.copyto(t9, t8, where=~m3)
+            np.multiply(t6, t9, t9)
+            np.multiply(t9, out, out)
+        if some118 != size:
+            np.copyto(out, C2, where=~m1)
+    if some142 != size:
+        other142 = t5 if some142 else out
+        np.equal(t, C2, m1)
+        some141 = np.count_nonzero(m1)
+        if some141:
+            np.copyto(other142, C2)
+        if some141 != size:
+            other141 = t9 if some141 else other142
+            np.divide(t0, n, other141)
+            np.multiply(v, t, t6)
+            np.divide(t6, t4, t6)
+            np.multiply(t1, t6, t7)
+            np.power(t6, t3, t8)
+            np.greater(t6, C2, m3)
+            np.less(t6, C1, m2)
+            np.bitwise_and(m3, m2, m2)
+            some134 = np.count_nonzero(m2)
+            if some134:
+                np.power(t8, n, t10)
+                np.power(t8, C2, t11)
+                np.multiply(t10, t11, t11)
+                np.divide(t6, t11, t11)
+                np.subtract(t11, C0, t11)
+                np.divide(t11, t2, t11)
+                np.multiply(t8, t11, t11)
+                np.add(t8, t11, t10)
+            if some134 != size:
+                np.copyto(t10, t8, where=~m2)
+            np.multiply(t7, t10, t10)
+            np.multiply(eta, other141, other141)
+            np.divide(other141, t, other141)
+            np.add(E, other141, other141)
+            np.multiply(t10, other141, other141)
+            if some141:
+                np.copyto(other142, other141, where=~m1)
+        if some142:
+            np.copyto(out, other142, where=~m0)
+
+
+def retract_force_maxwell(t, v, v_2, t_m, A, n, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_maxwell(t, v, v_2, t_m, A, n, E, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, A, n, E, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            value = bodies._retract_force_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, A, n, E, alpha, t_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_force_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_force_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def retract_radius_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
+        try:
+            if t > t_m:
+                v9 = t - t_m
+                v16 = t_m - v_2 / v * ((v9 if v9 > 0.0 or v9 != v9 else 0.0) + eta / E)
+                v18 = v16 if v16 > 0.0 or v16 != v16 else 0.0
+            else:
+                v18 = t
+            if v18 <= 0.0:
+                return 0.0
+            v24 = n / 2.0 + 0.5
+            v26 = v24 + 1.75
+            v30 = (v24 + 0.5) * (v24 + 1.5)
+            v44 = 1.0 / (v26 * v26)
+            v89 = v * v18 / (1.7724538509055159 * A * ((v24 * (v24 + 1.0) / v30 if v24 < 1.0 else 1.0 - (v24 + 0.75) / v30) * sqrt(v26) * (1.0 + v44 * (((((((0.01524698625788054 * v44 + 0.5334320651111477) * v44 + 2.250488865813539) * v44 + 2.8612106440066865) * v44 + 1.3794681629043655) * v44 + 0.2596058532893223) * v44 + 0.015624999999999823) / ((((((3.278794792785737 * v44 + 49.328555418276075) * v44 + 167.28648538571198) * v44 + 195.37226190335065) * v44 + 90.69722535867314) * v44 + 16.763212110504565) * v44 + 1.0)))))
+            v90 = n + 0.0
+            v92 = pow(v89, 1.0 / v90)
+            if v89 > 0.0 and v89 < inf:
+                value = v92 + v92 * ((v89 / (pow(v92, n) * pow(v92, 0.0)) - 1.0) / v90)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v92
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_kelvin_voigt_t(A, n, v, v_2, t_m, E, eta):
+    v8 = v_2 / v
+    v12 = eta / E
+    v22 = n / (2.0)
+    v24 = v22 + (0.5)
+    v26 = v24 + (1.75)
+    v27 = v24 + (0.5)
+    v29 = v24 + (1.5)
+    v30 = v27 * v29
+    v32 = np.less(v24, (1.0))
+    v33 = v24 + (1.0)
+    v34 = v24 * v33
+    v35 = v34 / v30
+    v37 = v24 + (0.75)
+    v38 = v37 / v30
+    v39 = (1.0) - v38
+    v40 = v35 if v32 else v39
+    v41 = np.sqrt(v26)
+    v42 = v40 * v41
+    v43 = v26 * v26
+    v44 = (1.0) / v43
+    v46 = (0.01524698625788054) * v44
+    v48 = v46 + (0.5334320651111477)
+    v49 = v48 * v44
+    v51 = v49 + (2.250488865813539)
+    v52 = v51 * v44
+    v54 = v52 + (2.8612106440066865)
+    v55 = v54 * v44
+    v57 = v55 + (1.3794681629043655)
+    v58 = v57 * v44
+    v60 = v58 + (0.2596058532893223)
+    v61 = v60 * v44
+    v63 = v61 + (0.015624999999999823)
+    v65 = (3.278794792785737) * v44
+    v67 = v65 + (49.328555418276075)
+    v68 = v67 * v44
+    v70 = v68 + (167.28648538571198)
+    v71 = v70 * v44
+    v73 = v71 + (195.37226190335065)
+    v74 = v73 * v44
+    v76 = v74 + (90.69722535867314)
+    v77 = v76 * v44
+    v79 = v77 + (16.763212110504565)
+    v80 = v79 * v44
+    v81 = v80 + (1.0)
+    v82 = v63 / v81
+    v83 = v44 * v82
+    v84 = (1.0) + v83
+    v85 = v42 * v84
+    v87 = (1.7724538509055159) * A
+    v88 = v87 * v85
+    v90 = n + (0.0)
+    v91 = (1.0) / v90
+    return (v, t_m, n, v8, v12, v88, v90, v91)
+
+
+def block_retract_radius_kelvin_voigt_t(out, t, v, t_m, n, v8, v12, v88, v90, v91, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.add(t0, v12, t0)
+        np.multiply(v8, t0, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some18 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some106 = np.count_nonzero(m0)
+    if some106:
+        np.copyto(out, C2)
+    if some106 != size:
+        other106 = t1 if some106 else out
+        np.multiply(v, t0, t2)
+        np.divide(t2, v88, t2)
+        np.power(t2, v91, t3)
+        np.greater(t2, C2, m1)
+        np.less(t2, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some105 = np.count_nonzero(m2)
+        if some105:
+            np.power(t3, n, other106)
+            np.power(t3, C2, t4)
+            np.multiply(other106, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, v90, t4)
+            np.multiply(t3, t4, t4)
+            np.add(t3, t4, other106)
+        if some105 != size:
+            np.copyto(other106, t3, where=~m2)
+        if some106:
+            np.copyto(out, other106, where=~m0)
+
+
+def prepare_retract_radius_kelvin_voigt_all():
+    return ()
+
+
+def block_retract_radius_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some18 = np.count_nonzero(m0)
+    if some18:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(eta, E, t2)
+        np.add(t1, t2, t2)
+        np.multiply(t0, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=t0)
+    if some18 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some106 = np.count_nonzero(m0)
+    if some106:
+        np.copyto(out, C2)
+    if some106 != size:
+        other106 = t2 if some106 else out
+        np.multiply(v, t0, t1)
+        np.multiply(n, C3, t3)
+        np.add(t3, C3, t3)
+        np.add(t3, C4, t4)
+        np.add(t3, C3, t5)
+        np.add(t3, C5, t6)
+        np.multiply(t5, t6, t6)
+        np.less(t3, C0, m1)
+        some40 = np.count_nonzero(m1)
+        if some40:
+            np.add(t3, C0, t5)
+            np.multiply(t3, t5, t5)
+            np.divide(t5, t6, t5)
+        if some40 != size:
+            other40 = t7 if some40 else t5
+            np.add(t3, C6, other40)
+            np.divide(other40, t6, other40)
+            np.subtract(C0, other40, other40)
+            if some40:
+                np.copyto(t5, other40, where=~m1)
+        np.sqrt(t4, t6)
+        np.multiply(t5, t6, t6)
+        np.multiply(t4, t4, t4)
+        np.divide(C0, t4, t4)
+        np.multiply(C7, t4, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C13, t5)
+        np.multiply(C14, t4, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C18, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C19, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C0, t3)
+        np.divide(t5, t3, t3)
+        np.multiply(t4, t3, t3)
+        np.add(C0, t3, t3)
+        np.multiply(t6, t3, t3)
+        np.multiply(C20, A, t6)
+        np.multiply(t6, t3, t3)
+        np.divide(t1, t3, t3)
+        np.add(n, C2, t1)
+        np.divide(C0, t1, t6)
+        np.power(t3, t6, t6)
+        np.greater(t3, C2, m1)
+        np.less(t3, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some105 = np.count_nonzero(m2)
+        if some105:
+            np.power(t6, n, other106)
+            np.power(t6, C2, t4)
+            np.multiply(other106, t4, t4)
+            np.divide(t3, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, t1, t4)
+            np.multiply(t6, t4, t4)
+            np.add(t6, t4, other106)
+        if some105 != size:
+            np.copyto(other106, t6, where=~m2)
+        if some106:
+            np.copyto(out, other106, where=~m0)
+
+
+def retract_radius_maxwell(t, v, v_2, t_m, A, n, E, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            if t > t_m:
+                v9 = t - t_m
+                v12 = (v9 if v9 > 0.0 or v9 != v9 else 0.0) / tau
+                v16 = v_2 / v * expm1(v12 if v12 < 700.0 or v12 != v12 else 700.0)
+                v28 = t_m - (-tau * log1p(-(v16 if v16 < 0.9999999999999998 or v16 != v16 else 0.9999999999999998)) if v16 < 1.0 else inf)
+                v30 = v28 if v28 > 0.0 or v28 != v28 else 0.0
+            else:
+                v30 = t
+            if v30 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v36 = n / 2.0 + 0.5
+            v38 = v36 + 1.75
+            v42 = (v36 + 0.5) * (v36 + 1.5)
+            v55 = 1.0 / (v38 * v38)
+            v100 = v * v30 / (1.7724538509055159 * A * ((v36 * (v36 + 1.0) / v42 if v36 < 1.0 else 1.0 - (v36 + 0.75) / v42) * sqrt(v38) * (1.0 + v55 * (((((((0.01524698625788054 * v55 + 0.5334320651111477) * v55 + 2.250488865813539) * v55 + 2.8612106440066865) * v55 + 1.3794681629043655) * v55 + 0.2596058532893223) * v55 + 0.015624999999999823) / ((((((3.278794792785737 * v55 + 49.328555418276075) * v55 + 167.28648538571198) * v55 + 195.37226190335065) * v55 + 90.69722535867314) * v55 + 16.763212110504565) * v55 + 1.0)))))
+            v101 = n + 0.0
+            v103 = pow(v100, 1.0 / v101)
+            if v100 > 0.0 and v100 < inf:
+                value = v103 + v103 * ((v100 / (pow(v103, n) * pow(v103, 0.0)) - 1.0) / v101)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v103
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_maxwell_t(A, n, v, v_2, t_m, E, tau):
+    v7 = v_2 / v
+    v18 = np.negative(tau)
+    v33 = n / (2.0)
+    v35 = v33 + (0.5)
+    v37 = v35 + (1.75)
+    v38 = v35 + (0.5)
+    v40 = v35 + (1.5)
+    v41 = v38 * v40
+    v42 = np.less(v35, (1.0))
+    v43 = v35 + (1.0)
+    v44 = v35 * v43
+    v45 = v44 / v41
+    v47 = v35 + (0.75)
+    v48 = v47 / v41
+    v49 = (1.0) - v48
+    v50 = v45 if v42 else v49
+    v51 = np.sqrt(v37)
+    v52 = v50 * v51
+    v53 = v37 * v37
+    v54 = (1.0) / v53
+    v56 = (0.01524698625788054) * v54
+    v58 = v56 + (0.5334320651111477)
+    v59 = v58 * v54
+    v61 = v59 + (2.250488865813539)
+    v62 = v61 * v54
+    v64 = v62 + (2.8612106440066865)
+    v65 = v64 * v54
+    v67 = v65 + (1.3794681629043655)
+    v68 = v67 * v54
+    v70 = v68 + (0.2596058532893223)
+    v71 = v70 * v54
+    v73 = v71 + (0.015624999999999823)
+    v75 = (3.278794792785737) * v54
+    v77 = v75 + (49.328555418276075)
+    v78 = v77 * v54
+    v80 = v78 + (167.28648538571198)
+    v81 = v80 * v54
+    v83 = v81 + (195.37226190335065)
+    v84 = v83 * v54
+    v86 = v84 + (90.69722535867314)
+    v87 = v86 * v54
+    v89 = v87 + (16.763212110504565)
+    v90 = v89 * v54
+    v91 = v90 + (1.0)
+    v92 = v73 / v91
+    v93 = v54 * v92
+    v94 = (1.0) + v93
+    v95 = v52 * v94
+    v97 = (1.7724538509055159) * A
+    v98 = v97 * v95
+    v100 = n + (0.0)
+    v101 = (1.0) / v100
+    return (v, t_m, n, tau, v7, v18, v98, v100, v101)
+
+
+def block_retract_radius_maxwell_t(out, t, v, t_m, n, tau, v7, v18, v98, v100, v101, t0, t1, t2, t3, t4, m0, m1, m2, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.divide(t0, tau, t0)
+        np.minimum(t0, f1, out=t0)
+        np.expm1(t0, t0)
+        np.multiply(v7, t0, t0)
+        np.less(t0, C0, m1)
+        some25 = np.count_nonzero(m1)
+        if some25:
+            np.minimum(t0, f2, out=t1)
+            np.negative(t1, t1)
+            np.log1p(t1, t1)
+            np.multiply(v18, t1, t1)
+        if some25 != size:
+            np.copyto(t1, C1, where=~m1)
+        np.subtract(t_m, t1, t1)
+        np.maximum(t1, f0, out=t0)
+    if some29 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some115 = np.count_nonzero(m0)
+    if some115:
+        np.copyto(out, C2)
+    if some115 != size:
+        other115 = t1 if some115 else out
+        np.multiply(v, t0, t2)
+        np.divide(t2, v98, t2)
+        np.power(t2, v101, t3)
+        np.greater(t2, C2, m1)
+        np.less(t2, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some114 = np.count_nonzero(m2)
+        if some114:
+            np.power(t3, n, other115)
+            np.power(t3, C2, t4)
+            np.multiply(other115, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, v100, t4)
+            np.multiply(t3, t4, t4)
+            np.add(t3, t4, other115)
+        if some114 != size:
+            np.copyto(other115, t3, where=~m2)
+        if some115:
+            np.copyto(out, other115, where=~m0)
+
+
+def prepare_retract_radius_maxwell_all():
+    return ()
+
+
+def block_retract_radius_maxwell_all(out, t, A, n, v, v_2, t_m, E, tau, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1, f2):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some29 = np.count_nonzero(m0)
+    if some29:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.divide(t1, tau, t1)
+        np.minimum(t1, f1, out=t1)
+        np.expm1(t1, t1)
+        np.multiply(t0, t1, t1)
+        np.less(t1, C0, m1)
+        some25 = np.count_nonzero(m1)
+        if some25:
+            np.negative(tau, t0)
+            np.minimum(t1, f2, out=t2)
+            np.negative(t2, t2)
+            np.log1p(t2, t2)
+            np.multiply(t0, t2, t0)
+        if some25 != size:
+            np.copyto(t0, C1, where=~m1)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some29 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some115 = np.count_nonzero(m0)
+    if some115:
+        np.copyto(out, C2)
+    if some115 != size:
+        other115 = t1 if some115 else out
+        np.multiply(v, t0, t2)
+        np.multiply(n, C3, t3)
+        np.add(t3, C3, t3)
+        np.add(t3, C4, t4)
+        np.add(t3, C3, t5)
+        np.add(t3, C5, t6)
+        np.multiply(t5, t6, t6)
+        np.less(t3, C0, m1)
+        some50 = np.count_nonzero(m1)
+        if some50:
+            np.add(t3, C0, t5)
+            np.multiply(t3, t5, t5)
+            np.divide(t5, t6, t5)
+        if some50 != size:
+            other50 = t7 if some50 else t5
+            np.add(t3, C6, other50)
+            np.divide(other50, t6, other50)
+            np.subtract(C0, other50, other50)
+            if some50:
+                np.copyto(t5, other50, where=~m1)
+        np.sqrt(t4, t6)
+        np.multiply(t5, t6, t6)
+        np.multiply(t4, t4, t4)
+        np.divide(C0, t4, t4)
+        np.multiply(C7, t4, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C13, t5)
+        np.multiply(C14, t4, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C18, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C19, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C0, t3)
+        np.divide(t5, t3, t3)
+        np.multiply(t4, t3, t3)
+        np.add(C0, t3, t3)
+        np.multiply(t6, t3, t3)
+        np.multiply(C20, A, t6)
+        np.multiply(t6, t3, t3)
+        np.divide(t2, t3, t3)
+        np.add(n, C2, t2)
+        np.divide(C0, t2, t6)
+        np.power(t3, t6, t6)
+        np.greater(t3, C2, m1)
+        np.less(t3, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some114 = np.count_nonzero(m2)
+        if some114:
+            np.power(t6, n, other115)
+            np.power(t6, C2, t4)
+            np.multiply(other115, t4, t4)
+            np.divide(t3, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, t2, t4)
+            np.multiply(t6, t4, t4)
+            np.add(t6, t4, other115)
+        if some114 != size:
+            np.copyto(other115, t6, where=~m2)
+        if some115:
+            np.copyto(out, other115, where=~m0)
+
+
+def retract_radius_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is alpha.__class__ is t_0.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (alpha > 1e-30) and (alpha < 1.0) and (t_0 > 1e-30) and (t_0 < 1e+30):
+        try:
+            if t > t_m:
+                v10 = t - t_m
+                v16 = log1p(v_2 / v) / (1.0 - alpha)
+                v22 = t_m - (v10 if v10 > 0.0 or v10 != v10 else 0.0) * expm1(v16 if v16 < 700.0 or v16 != v16 else 700.0)
+                v24 = v22 if v22 > 0.0 or v22 != v22 else 0.0
+            else:
+                v24 = t
+            if v24 <= 0.0:
+                value = 0.0
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            v30 = n / 2.0 + 0.5
+            v32 = v30 + 1.75
+            v36 = (v30 + 0.5) * (v30 + 1.5)
+            v49 = 1.0 / (v32 * v32)
+            v94 = v * v24 / (1.7724538509055159 * A * ((v30 * (v30 + 1.0) / v36 if v30 < 1.0 else 1.0 - (v30 + 0.75) / v36) * sqrt(v32) * (1.0 + v49 * (((((((0.01524698625788054 * v49 + 0.5334320651111477) * v49 + 2.250488865813539) * v49 + 2.8612106440066865) * v49 + 1.3794681629043655) * v49 + 0.2596058532893223) * v49 + 0.015624999999999823) / ((((((3.278794792785737 * v49 + 49.328555418276075) * v49 + 167.28648538571198) * v49 + 195.37226190335065) * v49 + 90.69722535867314) * v49 + 16.763212110504565) * v49 + 1.0)))))
+            v95 = n + 0.0
+            v97 = pow(v94, 1.0 / v95)
+            if v94 > 0.0 and v94 < inf:
+                value = v97 + v97 * ((v94 / (pow(v97, n) * pow(v97, 0.0)) - 1.0) / v95)
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                return None
+            value = v97
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_retract_radius_power_creep_t(A, n, v, v_2, t_m, E, alpha, t_0):
+    v7 = v_2 / v
+    v11 = np.log1p(v7)
+    v13 = (1.0) - alpha
+    v14 = v11 / v13
+    v16 = np.minimum(v14, (700.0))
+    v17 = np.expm1(v16)
+    v26 = n / (2.0)
+    v28 = v26 + (0.5)
+    v30 = v28 + (1.75)
+    v31 = v28 + (0.5)
+    v33 = v28 + (1.5)
+    v34 = v31 * v33
+    v35 = np.less(v28, (1.0))
+    v36 = v28 + (1.0)
+    v37 = v28 * v36
+    v38 = v37 / v34
+    v40 = v28 + (0.75)
+    v41 = v40 / v34
+    v42 = (1.0) - v41
+    v43 = v38 if v35 else v42
+    v44 = np.sqrt(v30)
+    v45 = v43 * v44
+    v46 = v30 * v30
+    v47 = (1.0) / v46
+    v49 = (0.01524698625788054) * v47
+    v51 = v49 + (0.5334320651111477)
+    v52 = v51 * v47
+    v54 = v52 + (2.250488865813539)
+    v55 = v54 * v47
+    v57 = v55 + (2.8612106440066865)
+    v58 = v57 * v47
+    v60 = v58 + (1.3794681629043655)
+    v61 = v60 * v47
+    v63 = v61 + (0.2596058532893223)
+    v64 = v63 * v47
+    v66 = v64 + (0.015624999999999823)
+    v68 = (3.278794792785737) * v47
+    v70 = v68 + (49.328555418276075)
+    v71 = v70 * v47
+    v73 = v71 + (167.28648538571198)
+    v74 = v73 * v47
+    v76 = v74 + (195.37226190335065)
+    v77 = v76 * v47
+    v79 = v77 + (90.69722535867314)
+    v80 = v79 * v47
+    v82 = v80 + (16.763212110504565)
+    v83 = v82 * v47
+    v84 = v83 + (1.0)
+    v85 = v66 / v84
+    v86 = v47 * v85
+    v87 = (1.0) + v86
+    v88 = v45 * v87
+    v90 = (1.7724538509055159) * A
+    v91 = v90 * v88
+    v93 = n + (0.0)
+    v94 = (1.0) / v93
+    return (v, t_m, n, v17, v91, v93, v94)
+
+
+def block_retract_radius_power_creep_t(out, t, v, t_m, n, v17, v91, v93, v94, t0, t1, t2, t3, t4, m0, m1, m2, f0):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.subtract(t, t_m, t0)
+        np.maximum(t0, f0, out=t0)
+        np.multiply(t0, v17, t0)
+        np.subtract(t_m, t0, t0)
+        np.maximum(t0, f0, out=t0)
+    if some22 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some109 = np.count_nonzero(m0)
+    if some109:
+        np.copyto(out, C2)
+    if some109 != size:
+        other109 = t1 if some109 else out
+        np.multiply(v, t0, t2)
+        np.divide(t2, v91, t2)
+        np.power(t2, v94, t3)
+        np.greater(t2, C2, m1)
+        np.less(t2, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some108 = np.count_nonzero(m2)
+        if some108:
+            np.power(t3, n, other109)
+            np.power(t3, C2, t4)
+            np.multiply(other109, t4, t4)
+            np.divide(t2, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, v93, t4)
+            np.multiply(t3, t4, t4)
+            np.add(t3, t4, other109)
+        if some108 != size:
+            np.copyto(other109, t3, where=~m2)
+        if some109:
+            np.copyto(out, other109, where=~m0)
+
+
+def prepare_retract_radius_power_creep_all():
+    return ()
+
+
+def block_retract_radius_power_creep_all(out, t, A, n, v, v_2, t_m, E, alpha, t_0, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, m2, f0, f1):
+    size = out.size
+    np.greater(t, t_m, m0)
+    largest_t = largest(t)
+    if largest_t == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.divide(v_2, v, t0)
+        np.subtract(t, t_m, t1)
+        np.maximum(t1, f0, out=t1)
+        np.log1p(t0, t0)
+        np.subtract(C0, alpha, t2)
+        np.divide(t0, t2, t2)
+        np.minimum(t2, f1, out=t2)
+        np.expm1(t2, t2)
+        np.multiply(t1, t2, t2)
+        np.subtract(t_m, t2, t2)
+        np.maximum(t2, f0, out=t0)
+    if some22 != size:
+        np.copyto(t0, t, where=~m0)
+    np.less_equal(t0, C2, m0)
+    some109 = np.count_nonzero(m0)
+    if some109:
+        np.copyto(out, C2)
+    if some109 != size:
+        other109 = t2 if some109 else out
+        np.multiply(v, t0, t1)
+        np.multiply(n, C3, t3)
+        np.add(t3, C3, t3)
+        np.add(t3, C4, t4)
+        np.add(t3, C3, t5)
+        np.add(t3, C5, t6)
+        np.multiply(t5, t6, t6)
+        np.less(t3, C0, m1)
+        some43 = np.count_nonzero(m1)
+        if some43:
+            np.add(t3, C0, t5)
+            np.multiply(t3, t5, t5)
+            np.divide(t5, t6, t5)
+        if some43 != size:
+            other43 = t7 if some43 else t5
+            np.add(t3, C6, other43)
+            np.divide(other43, t6, other43)
+            np.subtract(C0, other43, other43)
+            if some43:
+                np.copyto(t5, other43, where=~m1)
+        np.sqrt(t4, t6)
+        np.multiply(t5, t6, t6)
+        np.multiply(t4, t4, t4)
+        np.divide(C0, t4, t4)
+        np.multiply(C7, t4, t5)
+        np.add(t5, C8, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C9, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t4, t5)
+        np.add(t5, C13, t5)
+        np.multiply(C14, t4, t3)
+        np.add(t3, C15, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C16, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C17, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C18, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C19, t3)
+        np.multiply(t3, t4, t3)
+        np.add(t3, C0, t3)
+        np.divide(t5, t3, t3)
+        np.multiply(t4, t3, t3)
+        np.add(C0, t3, t3)
+        np.multiply(t6, t3, t3)
+        np.multiply(C20, A, t6)
+        np.multiply(t6, t3, t3)
+        np.divide(t1, t3, t3)
+        np.add(n, C2, t1)
+        np.divide(C0, t1, t6)
+        np.power(t3, t6, t6)
+        np.greater(t3, C2, m1)
+        np.less(t3, C1, m2)
+        np.bitwise_and(m1, m2, m2)
+        some108 = np.count_nonzero(m2)
+        if some108:
+            np.power(t6, n, other109)
+            np.power(t6, C2, t4)
+            np.multiply(other109, t4, t4)
+            np.divide(t3, t4, t4)
+            np.subtract(t4, C0, t4)
+            np.divide(t4, t1, t4)
+            np.multiply(t6, t4, t4)
+            np.add(t6, t4, other109)
+        if some108 != size:
+            np.copyto(other109, t6, where=~m2)
+        if some109:
+            np.copyto(out, other109, where=~m0)
+
+
+def retract_radius_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
+    if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E_inf.__class__ is E_1.__class__ is tau.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_inf > 1e-30) and (E_inf < 1e+30) and (E_1 > 1e-30) and (E_1 < 1e+30) and (tau > 1e-30) and (tau < 1e+30):
+        try:
+            value = bodies._retract_radius_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -396,7 +1860,7 @@ def prepare_step_force_kelvin_voigt_t(d, A, n, E, eta):
 
 def block_step_force_kelvin_voigt_t(out, t, E, v100, m0):
     size = out.size
-    np.greater(t, C0, m0)
+    np.greater(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -414,7 +1878,7 @@ def prepare_step_force_kelvin_voigt_all():
 
 def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t4, t5, m0, m1):
     size = out.size
-    np.greater(t, C0, m0)
+    np.greater(t, C2, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
@@ -429,23 +1893,23 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C2, m0)
+    np.less(t0, C0, m0)
     some28 = np.count_nonzero(m0)
     if some28:
-        np.add(t0, C2, t2)
+        np.add(t0, C0, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some28 != size:
         other28 = t4 if some28 else t2
         np.add(t0, C6, other28)
         np.divide(other28, t3, other28)
-        np.subtract(C2, other28, other28)
+        np.subtract(C0, other28, other28)
         if some28:
             np.copyto(t2, other28, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C2, t1, t1)
+    np.divide(C0, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -469,33 +1933,33 @@ def block_step_force_kelvin_voigt_all(out, t, d, A, n, E, eta, t0, t1, t2, t3, t
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C2, t0)
+    np.add(t0, C0, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C2, t0, t0)
+    np.add(C0, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C2, t2)
+    np.add(n, C0, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C0, t2)
-    np.divide(C2, t2, t1)
+    np.add(n, C2, t2)
+    np.divide(C0, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C0, m0)
+    np.greater(t3, C2, m0)
     np.less(t3, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some99 = np.count_nonzero(m1)
     if some99:
         np.power(t1, n, t4)
-        np.power(t1, C0, t5)
+        np.power(t1, C2, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C2, t5)
+        np.subtract(t5, C0, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -630,23 +2094,23 @@ def block_step_force_maxwell_all(out, t, d, A, n, E, tau, t0, t1, t2, t3, t4, t5
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C2, m0)
+    np.less(t0, C0, m0)
     some29 = np.count_nonzero(m0)
     if some29:
-        np.add(t0, C2, t2)
+        np.add(t0, C0, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some29 != size:
         other29 = t4 if some29 else t2
         np.add(t0, C6, other29)
         np.divide(other29, t3, other29)
-        np.subtract(C2, other29, other29)
+        np.subtract(C0, other29, other29)
         if some29:
             np.copyto(t2, other29, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C2, t1, t1)
+    np.divide(C0, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -670,33 +2134,33 @@ def block_step_force_maxwell_all(out, t, d, A, n, E, tau, t0, t1, t2, t3, t4, t5
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C2, t0)
+    np.add(t0, C0, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C2, t0, t0)
+    np.add(C0, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C2, t2)
+    np.add(n, C0, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C0, t2)
-    np.divide(C2, t2, t1)
+    np.add(n, C2, t2)
+    np.divide(C0, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C0, m0)
+    np.greater(t3, C2, m0)
     np.less(t3, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some102 = np.count_nonzero(m1)
     if some102:
         np.power(t1, n, t4)
-        np.power(t1, C0, t5)
+        np.power(t1, C2, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C2, t5)
+        np.subtract(t5, C0, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -838,23 +2302,23 @@ def block_step_force_power_creep_all(out, t, d, A, n, E, alpha, t_0, t0, t1, t2,
     np.add(t1, C3, t2)
     np.add(t1, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t1, C2, m0)
+    np.less(t1, C0, m0)
     some34 = np.count_nonzero(m0)
     if some34:
-        np.add(t1, C2, t2)
+        np.add(t1, C0, t2)
         np.multiply(t1, t2, t2)
         np.divide(t2, t3, t2)
     if some34 != size:
         other34 = t4 if some34 else t2
         np.add(t1, C6, other34)
         np.divide(other34, t3, other34)
-        np.subtract(C2, other34, other34)
+        np.subtract(C0, other34, other34)
         if some34:
             np.copyto(t2, other34, where=~m0)
     np.sqrt(out, t3)
     np.multiply(t2, t3, t3)
     np.multiply(out, out, out)
-    np.divide(C2, out, out)
+    np.divide(C0, out, out)
     np.multiply(C7, out, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, out, t2)
@@ -878,33 +2342,33 @@ def block_step_force_power_creep_all(out, t, d, A, n, E, alpha, t_0, t0, t1, t2,
     np.multiply(t1, out, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, out, t1)
-    np.add(t1, C2, t1)
+    np.add(t1, C0, t1)
     np.divide(t2, t1, t1)
     np.multiply(out, t1, t1)
-    np.add(C2, t1, t1)
+    np.add(C0, t1, t1)
     np.multiply(t3, t1, t1)
     np.multiply(C20, A, t3)
     np.multiply(t3, t1, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, out)
     np.multiply(out, A, out)
-    np.add(n, C2, t2)
+    np.add(n, C0, t2)
     np.divide(out, t2, t2)
     np.multiply(t2, t1, t1)
     np.multiply(t1, t3, t1)
-    np.add(n, C0, t2)
-    np.divide(C2, t2, out)
+    np.add(n, C2, t2)
+    np.divide(C0, t2, out)
     np.power(t3, out, out)
-    np.greater(t3, C0, m0)
+    np.greater(t3, C2, m0)
     np.less(t3, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some107 = np.count_nonzero(m1)
     if some107:
         np.power(out, n, t4)
-        np.power(out, C0, t5)
+        np.power(out, C2, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C2, t5)
+        np.subtract(t5, C0, t5)
         np.divide(t5, t2, t5)
         np.multiply(out, t5, t5)
         np.add(out, t5, t4)
@@ -1041,23 +2505,23 @@ def block_step_force_standard_solid_all(out, t, d, A, n, E_inf, E_1, tau, t0, t1
     np.add(t0, C3, t2)
     np.add(t0, C5, t3)
     np.multiply(t2, t3, t3)
-    np.less(t0, C2, m0)
+    np.less(t0, C0, m0)
     some31 = np.count_nonzero(m0)
     if some31:
-        np.add(t0, C2, t2)
+        np.add(t0, C0, t2)
         np.multiply(t0, t2, t2)
         np.divide(t2, t3, t2)
     if some31 != size:
         other31 = t4 if some31 else t2
         np.add(t0, C6, other31)
         np.divide(other31, t3, other31)
-        np.subtract(C2, other31, other31)
+        np.subtract(C0, other31, other31)
         if some31:
             np.copyto(t2, other31, where=~m0)
     np.sqrt(t1, t3)
     np.multiply(t2, t3, t3)
     np.multiply(t1, t1, t1)
-    np.divide(C2, t1, t1)
+    np.divide(C0, t1, t1)
     np.multiply(C7, t1, t2)
     np.add(t2, C8, t2)
     np.multiply(t2, t1, t2)
@@ -1081,33 +2545,33 @@ def block_step_force_standard_solid_all(out, t, d, A, n, E_inf, E_1, tau, t0, t1
     np.multiply(t0, t1, t0)
     np.add(t0, C19, t0)
     np.multiply(t0, t1, t0)
-    np.add(t0, C2, t0)
+    np.add(t0, C0, t0)
     np.divide(t2, t0, t0)
     np.multiply(t1, t0, t0)
-    np.add(C2, t0, t0)
+    np.add(C0, t0, t0)
     np.multiply(t3, t0, t0)
     np.multiply(C20, A, t3)
     np.multiply(t3, t0, t3)
     np.divide(d, t3, t3)
     np.multiply(C21, n, t1)
     np.multiply(t1, A, t1)
-    np.add(n, C2, t2)
+    np.add(n, C0, t2)
     np.divide(t1, t2, t2)
     np.multiply(t2, t0, t0)
     np.multiply(t0, t3, t0)
-    np.add(n, C0, t2)
-    np.divide(C2, t2, t1)
+    np.add(n, C2, t2)
+    np.divide(C0, t2, t1)
     np.power(t3, t1, t1)
-    np.greater(t3, C0, m0)
+    np.greater(t3, C2, m0)
     np.less(t3, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some104 = np.count_nonzero(m1)
     if some104:
         np.power(t1, n, t4)
-        np.power(t1, C0, t5)
+        np.power(t1, C2, t5)
         np.multiply(t4, t5, t5)
         np.divide(t3, t5, t5)
-        np.subtract(t5, C2, t5)
+        np.subtract(t5, C0, t5)
         np.divide(t5, t2, t5)
         np.multiply(t1, t5, t5)
         np.add(t1, t5, t4)
@@ -1211,16 +2675,16 @@ def block_step_load_radius_kelvin_voigt_t(out, t, F, n, E, eta, v6, v78, v83, v8
     np.multiply(v78, t0, t0)
     np.divide(t0, v83, t0)
     np.power(t0, v85, t1)
-    np.greater(t0, C0, m0)
+    np.greater(t0, C2, m0)
     np.less(t0, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some100 = np.count_nonzero(m1)
     if some100:
         np.power(t1, n, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, v78, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1250,23 +2714,23 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, n, E, eta, t0, t1, t2,
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C2, m0)
+    np.less(t1, C0, m0)
     some32 = np.count_nonzero(m0)
     if some32:
-        np.add(t1, C2, t3)
+        np.add(t1, C0, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some32 != size:
         other32 = t5 if some32 else t3
         np.add(t1, C6, other32)
         np.divide(other32, t4, other32)
-        np.subtract(C2, other32, other32)
+        np.subtract(C0, other32, other32)
         if some32:
             np.copyto(t3, other32, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C2, t2, t2)
+    np.divide(C0, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -1290,29 +2754,29 @@ def block_step_load_radius_kelvin_voigt_all(out, t, F, A, n, E, eta, t0, t1, t2,
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C2, t1)
+    np.add(t1, C0, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C2, t1, t1)
+    np.add(C0, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C2, t4)
+    np.add(n, C0, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C2, t4, t0)
+    np.divide(C0, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C0, m0)
+    np.greater(t1, C2, m0)
     np.less(t1, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some100 = np.count_nonzero(m1)
     if some100:
         np.power(t0, n, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1405,22 +2869,22 @@ def block_step_load_radius_maxwell_t(out, t, F, n, E, tau, v75, v80, v82, t0, t1
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C2, t0, t0)
+    np.add(C0, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(v75, t0, t0)
     np.divide(t0, v80, t0)
     np.power(t0, v82, t1)
-    np.greater(t0, C0, m0)
+    np.greater(t0, C2, m0)
     np.less(t0, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some97 = np.count_nonzero(m1)
     if some97:
         np.power(t1, n, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, v75, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1438,7 +2902,7 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.add(C2, t0, t0)
+    np.add(C0, t0, t0)
     np.divide(t0, E, t0)
     np.multiply(F, t0, t0)
     np.multiply(n, C3, t1)
@@ -1447,23 +2911,23 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C2, m0)
+    np.less(t1, C0, m0)
     some29 = np.count_nonzero(m0)
     if some29:
-        np.add(t1, C2, t3)
+        np.add(t1, C0, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some29 != size:
         other29 = t5 if some29 else t3
         np.add(t1, C6, other29)
         np.divide(other29, t4, other29)
-        np.subtract(C2, other29, other29)
+        np.subtract(C0, other29, other29)
         if some29:
             np.copyto(t3, other29, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C2, t2, t2)
+    np.divide(C0, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -1487,29 +2951,29 @@ def block_step_load_radius_maxwell_all(out, t, F, A, n, E, tau, t0, t1, t2, t3, 
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C2, t1)
+    np.add(t1, C0, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C2, t1, t1)
+    np.add(C0, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C2, t4)
+    np.add(n, C0, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C2, t4, t0)
+    np.divide(C0, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C0, m0)
+    np.greater(t1, C2, m0)
     np.less(t1, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some97 = np.count_nonzero(m1)
     if some97:
         np.power(t0, n, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1608,16 +3072,16 @@ def block_step_load_radius_power_creep_t(out, t, F, n, E, alpha, t_0, v76, v81, 
     np.multiply(v76, t0, t0)
     np.divide(t0, v81, t0)
     np.power(t0, v83, t1)
-    np.greater(t0, C0, m0)
+    np.greater(t0, C2, m0)
     np.less(t0, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some98 = np.count_nonzero(m1)
     if some98:
         np.power(t1, n, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, v76, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1644,23 +3108,23 @@ def block_step_load_radius_power_creep_all(out, t, F, A, n, E, alpha, t_0, t0, t
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C2, m0)
+    np.less(t1, C0, m0)
     some30 = np.count_nonzero(m0)
     if some30:
-        np.add(t1, C2, t3)
+        np.add(t1, C0, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some30 != size:
         other30 = t5 if some30 else t3
         np.add(t1, C6, other30)
         np.divide(other30, t4, other30)
-        np.subtract(C2, other30, other30)
+        np.subtract(C0, other30, other30)
         if some30:
             np.copyto(t3, other30, where=~m0)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
-    np.divide(C2, t2, t2)
+    np.divide(C0, t2, t2)
     np.multiply(C7, t2, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t2, t3)
@@ -1684,29 +3148,29 @@ def block_step_load_radius_power_creep_all(out, t, F, A, n, E, alpha, t_0, t0, t
     np.multiply(t1, t2, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t2, t1)
-    np.add(t1, C2, t1)
+    np.add(t1, C0, t1)
     np.divide(t3, t1, t1)
     np.multiply(t2, t1, t1)
-    np.add(C2, t1, t1)
+    np.add(C0, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C2, t4)
+    np.add(n, C0, t4)
     np.multiply(t4, t0, t0)
     np.multiply(C21, n, t2)
     np.multiply(t2, A, t2)
     np.multiply(t2, t1, t1)
     np.divide(t0, t1, t1)
-    np.divide(C2, t4, t0)
+    np.divide(C0, t4, t0)
     np.power(t1, t0, t0)
-    np.greater(t1, C0, m0)
+    np.greater(t1, C2, m0)
     np.less(t1, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some98 = np.count_nonzero(m1)
     if some98:
         np.power(t0, n, out)
-        np.power(t0, C2, t2)
+        np.power(t0, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t1, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, t4, t2)
         np.multiply(t0, t2, t2)
         np.add(t0, t2, out)
@@ -1814,16 +3278,16 @@ def block_step_load_radius_standard_solid_t(out, t, F, n, E_inf, tau, v9, v12, v
     np.multiply(v84, t0, t0)
     np.divide(t0, v89, t0)
     np.power(t0, v91, t1)
-    np.greater(t0, C0, m0)
+    np.greater(t0, C2, m0)
     np.less(t0, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some106 = np.count_nonzero(m1)
     if some106:
         np.power(t1, n, out)
-        np.power(t1, C2, t2)
+        np.power(t1, C0, t2)
         np.multiply(out, t2, t2)
         np.divide(t0, t2, t2)
-        np.subtract(t2, C2, t2)
+        np.subtract(t2, C0, t2)
         np.divide(t2, v84, t2)
         np.multiply(t1, t2, t2)
         np.add(t1, t2, out)
@@ -1844,7 +3308,7 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.divide(t, tau, t1)
     np.divide(E_inf, t0, t2)
     np.multiply(t1, t2, t2)
-    np.divide(C2, t0, t1)
+    np.divide(C0, t0, t1)
     np.divide(E_1, t0, t0)
     np.negative(t2, t2)
     np.expm1(t2, t2)
@@ -1858,23 +3322,23 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.add(t1, C3, t3)
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
-    np.less(t1, C2, m0)
+    np.less(t1, C0, m0)
     some38 = np.count_nonzero(m0)
     if some38:
-        np.add(t1, C2, t3)
+        np.add(t1, C0, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
     if some38 != size:
         other38 = t5 if some38 else t3
         np.add(t1, C6, other38)
         np.divide(other38, t4, other38)
-        np.subtract(C2, other38, other38)
+        np.subtract(C0, other38, other38)
         if some38:
             np.copyto(t3, other38, where=~m0)
     np.sqrt(t0, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t0, t0, t0)
-    np.divide(C2, t0, t0)
+    np.divide(C0, t0, t0)
     np.multiply(C7, t0, t3)
     np.add(t3, C8, t3)
     np.multiply(t3, t0, t3)
@@ -1898,29 +3362,29 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
     np.multiply(t1, t0, t1)
     np.add(t1, C19, t1)
     np.multiply(t1, t0, t1)
-    np.add(t1, C2, t1)
+    np.add(t1, C0, t1)
     np.divide(t3, t1, t1)
     np.multiply(t0, t1, t1)
-    np.add(C2, t1, t1)
+    np.add(C0, t1, t1)
     np.multiply(t4, t1, t1)
-    np.add(n, C2, t4)
+    np.add(n, C0, t4)
     np.multiply(t4, t2, t2)
     np.multiply(C21, n, t0)
     np.multiply(t0, A, t0)
     np.multiply(t0, t1, t1)
     np.divide(t2, t1, t1)
-    np.divide(C2, t4, t2)
+    np.divide(C0, t4, t2)
     np.power(t1, t2, t2)
-    np.greater(t1, C0, m0)
+    np.greater(t1, C2, m0)
     np.less(t1, C1, m1)
     np.bitwise_and(m0, m1, m1)
     some106 = np.count_nonzero(m1)
     if some106:
         np.power(t2, n, out)
-        np.power(t2, C2, t0)
+        np.power(t2, C0, t0)
         np.multiply(out, t0, t0)
         np.divide(t1, t0, t0)
-        np.subtract(t0, C2, t0)
+        np.subtract(t0, C0, t0)
         np.divide(t0, t4, t0)
         np.multiply(t2, t0, t0)
         np.add(t2, t0, out)
@@ -1929,9 +3393,46 @@ def block_step_load_radius_standard_solid_all(out, t, F, A, n, E_inf, E_1, tau, 
 
 
 BLOCKS = {
+    ('_contact_time_kelvin_voigt', 0, 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('v', 'v_2', 't_m', 'E', 'eta'): (('v', 'v_2', 't_m', 'E', 'eta'), prepare_contact_time_kelvin_voigt_all_signed, block_contact_time_kelvin_voigt_all_signed, 1, 0, (0.0,), False),
+    },
+    ('_contact_time_maxwell', 0, 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('v', 'v_2', 't_m', 'E', 'tau'): (('v', 'v_2', 't_m', 'E', 'tau'), prepare_contact_time_maxwell_all_signed, block_contact_time_maxwell_all_signed, 1, 0, (), False),
+    },
+    ('_contact_time_power_creep', 0, 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_contact_time_power_creep_all_signed, block_contact_time_power_creep_all_signed, 1, 0, (700.0,), False),
+    },
+    ('_earlier_time_kelvin_voigt', 1, 't', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_earlier_time_kelvin_voigt_t, block_earlier_time_kelvin_voigt_t, 0, 1, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_earlier_time_kelvin_voigt_all, block_earlier_time_kelvin_voigt_all, 2, 1, (0.0,), False),
+    },
+    ('_earlier_time_maxwell', 1, 't', 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('t',): (('t',), prepare_earlier_time_maxwell_t, block_earlier_time_maxwell_t, 1, 2, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_earlier_time_maxwell_all, block_earlier_time_maxwell_all, 2, 2, (0.0, 700.0, 0.9999999999999998), False),
+    },
+    ('_earlier_time_power_creep', 1, 't', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_earlier_time_power_creep_t, block_earlier_time_power_creep_t, 0, 1, (0.0,), False),
+        ('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_earlier_time_power_creep_all, block_earlier_time_power_creep_all, 2, 1, (0.0, 700.0), False),
+    },
     ('_ramp_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'E', 'eta'): {
         ('t',): (('t',), prepare_ramp_force_kelvin_voigt_t, block_ramp_force_kelvin_voigt_t, 5, 3, (), False),
         ('t', 'A', 'n', 'v', 'E', 'eta'): (('t', 'A', 'n', 'v', 'E', 'eta'), prepare_ramp_force_kelvin_voigt_all, block_ramp_force_kelvin_voigt_all, 8, 3, (), False),
+    },
+    ('_retract_force_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_retract_force_kelvin_voigt_t, block_retract_force_kelvin_voigt_t, 6, 4, (0.0,), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_force_kelvin_voigt_all, block_retract_force_kelvin_voigt_all, 12, 4, (0.0,), False),
+    },
+    ('_retract_radius_kelvin_voigt', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): {
+        ('t',): (('t',), prepare_retract_radius_kelvin_voigt_t, block_retract_radius_kelvin_voigt_t, 5, 3, (0.0,), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'eta'), prepare_retract_radius_kelvin_voigt_all, block_retract_radius_kelvin_voigt_all, 8, 3, (0.0,), False),
+    },
+    ('_retract_radius_maxwell', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'): {
+        ('t',): (('t',), prepare_retract_radius_maxwell_t, block_retract_radius_maxwell_t, 5, 3, (0.0, 700.0, 0.9999999999999998), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'tau'), prepare_retract_radius_maxwell_all, block_retract_radius_maxwell_all, 8, 3, (0.0, 700.0, 0.9999999999999998), False),
+    },
+    ('_retract_radius_power_creep', 1, 't', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): {
+        ('t',): (('t',), prepare_retract_radius_power_creep_t, block_retract_radius_power_creep_t, 5, 3, (0.0,), False),
+        ('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'): (('t', 'A', 'n', 'v', 'v_2', 't_m', 'E', 'alpha', 't_0'), prepare_retract_radius_power_creep_all, block_retract_radius_power_creep_all, 8, 3, (0.0, 700.0), False),
     },
     ('_step_force_kelvin_voigt', 1, 't', 'd', 'A', 'n', 'E', 'eta'): {
         ('t',): (('t',), prepare_step_force_kelvin_voigt_t, block_step_force_kelvin_voigt_t, 0, 1, (), False),

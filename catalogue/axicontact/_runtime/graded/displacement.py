@@ -12,7 +12,6 @@ A shape is the fall over (z/a)**2, as a function of s and z.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -268,7 +267,10 @@ def rounded_displacement(r: Array, a: Array, b: Array, k: Array) -> Array:
 @at_many_radii(of_displacement, SHARE, everywhere=True)
 def tipped_displacement(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    slope, past = b / end, partial(past_tip, R=R, b=b, end=end)
+    slope = b / end
+
+    def past(x: Array) -> Array:
+        return past_tip(x, R, b, end)
 
     def within(more: Array) -> Array:
         return slope * past(a) + more / (end + np.sqrt(end * end + more))

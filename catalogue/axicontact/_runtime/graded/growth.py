@@ -80,16 +80,25 @@ def _rising(x: Array, e: Array) -> Array:
     # the quotients (x + i + e)/(x + i) take up the same one within a binade, 12 units
     steps = np.ceil(np.maximum(FAR - x, 0.0))
     if np.ndim(x + e) == 0:
-        terms: Iterable[Array] = np.log1p(e / (x + np.arange(float(steps))))[::-1].tolist()
+        near = _near(float(x), float(e), int(steps))
     else:
         shifts = reversed(range(int(np.max(steps, initial=0.0))))
-        terms = (np.where(i < steps, np.log1p(e / (x + i)), 0.0) for i in shifts)
-    near = _to_the_last_digit(terms)
+        near = _to_the_last_digit(np.where(i < steps, np.log1p(e / (x + i)), 0.0) for i in shifts)
     # the series of Tricomi and Erdelyi (1951) in w = x + (e - 1)/2
     w = x + steps + (e - 1.0) / 2.0
     first, second, third = series(e)
     # of numbers alone the operator has another rounding than of arrays
     return np.power(w, e) * (1.0 + (first + (second + third / (w * w)) / (w * w)) / (w * w)) * np.exp(-near)
+
+
+def _near(x: float, e: float, steps: int) -> float:
+    """The logarithm of the first `steps` quotients (x + i + e)/(x + i), summed as below."""
+    total, lost = 0.0, 0.0
+    for i in range(steps - 1, -1, -1):
+        part = math.log1p(e / (x + i)) - lost
+        before, total = total, total + part
+        lost = (total - before) - part
+    return total
 
 
 def _to_the_last_digit(terms: Iterable[Array]) -> Array:

@@ -8,7 +8,6 @@ this integral.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
@@ -282,7 +281,10 @@ def _sphere(r: Array, R: Array, reach: Array, end: Array, k: Array) -> Array:
 
 def tipped_pressure(r: Array, a: Array, R: Array, b: Array, end: Array, k: Array) -> Array:
     """The integral for a sphere up to b, continued by its tangent cone."""
-    past = partial(past_tip, R=R, b=b, end=end)
+
+    def past(x: Array) -> Array:
+        return past_tip(x, R, b, end)
+
     within, whole = past(r) < 0.0, past(a) >= 0.0
     reach = np.where(whole, np.sqrt(np.maximum(-past(r), 0.0) * (b + r)), difference_root(a, r))
     last = np.where(whole, end, difference_root(R, a))

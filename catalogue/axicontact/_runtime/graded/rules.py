@@ -25,7 +25,10 @@ NODES = 64
 def nodes_for(length: Array) -> int:
     """Nodes of a product rule, twice those of Gauss, for singularities at a distance pi/2; see STRIPS."""
     longest = float(np.max(length, initial=0.0))
-    return next((2 * count for reached, count in STRIPS[:2] if longest <= reached), NODES)
+    for reached, count in STRIPS[:2]:
+        if longest <= reached:
+            return 2 * count
+    return NODES
 
 
 def weighted(smooth: Smooth, stop: Array, power: Array, count: int = NODES, above: Array | None = None) -> Array:

@@ -54,6 +54,10 @@ class Variable(NamedTuple):
     """What `gap` takes of the place alpha + i beta of r + i z."""
     gap: Callable[..., Array]
     """(t - r)/length at v = alpha + w, of w, v and `at`: with digits beside |r + i z - t|."""
+    given: Callable[[Array, Array, Array], tuple[Array, ...]]
+    """What a slope takes of t, dt/dv and the length: t, and the root behind it."""
+    endless: bool = False
+    """Whether the radius zero is infinitely far away."""
 
 
 def _both(x: Array) -> tuple[Array, Array]:
@@ -96,6 +100,7 @@ PLAIN = Variable(
     lambda v, b: (v, 1.0),
     lambda alpha, beta: (),
     lambda w, v: w,
+    lambda t, rate, b: (t,),
 )
 """v = t: slopes without singular points."""
 COSH = Variable(
@@ -104,6 +109,7 @@ COSH = Variable(
     _of_cosh,
     lambda alpha, beta: (2.0 * np.cosh(alpha) * np.sin(beta / 2.0) ** 2,),
     lambda w, v, aside: 2.0 * _both(v - w / 2.0)[0] * _both(w / 2.0)[0] + aside,
+    lambda t, rate, b: (t, rate),
 )
 """t = b cosh(v): slopes with the root of t**2 - b**2, beyond a break."""
 TANH = Variable(
@@ -112,6 +118,7 @@ TANH = Variable(
     _of_tanh,
     _at_tanh,
     _gap_tanh,
+    lambda t, rate, b: (t, np.sqrt(rate * b)),
 )
 """t = R tanh(v): slopes with the root of R**2 - t**2."""
 SINH = Variable(
@@ -120,6 +127,7 @@ SINH = Variable(
     _of_sinh,
     lambda alpha, beta: (2.0 * np.sinh(alpha) * np.sin(beta / 2.0) ** 2,),
     lambda w, v, aside: 2.0 * np.cosh(v - w / 2.0) * _both(w / 2.0)[0] + aside,
+    lambda t, rate, b: (t,),
 )
 """t = b sinh(v): slopes with poles at i b."""
 EXP = Variable(
@@ -128,6 +136,8 @@ EXP = Variable(
     lambda v, b: (b * np.exp(v),) * 2,
     lambda alpha, beta: (np.exp(alpha), 2.0 * np.sin(beta / 2.0) ** 2),
     lambda w, v, far, aside: far * (np.expm1(w) + aside),
+    lambda t, rate, b: (t,),
+    endless=True,
 )
 """t = a exp(v): slopes that are any power of t."""
 
@@ -282,9 +292,9 @@ def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
     with np.errstate(all="ignore"):
         z = np.where(z < SURFACE * (r + piece.high), 0.0, z)
         w = r + 1j * z
-        star = np.where((w == 0.0) & (variable is EXP), TIP, variable.place(w, b))
+        star = np.where((w == 0.0) & (variable.endless), TIP, variable.place(w, b))
         top = _away(piece, piece.high, w, star)
-        if variable is EXP:
+        if variable.endless:
             lowest = np.where(w == 0.0, 0.0, np.minimum(star.real, 0.0)) - np.log(_tail_of(piece.power))
             bottom = lowest - star.real
         else:
@@ -294,22 +304,22 @@ def _of_piece(numbers: Numbers, r: Array, z: Array, piece: Piece) -> Array:
         highest = variable.place(piece.high + 0j, b).real
         # not as the difference of both distances, which far away have lost its digits
         whole = highest - lowest
-        mirror = np.full(r.shape, 4.0) if variable is EXP else 2.0 * alpha
+        mirror = np.full(r.shape, 4.0) if variable.endless else 2.0 * alpha
         count = np.maximum(1.0, np.ceil(whole / piece.longest)).astype(int)
         point, share, share_1 = _split(count)
         low, high, width = bottom[point], top[point], whole[point]
         # from the nearer end, whose distance is known to its last digits
         left = np.where(share < 0.5, low + width * share, high - width * (1.0 - share))
         right = np.where(share_1 < 0.5, low + width * share_1, high - width * (1.0 - share_1))
-        total = _tail(numbers, r, z, piece) if variable is EXP else np.zeros((numbers.size, r.size))
+        total = _tail(numbers, r, z, piece) if variable.endless else np.zeros((numbers.size, r.size))
         begin = lowest[point] + width * share
         # a high power takes its digits from the end at which it is large
-        begin = np.where((variable is EXP) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
+        begin = np.where((variable.endless) & (share >= 0.5), highest[point] - width * (1.0 - share), begin)
         # eight nodes are enough for the kernel, and for a slope that is a power
-        power = (variable is EXP) | np.isinf(piece.longest)[point]
-        summed = _Summed(numbers, r, z, piece, alpha, beta)
+        power = (variable.endless) | np.isinf(piece.longest)[point]
+        place = variable.at(alpha, beta)
         for panels in _panels(point, power, begin, (whole / count)[point], left, right, alpha, beta, mirror):
-            summed.add(total, panels)
+            _add(total, numbers, r, z, piece, place, panels)
     return total
 
 
@@ -362,10 +372,13 @@ def _panels(
     # at the inner end of a piece, on the surface, the kernel only makes up for the slope
     clear = (distance > CLEAR * width) | ((beta == 0.0) & (mirror == 0.0))[point]
     far = power & (distance > FAR * width)
-    found = [
-        Panels(point[own], first[own], width[own], lambda v, o, _: (v, v - alpha[o], 1.0), width[own], few)
-        for own, few in ((far, True), (clear & ~far, False))
-    ]
+
+    def straight(v: Array, o: Array, _: Array) -> tuple[Array, Array, Array]:
+        return v, v - alpha[o], 1.0
+
+    found = []
+    for own, few in ((far, True), (clear & ~far, False)):
+        found.append(Panels(point[own], first[own], width[own], straight, width[own], few))
 
     def along(away: Array, rate: Array, o: Array) -> tuple[Array, Array, Array]:
         return alpha[o] + away, away, rate
@@ -426,31 +439,24 @@ def _cut(point: Array, start: Array, end: Array, offset: Any) -> Panels:
     return Panels(point[own], start[own] + share * (end - start)[own], step, offset, step)
 
 
-class _Summed:
-    """Sums over panels of one piece."""
-
-    def __init__(self, numbers: Numbers, r: Array, z: Array, piece: Piece, alpha: Array, beta: Array) -> None:
-        self.numbers, self.r, self.z, self.piece = numbers, r, z, piece
-        self.at = piece.variable.at(alpha, beta)
-        # far away the places of all radii are alike to the last digits, and at the tip the radii are the distances
-        self.far = (np.hypot(r, z) > 2.0 * piece.high) | (r + z == 0.0)
-
-    def add(self, total: Array, panels: Panels) -> None:
-        """Adds the integrals over panels to those of their points."""
-        nodes, weights = gauss_legendre(FEW if panels.few else MANY)
-        piece, variable = self.piece, self.piece.variable
-        for begin in range(0, panels.point.size, POINTS):
-            part = slice(begin, begin + POINTS)
-            point, step = panels.point[part], panels.step[part, None]
-            o = point[:, None]
-            v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o, panels.over[part, None])
-            r, b = self.r[o], piece.length[o]
-            t, pace = variable.radius(v, b)
-            gap = variable.gap(away, v, *(x[o] for x in self.at))
-            gap = np.where(self.far[o], t - r, gap if variable is PLAIN else b * gap)
-            roots = {COSH: pace, TANH: np.sqrt(pace * b), SINH: None, PLAIN: None, EXP: None}[variable]
-            given = (t,) if roots is None else (t, roots)
-            weight = piece.slope(*given, *(x[o] for x in piece.parameters)) * (pace * rate * (step * weights))
-            sums = _sums(self.numbers, punch(r, self.z[o], t, gap), weight)
-            first = np.flatnonzero(np.diff(point, prepend=-1))
-            total[:, point[first]] += np.add.reduceat(sums, first, axis=1)
+def _add(
+    total: Array, numbers: Numbers, r: Array, z: Array, piece: Piece, place: tuple[Array, ...], panels: Panels
+) -> None:
+    """Adds the integrals over panels of a piece to those of their points."""
+    nodes, weights = gauss_legendre(FEW if panels.few else MANY)
+    variable = piece.variable
+    # far away the places of all radii are alike to the last digits, and at the tip the radii are the distances
+    far = (np.hypot(r, z) > 2.0 * piece.high) | (r + z == 0.0)
+    for begin in range(0, panels.point.size, POINTS):
+        part = slice(begin, begin + POINTS)
+        point, step = panels.point[part], panels.step[part, None]
+        o = point[:, None]
+        v, away, rate = panels.offset(panels.start[part, None] + step * nodes, o, panels.over[part, None])
+        x, b = r[o], piece.length[o]
+        t, pace = variable.radius(v, b)
+        gap = np.where(far[o], t - x, b * variable.gap(away, v, *(own[o] for own in place)))
+        given = variable.given(t, pace, b)
+        weight = piece.slope(*given, *(own[o] for own in piece.parameters)) * (pace * rate * (step * weights))
+        sums = _sums(numbers, punch(x, z[o], t, gap), weight)
+        first = np.flatnonzero(np.diff(point, prepend=-1))
+        total[:, point[first]] += np.add.reduceat(sums, first, axis=1)

@@ -203,12 +203,8 @@ def frictional_stress(found: Sequence[Array], phi: Array, nu: Array, scale: Arra
     cos, sin = np.cos(phi), np.sin(phi)
     around = slope + nu * half
     along = sheared - 2.0 * first - around, around - 2.0 * nu * first, -sheared
-    return [
-        *(scale * cos * x for x in along),
-        scale * sin * (first - around),
-        -scale * cos * (less + bent),
-        scale * sin * less,
-    ]
+    down, across = -scale * cos * (less + bent), scale * sin
+    return [*(scale * cos * x for x in along), across * (first - around), down, across * less]
 
 
 AnyStress: TypeAlias = Stress | SlidingStress

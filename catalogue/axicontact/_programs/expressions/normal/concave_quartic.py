@@ -85,13 +85,11 @@ def load_within(xp, r, d, a, h, E_star):
     v5 = xp.where(v4, v3, 0.5 * d)
     v6 = r < a
     v7 = xp.where(v6, r, 0.5 * a)
-    v13 = xp.sqrt((a - v7) * (a + v7))
-    v18 = v13 ** 2.0
-    v21 = a ** 2.0
-    v22 = v21 ** 2.0
-    v31 = 16.0 * v18 ** 2.0 + 21.0 * v22 + 16.0 * (v13 * v18) * a - 24.0 * v18 * v21
-    v39 = d - v2 + v1 * (v31 - 24.0 * v13 * (a * v21)) / (45.0 * v22)
-    v41 = xp.where(v6, 2.0 * a, r)
-    v44 = xp.where(v4, 2.0 * d, v3)
-    v43 = xp.where(v6, 2.0 * E_star * (v7 ** 2.0 / (a + v13)) * v39, force(xp, d, a, h, E_star))
-    return xp.where(v4, v43, xp.nan)
+    v15 = v7 ** 2.0 / (a + xp.sqrt((a - v7) * (a + v7)))
+    v18 = a ** 2.0
+    v19 = v18 ** 2.0
+    v31 = v15 * (v15 * (120.0 * v18 + v15 * (16.0 * v15 - 80.0 * a)) - 40.0 * (a * v18))
+    v38 = xp.where(v6, 2.0 * a, r)
+    v37 = 2.0 * E_star * v15 * (d - v2 + v1 * (5.0 * v19 + v31) / (45.0 * v19))
+    v41 = xp.where(v4, 2.0 * d, v3)
+    return xp.where(v4, xp.where(v6, v37, force(xp, d, a, h, E_star)), xp.nan)

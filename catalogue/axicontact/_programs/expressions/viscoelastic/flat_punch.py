@@ -5,11 +5,43 @@ from ...._programs.expressions._runtime.physics.relaxation import ramp_standard_
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_maxwell
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_power_creep
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import earlier
+from ...._programs.expressions._runtime.physics.retraction import end_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import end_maxwell
+from ...._programs.expressions._runtime.physics.retraction import end_power_creep
+from ...._programs.expressions._runtime.physics.retraction import end_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import kept_maxwell
+from ...._programs.expressions._runtime.physics.retraction import kept_power_creep
+from ...._programs.expressions._runtime.physics.retraction import kept_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import lag_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import lag_maxwell
+from ...._programs.expressions._runtime.physics.retraction import lag_power_creep
+from ...._programs.expressions._runtime.physics.retraction import lag_standard_solid
 from ...._runtime.steps import fading
 
 
 def ramp_force_maxwell(xp, t, v, a, E, tau):
     return xp.where(t == 0.0, 0.0, 2.0 * (v * t) * a * (E * fading(xp, t / tau, 1.0)))
+
+
+def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+
+
+def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+
+
+def retract_force_maxwell(xp, t, v, v_2, t_m, a, E, tau):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_maxwell(xp, v2, t_m, v_2 / v, E, tau)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v14 = kept_maxwell(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E, tau)
+    v18 = ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, tau)
+    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
 
 
 def step_force_maxwell(xp, t, d, a, E, tau):
@@ -18,6 +50,24 @@ def step_force_maxwell(xp, t, d, a, E, tau):
 
 def ramp_force_kelvin_voigt(xp, t, v, a, E, eta):
     return xp.where(t == 0.0, 2.0 * v * a * eta, 2.0 * (v * t) * a * (E + eta / t))
+
+
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+
+
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+
+
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, a, E, eta):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v16 = ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, eta)
+    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * (E + 0.0 * v7), 0.0), v16)
 
 
 def step_force_kelvin_voigt(xp, t, d, a, E, eta):
@@ -31,6 +81,26 @@ def ramp_force_standard_solid(xp, t, v, a, E_inf, E_1, tau):
     return xp.where(t == 0.0, 0.0, v6)
 
 
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+
+
+def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+
+
+def retract_force_standard_solid(xp, t, v, v_2, t_m, a, E_inf, E_1, tau):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_standard_solid(xp, v2, t_m, v_2 / v, E_inf, E_1, tau)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v14 = kept_standard_solid(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E_inf, E_1, tau)
+    v18 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, a, E_inf, E_1, tau)
+    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
+
+
 def step_force_standard_solid(xp, t, d, a, E_inf, E_1, tau):
     return relaxation_standard_solid(xp, t, E_inf, E_1, tau) * (2.0 * d * a)
 
@@ -38,6 +108,26 @@ def step_force_standard_solid(xp, t, d, a, E_inf, E_1, tau):
 def ramp_force_power_creep(xp, t, v, a, E, alpha, t_0):
     v7 = xp.where(t == 0.0, 0.0, 2.0 * (v * t) * a * ramp_power_creep(xp, t, 1.0, E, alpha, t_0))
     return v7
+
+
+def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+
+
+def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+
+
+def retract_force_power_creep(xp, t, v, v_2, t_m, a, E, alpha, t_0):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_power_creep(xp, v2, t_m, v_2 / v, E, alpha, t_0)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v14 = kept_power_creep(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.0, E, alpha, t_0)
+    v18 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, a, E, alpha, t_0)
+    return xp.where(v1, xp.where(v6, 2.0 * (v * v7) * a * v14, 0.0), v18)
 
 
 def step_force_power_creep(xp, t, d, a, E, alpha, t_0):

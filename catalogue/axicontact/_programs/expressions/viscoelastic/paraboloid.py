@@ -7,6 +7,18 @@ from ...._programs.expressions._runtime.physics.relaxation import ramp_standard_
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_maxwell
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_power_creep
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import earlier
+from ...._programs.expressions._runtime.physics.retraction import end_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import end_maxwell
+from ...._programs.expressions._runtime.physics.retraction import end_power_creep
+from ...._programs.expressions._runtime.physics.retraction import end_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import kept_maxwell
+from ...._programs.expressions._runtime.physics.retraction import kept_power_creep
+from ...._programs.expressions._runtime.physics.retraction import kept_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import lag_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import lag_maxwell
+from ...._programs.expressions._runtime.physics.retraction import lag_power_creep
+from ...._programs.expressions._runtime.physics.retraction import lag_standard_solid
 from ...._programs.expressions.normal.paraboloid import force_from_depth as normal_force_from_depth
 from ...._programs.expressions.normal.paraboloid import radius_from_force as normal_radius_from_force
 from ...._runtime.steps import fading
@@ -15,6 +27,32 @@ from ...._runtime.steps import fading
 def ramp_force_maxwell(xp, t, v, R, E, tau):
     v7 = normal_force_from_depth(xp, v * t, R, 1.0) * (E * fading(xp, t / tau, 1.5))
     return xp.where(t == 0.0, 0.0, v7)
+
+
+def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+
+
+def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+
+
+def retract_force_maxwell(xp, t, v, v_2, t_m, R, E, tau):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_maxwell(xp, v2, t_m, v_2 / v, E, tau)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v13 = kept_maxwell(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.5, E, tau)
+    v15 = xp.where(v6, normal_force_from_depth(xp, v * v7, R, 1.0) * v13, 0.0)
+    return xp.where(v1, v15, ramp_force_maxwell(xp, xp.where(v1, 0.5 * t_m, t), v, R, E, tau))
+
+
+def retract_radius_maxwell(xp, t, v, v_2, t_m, R, E, tau):
+    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
 
 def step_force_maxwell(xp, t, d, R, E, tau):
@@ -28,6 +66,31 @@ def step_load_radius_maxwell(xp, t, F, R, E, tau):
 def ramp_force_kelvin_voigt(xp, t, v, R, E, eta):
     v7 = normal_force_from_depth(xp, v * t, R, 1.0) * (E + eta * 1.5 / t)
     return xp.where(t == 0.0, 0.0, v7)
+
+
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+
+
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+
+
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, R, E, eta):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v13 = xp.where(v6, normal_force_from_depth(xp, v * v7, R, 1.0) * (E + 0.0 * v7), 0.0)
+    v16 = xp.where(v1, v13, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, R, E, eta))
+    return v16
+
+
+def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, R, E, eta):
+    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
 
 def step_force_kelvin_voigt(xp, t, d, R, E, eta):
@@ -45,6 +108,33 @@ def ramp_force_standard_solid(xp, t, v, R, E_inf, E_1, tau):
     return xp.where(t == 0.0, 0.0, v5)
 
 
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+
+
+def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+
+
+def retract_force_standard_solid(xp, t, v, v_2, t_m, R, E_inf, E_1, tau):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_standard_solid(xp, v2, t_m, v_2 / v, E_inf, E_1, tau)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v13 = kept_standard_solid(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.5, E_inf, E_1, tau)
+    v17 = ramp_force_standard_solid(xp, xp.where(v1, 0.5 * t_m, t), v, R, E_inf, E_1, tau)
+    v18 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, R, 1.0) * v13, 0.0), v17)
+    return v18
+
+
+def retract_radius_standard_solid(xp, t, v, v_2, t_m, R, E_inf, E_1, tau):
+    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
+
+
 def step_force_standard_solid(xp, t, d, R, E_inf, E_1, tau):
     v3 = relaxation_standard_solid(xp, t, E_inf, E_1, tau) * normal_force_from_depth(xp, d, R, 1.0)
     return v3
@@ -57,6 +147,33 @@ def step_load_radius_standard_solid(xp, t, F, R, E_inf, E_1, tau):
 def ramp_force_power_creep(xp, t, v, R, E, alpha, t_0):
     v5 = normal_force_from_depth(xp, v * t, R, 1.0) * ramp_power_creep(xp, t, 1.5, E, alpha, t_0)
     return xp.where(t == 0.0, 0.0, v5)
+
+
+def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+
+
+def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+
+
+def retract_force_power_creep(xp, t, v, v_2, t_m, R, E, alpha, t_0):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v4 = lag_power_creep(xp, v2, t_m, v_2 / v, E, alpha, t_0)
+    v5 = earlier(xp, v2, t_m, v4)
+    v6 = v5 > 0.0
+    v7 = xp.where(v6, v5, 1.0)
+    v13 = kept_power_creep(xp, v2, v7, xp.maximum(v2 - t_m, 0.0) + v4, 1.5, E, alpha, t_0)
+    v17 = ramp_force_power_creep(xp, xp.where(v1, 0.5 * t_m, t), v, R, E, alpha, t_0)
+    v18 = xp.where(v1, xp.where(v6, normal_force_from_depth(xp, v * v7, R, 1.0) * v13, 0.0), v17)
+    return v18
+
+
+def retract_radius_power_creep(xp, t, v, v_2, t_m, R, E, alpha, t_0):
+    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, xp.sqrt(R * (v * xp.where(v4, 1.0, v3))))
 
 
 def step_force_power_creep(xp, t, d, R, E, alpha, t_0):

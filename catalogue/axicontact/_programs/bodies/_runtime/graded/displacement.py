@@ -7,7 +7,7 @@ from math import pow, sin
 from ....._programs.bodies._runtime.graded.breaks import past_tip
 from ....._programs.bodies._runtime.graded.rules import raised, sine_over
 from ....._programs.bodies._runtime.integrals import difference_root, of_displacement
-from ....._runtime.graded.displacement import _Break, _Gap, partial
+from ....._runtime.graded.displacement import _Break, _Gap
 from ....._runtime.graded.growth import power_excess
 from ....._runtime.graded.single import weighted
 from ....._runtime.plain import at_many_radii, integral, integral_by_panels, integral_in_strip
@@ -234,7 +234,10 @@ def rounded_displacement(r, a, b, k):
 @at_many_radii(of_displacement, SHARE, everywhere=True)
 def tipped_displacement(r, a, R, b, end, k):
     """Of the sphere R up to r = b, continued by its tangent cone."""
-    slope, past = (b / end, partial(past_tip, R=R, b=b, end=end))
+    slope = b / end
+
+    def past(x):
+        return past_tip(x, R, b, end)
 
     def within(more):
         return slope * past(a) + more / (end + np.sqrt(end * end + more))

@@ -14,7 +14,10 @@ STRIPS = ((0.409, 8,), (1.712, 16,), (3.012, 24,), (4.256, 32,), (9.015, 64,),)
 def nodes_for(length):
     """Nodes of a product rule, twice those of Gauss, for singularities at a distance pi/2; see STRIPS."""
     longest = float(np.max(length, initial=0.0))
-    return next((2 * count for reached, count in STRIPS[:2] if longest <= reached), NODES)
+    for reached, count in STRIPS[:2]:
+        if longest <= reached:
+            return 2 * count
+    return NODES
 
 
 def raised(x, k):

@@ -1,0 +1,474 @@
+"""Paraboloid on a layer.
+
+The tip of every smooth indenter and the parabolic approximation of the sphere: Hertz's contact.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.layer import State, of_states, on_layer, radius_on_layer, require_base
+from ..normal import paraboloid as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "force",
+    "force_from_depth",
+    "pressure",
+    "radius_from_depth",
+    "radius_from_force",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def depth(a: ArrayLike, *, R: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded") -> Result:
+    """Indentation depth at contact radius a.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.d.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.depth(1.0, R=1.6, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.474282
+    """
+    require(R=R, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_depth, base=base), a, R=R, nu=nu, thickness=thickness)
+
+
+def force(
+    a: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Normal force.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.F.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.force(1.0, R=1.6, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.876395
+    """
+    require(R=R, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_force, base=base), a, R=R, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    R: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = -E_star*Integral(Derivative(q(t), t)/sqrt(-r**2 + t**2), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.p.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.pressure(0.3, 1.0, R=1.6, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.40016
+    """
+    require(R=R, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_pressure, base=base), r, a, R=R, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, R: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Contact radius at indentation depth d.
+
+    a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.ad.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.radius_from_depth(0.4742815111725406, R=1.6, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(R=R, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_radius_from_depth, base=base), d, R=R, nu=nu, thickness=thickness)
+
+
+def radius_from_force(
+    F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Contact radius under the normal force F.
+
+    a from 2*E_star*Integral(q(t), (t, 0, a)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.aF.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.radius_from_force(0.8763946892846233, R=1.6, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(R=R, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_radius_from_force, base=base), F, R=R, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def force_from_depth(
+    d: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.Fd.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.force_from_depth(0.4742815111725406, R=1.6, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.876395
+    """
+    require(R=R, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_force_from_depth, base=base), d, R=R, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def depth_from_force(
+    F: ArrayLike, *, R: ArrayLike, E_star: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for a << R; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of
+    the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the
+    integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. Negative
+    or NaN field values give NaN. Handbook: paraboloid.lay.dF.
+
+    References
+    ----------
+    Hertz 1882; Schubert 1942.
+
+    Examples
+    --------
+    >>> from axicontact.layer import paraboloid
+    >>> value = paraboloid.depth_from_force(0.8763946892846233, R=1.6, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.474282
+    """
+    require(R=R, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_depth_from_force, base=base), F, R=R, E_star=E_star, nu=nu, thickness=thickness)
+
+
+@of_states
+def _contact(a: Array, R: Array, nu: Array, thickness: Array, base: str) -> State:
+    """What the layer changes of a contact of radius a."""
+    return on_layer(a, thickness, nu, base, lambda t: normal._depth(t, R))
+
+
+def _depth(a: Array, R: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, R, nu, thickness, base)
+    return normal._depth(a, R) - found.of("less")
+
+
+def _force(a: Array, R: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, R, nu, thickness, base)
+    return normal._force(a, R, E_star) + E_star * found.of("more")
+
+
+def _pressure(r: Array, a: Array, R: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, R, nu, thickness, base)
+    return normal._pressure(r, a, R, E_star) + E_star * found.pressure(r)
+
+
+def _radius_from_depth(d: Array, R: Array, nu: Array, thickness: Array, base: str) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, R, nu, thickness, base)
+        value = normal._depth(t, R) - found.of("less")
+        return value, t * found.of("rate") / value
+
+    return radius_on_layer(curve, d, normal._radius_from_depth(d, R), thickness, np.inf, True)
+
+
+def _radius_from_force(F: Array, R: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, R, nu, thickness, base)
+        value = normal._force(t, R, E_star) + E_star * found.of("more")
+        return value, t * E_star * found.of("stiffness") * found.of("rate") / value
+
+    return radius_on_layer(curve, F, normal._radius_from_force(F, R, E_star), thickness, np.inf, True)
+
+
+def _force_from_depth(d: Array, R: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _force(_radius_from_depth(d, R, nu, thickness, base), R, E_star, nu, thickness, base)
+
+
+def _depth_from_force(F: Array, R: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _depth(_radius_from_force(F, R, E_star, nu, thickness, base), R, nu, thickness, base)

@@ -1,0 +1,519 @@
+"""Power law on a layer.
+
+Every self-similar profile: F ~ d^(1 + 1/n). Cone, paraboloid and quartic are n = 1, 2, 4.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, elementwise, require
+from .._runtime.physics.layer import State, of_states, on_layer, radius_on_layer, require_base
+from ..normal import power_law as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "force",
+    "force_from_depth",
+    "pressure",
+    "radius_from_depth",
+    "radius_from_force",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def depth(
+    a: ArrayLike, *, A: ArrayLike, n: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.d.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.depth(1.0, A=0.45, n=1.5, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.63287
+    """
+    require(A=A, n=n, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_depth, base=base), a, A=A, n=n, nu=nu, thickness=thickness)
+
+
+def force(
+    a: ArrayLike,
+    *,
+    A: ArrayLike,
+    n: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Normal force.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.F.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.force(1.0, A=0.45, n=1.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.021183
+    """
+    require(A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_force, base=base), a, A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    A: ArrayLike,
+    n: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = -E_star*Integral(Derivative(q(t), t)/sqrt(-r**2 + t**2), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.p.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.pressure(0.3, 1.0, A=0.45, n=1.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.531212
+    """
+    require(A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_pressure, base=base), r, a, A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, A: ArrayLike, n: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Contact radius at indentation depth d.
+
+    a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.ad.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.radius_from_depth(0.6328703189565371, A=0.45, n=1.5, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(A=A, n=n, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_radius_from_depth, base=base), d, A=A, n=n, nu=nu, thickness=thickness)
+
+
+def radius_from_force(
+    F: ArrayLike,
+    *,
+    A: ArrayLike,
+    n: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact radius under the normal force F.
+
+    a from 2*E_star*Integral(q(t), (t, 0, a)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.aF.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.radius_from_force(1.021183460514959, A=0.45, n=1.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_radius_from_force, base=base), F, A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def force_from_depth(
+    d: ArrayLike,
+    *,
+    A: ArrayLike,
+    n: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.Fd.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.force_from_depth(0.6328703189565371, A=0.45, n=1.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.021183
+    """
+    require(A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_force_from_depth, base=base), d, A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def depth_from_force(
+    F: ArrayLike,
+    *,
+    A: ArrayLike,
+    n: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    A : array_like
+        Coefficient of a power-law profile [m^(1-n)], A > 0.
+    n : array_like
+        Exponent of the profile [1], n > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for small slopes, n A a^(n-1) << 1; the indenter and the base are rigid, E_star =
+    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
+    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
+    of the layer. Negative or NaN field values give NaN. Handbook: power_law.lay.dF.
+
+    References
+    ----------
+    Galin 1946; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.layer import power_law
+    >>> value = power_law.depth_from_force(1.021183460514959, A=0.45, n=1.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.63287
+    """
+    require(A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_depth_from_force, base=base), F, A=A, n=n, E_star=E_star, nu=nu, thickness=thickness)
+
+
+@of_states
+def _contact(a: Array, A: Array, n: Array, nu: Array, thickness: Array, base: str) -> State:
+    """What the layer changes of a contact of radius a."""
+    return on_layer(a, thickness, nu, base, lambda t: normal._depth(t, A, n))
+
+
+def _depth(a: Array, A: Array, n: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, A, n, nu, thickness, base)
+    return normal._depth(a, A, n) - found.of("less")
+
+
+def _force(a: Array, A: Array, n: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, A, n, nu, thickness, base)
+    return normal._force(a, A, n, E_star) + E_star * found.of("more")
+
+
+def _pressure(r: Array, a: Array, A: Array, n: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, A, n, nu, thickness, base)
+    return normal._pressure(r, a, A, n, E_star) + E_star * found.pressure(r)
+
+
+def _radius_from_depth(d: Array, A: Array, n: Array, nu: Array, thickness: Array, base: str) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, A, n, nu, thickness, base)
+        value = normal._depth(t, A, n) - found.of("less")
+        return value, t * found.of("rate") / value
+
+    return radius_on_layer(curve, d, normal._radius_from_depth(d, A, n), thickness, np.inf, True)
+
+
+def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, A, n, nu, thickness, base)
+        value = normal._force(t, A, n, E_star) + E_star * found.of("more")
+        return value, t * E_star * found.of("stiffness") * found.of("rate") / value
+
+    return radius_on_layer(curve, F, normal._radius_from_force(F, A, n, E_star), thickness, np.inf, True)
+
+
+def _force_from_depth(d: Array, A: Array, n: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _force(_radius_from_depth(d, A, n, nu, thickness, base), A, n, E_star, nu, thickness, base)
+
+
+def _depth_from_force(F: Array, A: Array, n: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _depth(_radius_from_force(F, A, n, E_star, nu, thickness, base), A, n, nu, thickness, base)

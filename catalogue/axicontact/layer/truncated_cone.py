@@ -1,0 +1,538 @@
+"""Truncated cone on a layer.
+
+Flat face of radius b with a conical flank: a worn or blunted cone. The contact radius starts at b.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime.interface import Array, Result, elementwise, require, require_reach
+from .._runtime.physics.layer import State, of_states, on_layer, radius_on_layer, require_base
+from ..normal import truncated_cone as normal
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = [
+    "depth",
+    "depth_from_force",
+    "force",
+    "force_from_depth",
+    "pressure",
+    "radius_from_depth",
+    "radius_from_force",
+]
+
+
+def __dir__() -> list[str]:
+    return __all__
+
+
+def depth(
+    a: ArrayLike, *, theta: ArrayLike, b: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Indentation depth at contact radius a.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.d.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.depth(1.0, theta=0.42, b=0.5, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.347955
+    """
+    require(theta=theta, b=b, nu=nu, thickness=thickness)
+    require_reach(a, b)
+    require_base(base)
+    return elementwise(partial(_depth, base=base), a, theta=theta, b=b, nu=nu, thickness=thickness)
+
+
+def force(
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Normal force.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.F.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.force(1.0, theta=0.42, b=0.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.695379
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+    require_reach(a, b)
+    require_base(base)
+    return elementwise(partial(_force, base=base), a, theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def pressure(
+    r: ArrayLike,
+    a: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact pressure, positive in compression; zero outside the contact.
+
+    p = -E_star*Integral(Derivative(q(t), t)/sqrt(-r**2 + t**2), (t, r, a))/pi
+
+    Parameters
+    ----------
+    r : array_like
+        Distance from the axis [m].
+    a : array_like
+        Contact radius [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact pressure, positive in compression [Pa]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.p.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.pressure(0.3, 1.0, theta=0.42, b=0.5, E_star=1.0, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    0.269026
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+    require_reach(a, b)
+    require_base(base)
+    return elementwise(partial(_pressure, base=base), r, a, theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+
+
+def radius_from_depth(
+    d: ArrayLike, *, theta: ArrayLike, b: ArrayLike, nu: ArrayLike, thickness: ArrayLike, base: str = "bonded"
+) -> Result:
+    """Contact radius at indentation depth d.
+
+    a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.ad.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.radius_from_depth(0.34795549144583726, theta=0.42, b=0.5, nu=0.3, thickness=2.0)
+    >>> round(value, 6)
+    1.0
+    """
+    require(theta=theta, b=b, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(partial(_radius_from_depth, base=base), d, theta=theta, b=b, nu=nu, thickness=thickness)
+
+
+def radius_from_force(
+    F: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Contact radius under the normal force F.
+
+    a from 2*E_star*Integral(q(t), (t, 0, a)) = F
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.aF.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.radius_from_force(
+    ...     0.6953791566949802, theta=0.42, b=0.5, E_star=1.0, nu=0.3, thickness=2.0
+    ... )
+    >>> round(value, 6)
+    1.0
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(
+        partial(_radius_from_force, base=base), F, theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness
+    )
+
+
+def force_from_depth(
+    d: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Normal force at indentation depth d.
+
+    F = 2*E_star*Integral(q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    d : array_like
+        Indentation depth of the point r = 0 [m].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.Fd.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.force_from_depth(
+    ...     0.34795549144583726, theta=0.42, b=0.5, E_star=1.0, nu=0.3, thickness=2.0
+    ... )
+    >>> round(value, 6)
+    0.695379
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(
+        partial(_force_from_depth, base=base), d, theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness
+    )
+
+
+def depth_from_force(
+    F: ArrayLike,
+    *,
+    theta: ArrayLike,
+    b: ArrayLike,
+    E_star: ArrayLike,
+    nu: ArrayLike,
+    thickness: ArrayLike,
+    base: str = "bonded",
+) -> Result:
+    """Indentation depth under the normal force F.
+
+    d = g(a) - Integral(K(a, t)*q(t), (t, 0, a))
+
+    Parameters
+    ----------
+    F : array_like
+        Normal force [N].
+    theta : array_like
+        Inclination of the flank to the surface [rad], 0 < theta < pi/2.
+    b : array_like
+        Radius at which the profile breaks, or its length across [m], b > 0.
+    E_star : array_like
+        Effective (plane-strain) modulus, 1/E_star = sum (1 - nu_i^2)/E_i [Pa], E_star > 0.
+    nu : array_like
+        Poisson ratio [1], -1 < nu <= 1/2.
+    thickness : array_like
+        Thickness of the layer [m], thickness > 0.
+    base : {"bonded", "frictionless"}
+        How the layer lies on what is below it.
+
+    Returns
+    -------
+    float or ndarray
+        Indentation depth of the point r = 0 [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
+    is zero at t = a. Valid for tan(theta) << 1; the indenter and the base are rigid, E_star = E/(1 - nu^2) is
+    that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness)
+    times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the
+    layer. Negative or NaN field values give NaN. Handbook: truncated_cone.lay.dF.
+
+    References
+    ----------
+    Ejike 1981.
+
+    Examples
+    --------
+    >>> from axicontact.layer import truncated_cone
+    >>> value = truncated_cone.depth_from_force(
+    ...     0.6953791566949802, theta=0.42, b=0.5, E_star=1.0, nu=0.3, thickness=2.0
+    ... )
+    >>> round(value, 6)
+    0.347955
+    """
+    require(theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness)
+    require_base(base)
+    return elementwise(
+        partial(_depth_from_force, base=base), F, theta=theta, b=b, E_star=E_star, nu=nu, thickness=thickness
+    )
+
+
+@of_states
+def _contact(a: Array, theta: Array, b: Array, nu: Array, thickness: Array, base: str) -> State:
+    """What the layer changes of a contact of radius a."""
+    return on_layer(a, thickness, nu, base, lambda t: np.where(t > b, normal._depth(t, theta, b), 0.0), (b,))
+
+
+def _depth(a: Array, theta: Array, b: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, theta, b, nu, thickness, base)
+    return normal._depth(a, theta, b) - found.of("less")
+
+
+def _force(a: Array, theta: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    found = _contact(a, theta, b, nu, thickness, base)
+    return normal._force(a, theta, b, E_star) + E_star * found.of("more")
+
+
+def _pressure(
+    r: Array, a: Array, theta: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str
+) -> Array:
+    found = _contact(a, theta, b, nu, thickness, base)
+    return normal._pressure(r, a, theta, b, E_star) + E_star * found.pressure(r)
+
+
+def _radius_from_depth(d: Array, theta: Array, b: Array, nu: Array, thickness: Array, base: str) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, theta, b, nu, thickness, base)
+        value = normal._depth(t, theta, b) - found.of("less")
+        return value, t * found.of("rate") / value
+
+    return radius_on_layer(curve, d, normal._radius_from_depth(d, theta, b), thickness, np.inf, False)
+
+
+def _radius_from_force(
+    F: Array, theta: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str
+) -> Array:
+    def curve(t: Array) -> tuple[Array, Array]:
+        found = _contact(t, theta, b, nu, thickness, base)
+        value = normal._force(t, theta, b, E_star) + E_star * found.of("more")
+        return value, t * E_star * found.of("stiffness") * found.of("rate") / value
+
+    return radius_on_layer(curve, F, normal._radius_from_force(F, theta, b, E_star), thickness, np.inf, False)
+
+
+def _force_from_depth(d: Array, theta: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _force(_radius_from_depth(d, theta, b, nu, thickness, base), theta, b, E_star, nu, thickness, base)
+
+
+def _depth_from_force(F: Array, theta: Array, b: Array, E_star: Array, nu: Array, thickness: Array, base: str) -> Array:
+    return _depth(_radius_from_force(F, theta, b, E_star, nu, thickness, base), theta, b, nu, thickness, base)
