@@ -111,12 +111,10 @@ QUANTITIES = {
                  summary=f"Time before t at which the contact was as large on {law.material}; zero after its end."),
         Quantity(f"radius_{law.suffix}", f"retract_radius_{law.name}", f"Contact radius, retraction, {law.name}", a,
                  (time,), row="Contact radius: ramp and retraction",
-                 summary=f"Contact radius at time t on {law.material}, indented at the speed v until t_m and then"
-                 " retracted at the speed v_2."),
+                 summary=f"Contact radius at time t on {law.material}, pressed in at v until t_m, then back at v_2."),
         Quantity(f"retract_{law.suffix}", f"retract_force_{law.name}", f"Force, retraction, {law.name}", F, (time,),
                  row="Force: ramp and retraction",
-                 summary=f"Normal force at time t on {law.material}, indented at the speed v until t_m and then"
-                 " retracted at the speed v_2."),
+                 summary=f"Normal force at time t on {law.material}, pressed in at v until t_m, then back at v_2."),
         Quantity(f"end_{law.suffix}", f"contact_time_{law.name}", f"Contact time, {law.name}", t_c, (),
                  row="Contact time: of ramp and retraction",
                  summary=f"Time at which the contact with {law.material} ends on the way back."),

@@ -89,16 +89,16 @@ def _states(writer: Writer, opened: str) -> None:
     writer.rule("_pull_off_force", ["a"], needs, [*zone, f"return {force}"])
     for inverse in INVERSES:
         (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
+        found = f"radius_under(load, {field}, least, _radii({given}))"
         lines = [
             f'least = _pull_off_radius({given}, "{load}")',
-            f"load = lambda a: _{load}(a, {given})",
-            f"a = radius_under(load, {field}, least, _radii({given}))",
+            *("", "def load(a: Array) -> Array:", f"    return _{load}(a, {given})", ""),
         ]
         if load == PARTED:
             apart = f"(least == 0.0) & np.isnan(a) & ({field} >= _pull_off_{load}(least, {given}))"
-            lines.append(f"return np.where({apart}, 0.0, a)")
+            lines += [f"a = {found}", f"return np.where({apart}, 0.0, a)"]
         else:
-            lines.append("return a")
+            lines.append(f"return {found}")
         writer.rule(f"_{inverse.function}", [field], needs, lines)
 
 
