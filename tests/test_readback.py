@@ -88,7 +88,9 @@ def test_every_row_of_a_spread_says_what_its_entry_is(name: str) -> None:
     whole = [host for host in hosted(name) if name not in MEMBERS]
     for key in (key for key in KEYS if problem(key).profile_id in (name, *hosted(name))):
         for one in rows(key):
-            assert residual(key, one) < READ_BACK, one.key
+            # an equation for what stands in a whole contact has no value at a point; it is solved where it is compared
+            if all(entry.status != "equation" for entry in one.entries):
+                assert residual(key, one) < READ_BACK, one.key
         if problem(key).profile_id == name or key in whole:
             compared += [region.tex for one in printed(key) if not one.listed for region in one.regions]
         for one in (one for one in printed(key) if one.parts):
