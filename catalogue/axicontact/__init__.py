@@ -7,7 +7,6 @@ from typing import Any
 
 __all__ = [
     "adhesive",
-    "cohesive",
     "expressions",
     "graded",
     "layer",

@@ -56,7 +56,7 @@ SYMBOLS = {
     "v": Domain(
         "v > 0",
         "speed of indentation, d = v t, in m/s",
-        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0, and retract_force for the way back",
+        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0; retract_force has the way back",
     ),
     "E": Domain("E > 0", "effective (plane-strain) modulus of the viscoelastic law, in Pa"),
     "E_inf": Domain("E_inf > 0", "long-time effective modulus, in Pa"),
@@ -69,7 +69,7 @@ SYMBOLS = {
         instead="use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
     ),
     "t_0": Domain("t_0 > 0", "reference time of power-law creep, J = (t/t_0)^alpha/E, in s"),
-    "v_2": Domain("v_2 > 0", "speed of retraction, d = v t_m - v_2 (t - t_m), in m/s"),
+    "v_2": Domain("v_2 > 0", "speed of retraction, from t_m on, in m/s"),
     "t_m": Domain("t_m > 0", "time at which the indenter turns back, in s"),
     "young_1": Domain("E_1 > 0", "Young's modulus of the first body, in Pa", letter="E_1"),
     "young_2": Domain("E_2 > 0", "Young's modulus of the second body, in Pa", letter="E_2"),
@@ -93,9 +93,9 @@ SYMBOLS = {
         instead="a steeper edge carries an infinite force, use s > -1",
         letter="s",
     ),
+    "thickness": Domain("thickness > 0", "thickness of the layer, in m"),
     "G": Domain("G > 0", "shear modulus of the half-space, in Pa"),
     "twist": Domain("twist >= 0", "angle by which the punch turns, in rad", closed="low", letter="beta"),
-    "thickness": Domain("thickness > 0", "thickness of the layer, in m"),
 }
 UNITS = {
     "r": "m",
@@ -151,8 +151,8 @@ UNITS = {
     "sigma_0": "Pa",
     "p_0": "Pa",
     "x": "m",
+    "thickness": "m",
     "G": "Pa",
     "beta": "rad",
-    "thickness": "m",
 }
 """Units of the arguments, by their letters in the interface."""

@@ -144,7 +144,7 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -193,7 +193,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -234,7 +234,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 def retract_force_maxwell(
     t: ArrayLike, *, theta: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*t_1**2*v**2*exp((t_1 - t)/tau)*1F1(1, 3, -t_1/tau)/(pi*tan(theta))
     with 1F1: Confluent 1F1(p; c; z)
@@ -248,7 +248,7 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -290,7 +290,7 @@ def retract_force_maxwell(
 def retract_radius_maxwell(
     t: ArrayLike, *, theta: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     a = 2*t_1*v/(pi*tan(theta))
 
@@ -303,7 +303,7 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -500,7 +500,7 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -549,7 +549,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -590,7 +590,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 def retract_force_kelvin_voigt(
     t: ArrayLike, *, theta: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*t_1**2*v**2/(pi*tan(theta))
 
@@ -603,7 +603,7 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -646,7 +646,7 @@ def retract_force_kelvin_voigt(
 def retract_radius_kelvin_voigt(
     t: ArrayLike, *, theta: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     a = 2*t_1*v/(pi*tan(theta))
 
@@ -659,7 +659,7 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -865,7 +865,7 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -919,7 +919,7 @@ def contact_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -970,7 +970,7 @@ def retract_force_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*t_1**2*v**2*(E_1*exp((t_1 - t)/tau)*1F1(1, 3, -t_1/tau) + E_inf)/(pi*tan(theta))
     with 1F1: Confluent 1F1(p; c; z)
@@ -984,7 +984,7 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1041,7 +1041,7 @@ def retract_radius_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     a = 2*t_1*v/(pi*tan(theta))
 
@@ -1054,7 +1054,7 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1271,7 +1271,7 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1324,7 +1324,7 @@ def contact_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1375,7 +1375,7 @@ def retract_force_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     F = 4*E*t_0**alpha*t**(2 - alpha)*v**2*IncompleteBeta(t_1/t, 2, 1 - alpha)/(pi*tan(theta)*gamma(1 -
     alpha)*gamma(alpha + 1))
@@ -1391,7 +1391,7 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1446,7 +1446,7 @@ def retract_radius_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     a = 2*t_1*v/(pi*tan(theta))
 
@@ -1459,7 +1459,7 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like

@@ -132,7 +132,7 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -180,7 +180,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -221,7 +221,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 def retract_force_maxwell(
     t: ArrayLike, *, a: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*a*t_1*v*exp((t_1 - t)/tau)*1F1(1, 2, -t_1/tau)
     with 1F1: Confluent 1F1(p; c; z)
@@ -235,7 +235,7 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -384,7 +384,7 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -432,7 +432,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -473,7 +473,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 def retract_force_kelvin_voigt(
     t: ArrayLike, *, a: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*a*t_1*v
 
@@ -486,7 +486,7 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -641,7 +641,7 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -694,7 +694,7 @@ def contact_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -745,7 +745,7 @@ def retract_force_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*a*t_1*v*(E_1*exp((t_1 - t)/tau)*1F1(1, 2, -t_1/tau) + E_inf)
     with 1F1: Confluent 1F1(p; c; z)
@@ -759,7 +759,7 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -920,7 +920,7 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -972,7 +972,7 @@ def contact_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1023,7 +1023,7 @@ def retract_force_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*a*t_0**alpha*t**(1 - alpha)*v*IncompleteBeta(t_1/t, 1, 1 - alpha)/(gamma(1 -
     alpha)*gamma(alpha + 1))
@@ -1039,7 +1039,7 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like

@@ -144,7 +144,7 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -192,7 +192,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -233,7 +233,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 def retract_force_maxwell(
     t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     F = 4*E*sqrt(R)*t_1**(3/2)*v**(3/2)*exp((t_1 - t)/tau)*1F1(1, 5/2, -t_1/tau)/3
     with 1F1: Confluent 1F1(p; c; z)
@@ -247,7 +247,7 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -289,7 +289,7 @@ def retract_force_maxwell(
 def retract_radius_maxwell(
     t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -302,7 +302,7 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -499,7 +499,7 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -547,7 +547,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -588,7 +588,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 def retract_force_kelvin_voigt(
     t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     F = 4*E*sqrt(R)*t_1**(3/2)*v**(3/2)/3
 
@@ -601,7 +601,7 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -643,7 +643,7 @@ def retract_force_kelvin_voigt(
 def retract_radius_kelvin_voigt(
     t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -656,7 +656,7 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -859,7 +859,7 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -912,7 +912,7 @@ def contact_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -963,7 +963,7 @@ def retract_force_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     F = 4*sqrt(R)*t_1**(3/2)*v**(3/2)*(E_1*exp((t_1 - t)/tau)*1F1(1, 5/2, -t_1/tau) +
     E_inf)/3
@@ -978,7 +978,7 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1032,7 +1032,7 @@ def retract_radius_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -1045,7 +1045,7 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1259,7 +1259,7 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1311,7 +1311,7 @@ def contact_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1362,7 +1362,7 @@ def retract_force_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     F = 2*E*sqrt(R)*t_0**alpha*t**(3/2 - alpha)*v**(3/2)*IncompleteBeta(t_1/t, 3/2, 1 - alpha)/(gamma(1
     - alpha)*gamma(alpha + 1))
@@ -1378,7 +1378,7 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1432,7 +1432,7 @@ def retract_radius_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     a = sqrt(R)*sqrt(t_1)*sqrt(v)
 
@@ -1445,7 +1445,7 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like

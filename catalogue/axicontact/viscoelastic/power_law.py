@@ -149,7 +149,7 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -198,7 +198,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -247,7 +247,7 @@ def retract_force_maxwell(
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     F = 2*sqrt(pi)*A*E*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*exp((t_1 -
     t)/tau)*1F1(1, 1 + (n + 1)/n, -t_1/tau)*gamma(n/2 + 1)/((n + 1)*gamma((n + 1)/2))
@@ -264,7 +264,7 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -315,7 +315,7 @@ def retract_radius_maxwell(
     E: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -330,7 +330,7 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -542,7 +542,7 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -591,7 +591,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -640,7 +640,7 @@ def retract_force_kelvin_voigt(
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*sqrt(pi)*A*E*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*gamma(n/2 + 1)/((n
     + 1)*gamma((n + 1)/2))
@@ -656,7 +656,7 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -707,7 +707,7 @@ def retract_radius_kelvin_voigt(
     E: ArrayLike,
     eta: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -722,7 +722,7 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -938,7 +938,7 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -992,7 +992,7 @@ def contact_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1044,7 +1044,7 @@ def retract_force_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     F = 2*sqrt(pi)*A*n*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**((n + 1)/n)*(E_1*exp((t_1 -
     t)/tau)*1F1(1, 1 + (n + 1)/n, -t_1/tau) + E_inf)*gamma(n/2 + 1)/((n + 1)*gamma((n +
@@ -1062,7 +1062,7 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1118,7 +1118,7 @@ def retract_radius_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -1133,7 +1133,7 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1359,7 +1359,7 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1412,7 +1412,7 @@ def contact_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1464,7 +1464,7 @@ def retract_force_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     F = 2*sqrt(pi)*A*E*t_0**alpha*t**(-alpha + (n + 1)/n)*(t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 +
     1)))**((n + 1)/n)*IncompleteBeta(t_1/t, (n + 1)/n, 1 - alpha)*gamma(n/2 + 1)/(t_1**((n + 1)/n)*gamma(1
@@ -1483,7 +1483,7 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1539,7 +1539,7 @@ def retract_radius_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     a = (t_1*v*gamma((n + 1)/2)/(sqrt(pi)*A*gamma(n/2 + 1)))**(1/n)
 
@@ -1554,7 +1554,7 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like

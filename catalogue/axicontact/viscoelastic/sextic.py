@@ -144,7 +144,7 @@ def earlier_time_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -192,7 +192,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -233,7 +233,7 @@ def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: Arr
 def retract_force_maxwell(
     t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*E*t_1**(7/6)*v**(7/6)*exp((t_1 - t)/tau)*1F1(1, 13/6,
     -t_1/tau)/(7*A**(1/6))
@@ -248,7 +248,7 @@ def retract_force_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -290,7 +290,7 @@ def retract_force_maxwell(
 def retract_radius_maxwell(
     t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Maxwell fluid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -303,7 +303,7 @@ def retract_radius_maxwell(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -500,7 +500,7 @@ def earlier_time_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -548,7 +548,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -589,7 +589,7 @@ def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E
 def retract_force_kelvin_voigt(
     t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Normal force at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*E*t_1**(7/6)*v**(7/6)/(7*A**(1/6))
 
@@ -602,7 +602,7 @@ def retract_force_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -644,7 +644,7 @@ def retract_force_kelvin_voigt(
 def retract_radius_kelvin_voigt(
     t: ArrayLike, *, A: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
 ) -> Result:
-    """Contact radius at time t on a Kelvin-Voigt solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -657,7 +657,7 @@ def retract_radius_kelvin_voigt(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -860,7 +860,7 @@ def earlier_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -913,7 +913,7 @@ def contact_time_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -964,7 +964,7 @@ def retract_force_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     F = 6*2**(1/3)*5**(1/6)*t_1**(7/6)*v**(7/6)*(E_1*exp((t_1 - t)/tau)*1F1(1, 13/6,
     -t_1/tau) + E_inf)/(7*A**(1/6))
@@ -979,7 +979,7 @@ def retract_force_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1033,7 +1033,7 @@ def retract_radius_standard_solid(
     E_1: ArrayLike,
     tau: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a standard solid, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -1046,7 +1046,7 @@ def retract_radius_standard_solid(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E_inf : array_like
@@ -1261,7 +1261,7 @@ def earlier_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1313,7 +1313,7 @@ def contact_time_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1364,7 +1364,7 @@ def retract_force_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Normal force at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     F = 2**(1/3)*5**(1/6)*E*t_0**alpha*t**(7/6 - alpha)*v**(7/6)*IncompleteBeta(t_1/t, 7/6, 1 -
     alpha)/(A**(1/6)*gamma(1 - alpha)*gamma(alpha + 1))
@@ -1380,7 +1380,7 @@ def retract_force_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
@@ -1432,7 +1432,7 @@ def retract_radius_power_creep(
     alpha: ArrayLike,
     t_0: ArrayLike,
 ) -> Result:
-    """Contact radius at time t on a material of power-law creep, indented at the speed v until t_m and then retracted at the speed v_2.
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
 
     a = 2**(1/3)*5**(1/6)*t_1**(1/6)*v**(1/6)/(2*A**(1/6))
 
@@ -1445,7 +1445,7 @@ def retract_radius_power_creep(
     v : array_like
         Speed of indentation, d = v t [m/s], v > 0.
     v_2 : array_like
-        Speed of retraction, d = v t_m - v_2 (t - t_m) [m/s], v_2 > 0.
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
     t_m : array_like
         Time at which the indenter turns back [s], t_m > 0.
     E : array_like
