@@ -40,7 +40,7 @@ FULL = {"physics": 17}
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
 NAMED, KINDS = 5, 8
 """Comparisons with the name of a physics, and with a kind of contact."""
-LITERALS, LITERAL_FILES = 1243, 108
+LITERALS, LITERAL_FILES = 1246, 108
 """Keys of quantities as literals, and files that have some."""
 RUNTIME = ("", "shapes", "physics", "graded", "subsurface")
 """Folders of the run time: one imports only what stands before it, and `arrays` only what stands in the root."""

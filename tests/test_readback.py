@@ -87,10 +87,10 @@ def test_every_row_of_a_spread_says_what_its_entry_is(name: str) -> None:
     compared = []
     whole = [host for host in hosted(name) if name not in MEMBERS]
     for key in (key for key in KEYS if problem(key).profile_id in (name, *hosted(name))):
+        if any(entry.status == "equation" for entry in stored(key).values()):
+            continue  # for what stands in a whole contact: it has no value at a point, and no row on the page
         for one in rows(key):
-            # an equation for what stands in a whole contact has no value at a point; it is solved where it is compared
-            if all(entry.status != "equation" for entry in one.entries):
-                assert residual(key, one) < READ_BACK, one.key
+            assert residual(key, one) < READ_BACK, one.key
         if problem(key).profile_id == name or key in whole:
             compared += [region.tex for one in printed(key) if not one.listed for region in one.regions]
         for one in (one for one in printed(key) if one.parts):
