@@ -193,11 +193,11 @@ NEEDED: Refusals = {
         lambda: regions("truncated_paraboloid.adh", "Fc", (a_c, b)),
         "are not the regimes of the contact",
     ),
-    "detachment.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
+    "adhesive.Detachment._expr: require_regions(self.entries[suffix], ((a,),))": (
         lambda: regions("flat_punch.adh", "dc", (a, R)),
         ONCE,
     ),
-    "detachment.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
+    "adhesive.Detachment.depth: the depth of a smaller contact is not shown to be greater": (
         convex_edge,
         "the depth of a smaller contact is not shown to be greater",
     ),
