@@ -67,7 +67,11 @@ struct pairs {
   const double *weights;
 };
 
-static inline int panels_of(double length) { return length < 4096.0 ? (int)ceil(length) : 4096; }
+/* what is no number at the end is none in one panel too */
+static inline int panels_of(double length)
+{
+  return length < 4096.0 ? (int)ceil(length) : isfinite(length) ? 4096 : 1;
+}
 
 static inline struct pairs pairs_of(const double (*half)[2], int count, int panels)
 {
