@@ -309,6 +309,8 @@ class Printer:
                 compared = zip(terms[:-1], operators, terms[1:], strict=True)
                 found = [f"{self.expr(a)} {SIGNS[type(o)]} {self.expr(b)}" for a, o, b in compared]
                 return f"({' && '.join(found)})"
+            case ast.IfExp(ast.Compare(ast.Call(ast.Name("type")), [ast.Is()], _), body, _):
+                return self.expr(body)
             case ast.IfExp(test, body, orelse):
                 return f"({self.expr(test)} ? {self.expr(body)} : {self.expr(orelse)})"
             case ast.Tuple(values) | ast.List(values):
