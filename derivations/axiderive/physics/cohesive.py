@@ -179,7 +179,8 @@ def proofs(profile: Profile, medium: Medium) -> dict[str, Proof]:
     closes, begins = (cohesive, a), (r, a)
     rate = 4 * sigma_0 * a / (sp.pi * E_star * ROOT) * sp.asin(a / r)
     shown = Shown("work = sigma_0 times the gap at c", OWN - gap)
-    closed = 2 * sigma_0 / sp.pi * ANGLE * sp.Derivative(DEPTH(a) - SUNK, a)
+    # that the gap of the contact below falls with a by 2/pi arccos(a/c) g'(a) is what the law of its displacement says
+    opened = 2 / sp.pi * ANGLE * sp.Derivative(SUNK, a)
     taken = 4 * sigma_0 * cohesive * (ANGLE + a / ROOT)
     drawn = 2 * sigma_0 / sp.pi * cohesive * sp.sqrt(a**2 - r**2) / (ROOT * (cohesive**2 - r**2))
     return {
@@ -187,8 +188,9 @@ def proofs(profile: Profile, medium: Medium) -> dict[str, Proof]:
             "d",
             (
                 shown,
-                Shown("it falls with a by 2 sigma_0/pi arccos(a/c) d'(a)", sp.Derivative(OWN, a) + closed),
-                Shown("what the ring opens is nothing at c = a", OPENED, at=closes),
+                Shown("what the ring opens grows with a by 2/pi arccos(a/c) of what it takes of d'(a)",
+                      sp.Derivative(OPENED, a) - opened),
+                Shown("the ring opens nothing at c = a", OPENED, at=closes),
             ),
             beyond=cohesive,
         ),
