@@ -10,7 +10,7 @@ import sympy as sp
 from ...abel.masters import Dawson
 from ...entry import COMPACT, FOUR
 from ...letters import name_of
-from ...notation import E_star, a, dgamma, sigma_0
+from ...notation import E_star, a, dgamma, r, sigma_0
 from ...physics import adhesive
 from ...physics.cohesive import cohesive
 from .. import docstring
@@ -18,7 +18,6 @@ from ..function import Function
 from ..text import python
 from ..writer import Writer, ordered
 from .adhesive import exponent
-from .branches import radii
 
 MATERIAL = ("E_star", "dgamma", "sigma_0")
 LOSSES = {
@@ -53,9 +52,9 @@ def rules(writer: Writer) -> None:
     for function, loss in LOSSES.items():
         fields = ["r", "a"] if loss.partition("(")[2].startswith("r") else ["a"]
         plain = _plain(writer, function, *fields)
-        within = [*fields[:-1], "q", "a"]
+        within = [*fields, "q"]
         writer.rule(f"{function}_of", within, needs, [f"return {plain} - {loss}"])
-        lines = [f"return {Function(f'{function}_of', within, needs, []).call(*fields[:-1], zone, 'a')}"]
+        lines = [f"return {Function(f'{function}_of', within, needs, []).call(*fields, zone)}"]
         writer.rule(function, fields, needs, lines)
     _states(writer, opened)
 
@@ -65,53 +64,50 @@ def _states(writer: Writer, opened: str) -> None:
     needs = [*writer.geometry, *MATERIAL]
     given = ", ".join(needs)
     first = [f"first = _zone(np.zeros(1), {given})"]
-    own = _radii(writer)
-    writer.rule(
-        "_radii", [], needs, [*first, f"return radii(first{own})"], "Radii that separate the minima of the load."
-    )
+    separating = [*first, f"return {_radii(writer)}"]
+    writer.rule("_radii", [], needs, separating, "Radii that separate the minima of the load.")
     state = [
         f"q = _zone(a, {given})",
         'load = _force_of if control == "force" else _depth_of',
-        f"return still({opened}, a, q, control, E_star, sigma_0), load(q, a, {given})",
+        f"return still({opened}, a, q, control, E_star, sigma_0), load(a, q, {given})",
     ]
     writer.rule("_state", ["a"], [*needs, "control"], state, returns="tuple[Array, Array]")
     searched = f"return radius_of_pull_off(lambda a: _state(a, {given}, control), _radii({given}))"
     writer.rule("_pull_off_radius", [], [*needs, "control"], [searched])
     apart = f"alone({opened}, c, E_star, dgamma, sigma_0)"
-    zone = [*first, f"c = parted({opened}, first, E_star, sigma_0)"]
-    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: {apart})"
-    force = f"np.where(a > 0.0, _force(a, {given}), {PULL})"
+    writer.rule("_parted", [], needs, [*first, f"return parted({opened}, first, E_star, sigma_0)"])
+    alone = f"alone({opened}, _parted({given}), E_star, dgamma, sigma_0)"
+    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: {alone})"
+    force = f"np.where(a > 0.0, _force(a, {given}), {PULL.replace('c * c', f'_parted({given}) ** 2')})"
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
     for member, value in (("depth", "depth"), ("force", PULL)):
         lines = [f"depth = {apart}", f"return {closed.format(value)}"]
         writer.rule(f"_without_contact_{member}", [ZONE], needs, lines)
-    writer.rule("_pull_off_depth", ["a"], needs, [*zone, f"return {depth}"])
-    writer.rule("_pull_off_force", ["a"], needs, [*zone, f"return {force}"])
+    writer.rule("_pull_off_depth", ["a"], needs, [f"return {depth}"])
+    writer.rule("_pull_off_force", ["a"], needs, [f"return {force}"])
     for inverse in INVERSES:
         (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
-        found = f"radius_under(load, {field}, least, _radii({given}))"
-        lines = [
-            f'least = _pull_off_radius({given}, "{load}")',
-            *("", "def load(a: Array) -> Array:", f"    return _{load}(a, {given})", ""),
-        ]
+        states = f'lambda a: _state(a, {given}, "{load}")'
+        found = f"radius_under({states}, {field}, _radii({given}))"
         if load == PARTED:
-            apart = f"(least == 0.0) & np.isnan(a) & ({field} >= _pull_off_{load}(least, {given}))"
-            lines += [f"a = {found}", f"return np.where({apart}, 0.0, a)"]
+            least = f'_pull_off_radius({given}, "{load}")'
+            held = f"({least} == 0.0) & ({field} >= _pull_off_{load}(np.zeros_like({field}), {given}))"
+            writer.rule("_held_apart", [field], needs, [f"return np.where({held}, 0.0, np.nan)"])
+            lines = [f"a = {found}", f"return np.where(np.isnan(a), _held_apart({field}, {given}), a)"]
         else:
-            lines.append(f"return {found}")
+            lines = [f"return {found}"]
         writer.rule(f"_{inverse.function}", [field], needs, lines)
 
 
 def _radii(writer: Writer) -> str:
-    """Those next to a break and up to the end of a profile, beside the ones by the zone."""
+    """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
     profile = writer.profile
-    if not (profile.breaks or profile.chain or profile.largest):
-        return ""
-    largest = "" if profile.largest is None else python(profile.largest)
-    grid = radii(profile, largest, "")
-    end = profile.largest or _end(writer)
-    bound = "" if end is None else f", largest={python(end)}"
-    return f", {grid.replace('radii_beyond', 'radii_around')}{bound}"
+    if profile.breaks:
+        return f"radii_by(first, {python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))})"
+    if profile.largest is not None:
+        return f"radii_on_bump(first, {python(profile.largest)})"
+    end = _end(writer)
+    return "radii(first)" if end is None else f"radii_up_to(first, {python(end)})"
 
 
 def _bound_to_shape(writer: Writer, function: str) -> str:
@@ -144,7 +140,8 @@ def _opened(writer: Writer) -> list[str]:
         b, parts = str(profile.breaks[0]), []
         if tip is not None:
             slope = f"lambda t: normal._slope({_with_root(tip, 'np.sqrt((R - t) * (R + t))')})"
-            body.append(f"tip, tip_rate = opening_tip({slope}, q, a, {b})")
+            nodes = "SHORT" if profile.pieces[0].expr.is_polynomial(r) else "TIP"
+            body.append(f"tip, tip_rate = opening_tip({slope}, q, a, {b}, {nodes})")
             parts.append(("tip", "tip_rate"))
         slope = f"lambda t, root: normal._slope_beyond({', '.join(['t', *slopes['_slope_beyond'][1:]])})"
         body.append(f"beyond, rate = opening_beyond({slope}, q, a, {b})")
@@ -158,7 +155,7 @@ def _opened(writer: Writer) -> list[str]:
     slope = f"lambda t: normal._slope({', '.join(['t', *tip[1:]])})"
     (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
     if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
-        return [f"return opening({slope}, q, a)"]
+        return [f"return opening({slope}, q, a, {'SHORT' if depth.is_polynomial(a) else 'NODES'})"]
     return [f"return opening_power({slope}, q, a, {1.0 if power is None else python(power)})"]
 
 

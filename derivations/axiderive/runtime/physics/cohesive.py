@@ -12,14 +12,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..integrals import difference_root, integral, integral_in_strip
+from ..integrals import STRIPS, difference_root, integral_by_length, integral_in_strip
 from ..interface import Array, Result
 from ..inverse import inverse
+from .branches import radii_around, radii_below, radii_to
 
 Opening = Callable[[Array, Array], tuple[Array, Array]]
 """Of q and a the gap of the normal contact at c, and its rate with c."""
 Slope = Callable[..., Array]
-NODES, TIP = 32, 64
+NODES, SHORT, TIP = 32, 16, 64
+"""Of a slope of any form, of a polynomial up to the fifth power, and of a tip of any form."""
 NARROW = 0.7
 """Of pi/2: how close images of the end of a profile come to the path."""
 WITHIN = 1.0 - 1e-6
@@ -51,11 +53,27 @@ def half_angle(q: Array, a: Array) -> Array:
     return np.arctan2(q, a)
 
 
-def opening(slope: Slope, q: Array, a: Array) -> tuple[Array, Array]:
+def both(
+    integrand: Callable[[Array], tuple[Array, Array]],
+    stop: Array,
+    width: float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> tuple[Array, Array]:
+    """The integrals of both members from 0 to `stop`."""
+    gap = integral_by_length(lambda x: integrand(x)[0], stop, width, lengths)
+    return gap, integral_by_length(lambda x: integrand(x)[1], stop, width, lengths)
+
+
+def opening(slope: Slope, q: Array, a: Array, nodes: int) -> tuple[Array, Array]:
     """For g' without singularities."""
     c, end = np.hypot(a, q), np.arctan2(q, a)
-    gap = integral(lambda u: slope(c * np.cos(u)) * u * np.sin(u), end, NODES)
-    rate = integral(lambda u: slope(c * np.cos(u)) * np.cos(u), end, NODES)
+
+    def gained(u: Array) -> tuple[Array, Array]:
+        cosine = np.cos(u)
+        growth = slope(c * cosine)
+        return growth * u * np.sin(u), growth * cosine
+
+    gap, rate = both(gained, end, 1.0, ((np.inf, nodes),))
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
@@ -65,16 +83,14 @@ def opening_power(slope: Slope, q: Array, a: Array, n: Array | float) -> tuple[A
     far = np.where(a > 0.0, q / np.where(a > 0.0, a, 1.0), np.inf)
     end = np.minimum(np.arcsinh(far), DECAY / np.minimum(n, 1.0))
 
-    def gained(v: Array) -> Array:
+    def gained(v: Array) -> tuple[Array, Array]:
         # t = c/cosh(v)
         side, secant = np.sinh(v), np.cosh(v)
-        return slope(c / secant) * np.arctan(side) * (side / secant) / secant
+        growth = slope(c / secant) / secant
+        return growth * np.arctan(side) * (side / secant), growth / secant
 
-    def grown(v: Array) -> Array:
-        secant = np.cosh(v)
-        return slope(c / secant) / secant / secant
-
-    return 2.0 / np.pi * c * integral_in_strip(gained, end), 2.0 / np.pi * integral_in_strip(grown, end)
+    gap, rate = both(gained, end)
+    return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
 def opening_below(slope: Slope, q: Array, a: Array, R: Array) -> tuple[Array, Array]:
@@ -87,25 +103,17 @@ def opening_below(slope: Slope, q: Array, a: Array, R: Array) -> tuple[Array, Ar
     scale = np.where(inside, scale, 1.0)
     end = np.arcsinh(angle / scale)
 
-    def place(v: Array) -> tuple[Array, Array, Array]:
+    def gained(v: Array) -> tuple[Array, Array]:
         u = scale * np.sinh(v)
-        rate = slope(c * np.cos(u), np.hypot(left, c * np.sin(u)))
-        return u, rate * scale * np.cosh(v), np.cos(u)
+        sine, cosine = np.sin(u), np.cos(u)
+        growth = slope(c * cosine, np.hypot(left, c * sine)) * scale * np.cosh(v)
+        return growth * u * sine, growth * cosine
 
-    def gained(v: Array) -> Array:
-        u, weight, _ = place(v)
-        return weight * u * np.sin(u)
-
-    def grown(v: Array) -> Array:
-        _, weight, cosine = place(v)
-        return weight * cosine
-
-    gap = 2.0 / np.pi * c * integral_in_strip(gained, end, NARROW)
-    rate = 2.0 / np.pi * integral_in_strip(grown, end, NARROW)
-    return np.where(inside, gap, np.inf), np.where(inside, rate, np.inf)
+    gap, rate = both(gained, end, NARROW)
+    return np.where(inside, 2.0 / np.pi * c * gap, np.inf), np.where(inside, 2.0 / np.pi * rate, np.inf)
 
 
-def opening_tip(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Array]:
+def opening_tip(slope: Slope, q: Array, a: Array, b: Array, nodes: int) -> tuple[Array, Array]:
     """What is below a break at b of g' without singularities there."""
     c, end = np.hypot(a, q), np.arctan2(q, a)
     # c**2 - b**2 without a difference of squares
@@ -113,8 +121,14 @@ def opening_tip(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Arra
     start = np.where(a < b, np.arctan2(outer, b), end)
     start = np.minimum(np.where(c > b, start, 0.0), end)
     start = np.where(a < b, start, end)
-    gap = integral(lambda u: slope(c * np.cos(start + u)) * (start + u) * np.sin(start + u), end - start, TIP)
-    rate = integral(lambda u: slope(c * np.cos(start + u)) * np.cos(start + u), end - start, TIP)
+
+    def gained(v: Array) -> tuple[Array, Array]:
+        u = start + v
+        cosine = np.cos(u)
+        growth = slope(c * cosine)
+        return growth * u * np.sin(u), growth * cosine
+
+    gap, rate = both(gained, end - start, 1.0, ((np.inf, nodes),))
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
@@ -134,23 +148,15 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
     last = np.arcsinh(x)
     end = np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x)))
 
-    def place(v: Array) -> tuple[Array, Array, Array, Array, Array]:
+    def gained(v: Array) -> tuple[Array, Array]:
         turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
         root, side = outer * np.cos(turned), outer * np.sin(turned)
         t = np.sqrt(b * b + root * root)
-        return t, root, side, slope(t, root), scale * np.cosh(last - v)
+        growth = slope(t, root) * root * scale * np.cosh(last - v)
+        return growth * np.arctan2(side, t) * (side / t), growth / c
 
-    def gained(v: Array) -> Array:
-        t, root, side, rate, weight = place(v)
-        return rate * np.arctan2(side, t) * side * (root / t) * weight
-
-    def grown(v: Array) -> Array:
-        _, root, _, rate, weight = place(v)
-        return rate * (root / c) * weight
-
-    gap = 2.0 / np.pi * integral_in_strip(gained, end)
-    rate = 2.0 / np.pi * integral_in_strip(grown, end)
-    return np.where(holds, gap, 0.0), np.where(holds, rate, 0.0)
+    gap, rate = both(gained, end)
+    return np.where(holds, 2.0 / np.pi * gap, 0.0), np.where(holds, 2.0 / np.pi * rate, 0.0)
 
 
 def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -258,19 +264,38 @@ DECADES = 10.0 ** np.arange(-20.0, 24.1, 0.5)[:, None]
 STEPS, SETTLED, ROUNDING = 90, 2e-16, 1e-15
 """Of a search, the changes of a logarithm that end it, and how far below pull-off a load counts as that, relative."""
 Load = Callable[[Array], Array]
+State = Callable[[Array], tuple[Array, Array]]
+"""Of a radius the ratio of `still`, and the load."""
 
 
-def radii(first: Array, *others: Array, largest: Array | float = np.inf) -> Array:
-    """Contact radii that separate the minima of the load, in ascending order: by the first zone, and by the profile."""
-    every = [first * DECADES, *(np.broadcast_to(own, (len(own), np.size(first))) for own in others)]
-    return np.minimum(np.sort(np.concatenate(every), axis=0), WITHIN * largest)
+def radii(first: Array) -> Array:
+    """Contact radii that separate the minima of the load, in ascending order, of an endless profile without breaks."""
+    return first * DECADES
 
 
-def radius_of_pull_off(state: Callable[[Array], tuple[Array, Array]], grid: Array) -> Array:
-    """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile.
+def radii_by(first: Array, corner: Array) -> Array:
+    """Those of a profile with a break."""
+    return _sorted(first, radii_around(corner))
 
-    `state` gives the ratio of `still`, and the load.
-    """
+
+def radii_up_to(first: Array, largest: Array) -> Array:
+    """Those of a profile that ends steeply."""
+    return np.minimum(_sorted(first, radii_below(largest)), WITHIN * largest)
+
+
+def radii_on_bump(first: Array, largest: Array) -> Array:
+    """Those of a profile that ends level."""
+    return np.minimum(_sorted(first, radii_to(largest)), WITHIN * largest)
+
+
+def _sorted(first: Array, others: Array) -> Array:
+    parts = first * DECADES, others
+    width = max(part.shape[1] for part in parts)
+    return np.sort(np.concatenate([np.broadcast_to(part, (len(part), width)) for part in parts]), axis=0)
+
+
+def radius_of_pull_off(state: State, grid: Array) -> Array:
+    """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
     ratios, _ = state(grid)
     logs = np.log(ratios)
     starts = np.concatenate([ratios[:1] >= 1.0, (ratios[1:] >= 1.0) & (ratios[:-1] < 1.0)])
@@ -285,15 +310,16 @@ def radius_of_pull_off(state: Callable[[Array], tuple[Array, Array]], grid: Arra
     return best
 
 
-def radius_under(load: Load, value: Array, least: Array, grid: Array) -> Array:
+def radius_under(state: State, value: Array, grid: Array) -> Array:
     """The largest radius with this load where the load grows, from that of the least load on."""
+    least = radius_of_pull_off(state, grid)
     grid = np.maximum(grid, np.where(least > 0.0, least, grid[0]))
-    loads = load(grid)
+    loads = state(grid)[1]
     unit = np.abs(loads[0]) + np.abs(value)
     known = np.arcsinh((loads - value) / unit)
     starts = (known[1:] >= 0.0) & (known[:-1] < 0.0)
     place = len(starts) - np.argmax(starts[::-1], axis=0)[None]
-    a = _between(lambda a: np.arcsinh((load(a) - value) / unit), grid, known, place)
+    a = _between(lambda a: np.arcsinh((state(a)[1] - value) / unit), grid, known, place)
     close = np.abs(value - loads[0]) <= ROUNDING * unit
     return np.where(close, grid[0], np.where(starts.any(axis=0), a, np.nan))
 
