@@ -31,7 +31,8 @@ STATES = (("bonded", 0.5, 0.2), ("bonded", 0.5, 3.0), ("bonded", 0.0, 1.0), ("fr
 """Base, Poisson's ratio, contact radius over thickness."""
 FIRST = [("paraboloid", *STATES[1]), ("cone", *STATES[3]), ("truncated_cone", *STATES[2])]
 OTHERS = [(name, *state) for name in COMPACT_NAMES for state in (STATES if name == "paraboloid" else STATES[1:2])]
-DIGITS = 14
+DIGITS = 18
+"""Of the reference: with 14 its force on a cone is off by 3.7e-12 at three thicknesses, and with 22 it is the module's."""
 
 
 @cache
@@ -90,7 +91,7 @@ def test_the_closed_share_is_that_of_navier(base: str) -> None:
             closed = stated.sinking(u, base).subs(nt.nu, nu)
             exact = sp.lambdify(u, closed, "mpmath")(mp.mpf(k))
             assert abs(exact - sinking(mp.mpf(k), mp.mpf(str(nu.evalf(30))), base)) < mp.mpf(10) ** -28
-            assert runtime.stiffer(np.float64(k), float(nu), base) == pytest.approx(float(1 - exact), rel=1e-14)
+            assert runtime.STIFFER[base](np.float64(k), float(nu)) == pytest.approx(float(1 - exact), rel=1e-14)
 
 
 def test_the_share_is_that_of_the_literature() -> None:

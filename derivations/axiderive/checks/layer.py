@@ -22,7 +22,7 @@ from ..physics.layer import BASES, EQUATION, KERNEL, SPRING, sinking, thickness
 from .comparison import Comparison, Evidence, Rows, residual
 
 DIGITS, LOST = 14, 3
-CASES = ((BASES[0], sp.Rational(1, 2), sp.S.One), (BASES[1], sp.Rational(3, 10), sp.S.Half))
+CASES = tuple(zip(BASES, (sp.Rational(1, 2), sp.Rational(3, 10)), (sp.S.One, sp.S.Half), strict=True))
 """Base, Poisson's ratio, and contact radius over thickness."""
 STRETCHES, NODES = (0, 2, 6, 12, 21), 24
 """Of the integral over wave numbers for the thickness 1, and nodes on each."""

@@ -158,7 +158,7 @@ class Example:
     def layered(self) -> Layer:
         """The contact with a layer, by the displacement of its surface."""
         terms = {nt.N: sp.Integer(len(POLYNOMIAL)), **{coefficient(i): c for i, c in enumerate(POLYNOMIAL, 1)}}
-        return layer(HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False), BASES[0])
+        return layer(HalfSpace(self.profile, self.known | terms, 2 * SHOWN, graded=False), next(iter(BASES)))
 
     def lines(self, suffix: str) -> list[str]:
         """The doctest of the function behind one entry."""

@@ -250,7 +250,7 @@ INSTEAD = {
     nt.dgamma: "use dgamma = 0 for a contact without adhesion",
     nt.mu: "give the coefficient as a positive number, or mu = 0 for a contact without friction",
     nt.sigma: "a steeper edge carries an infinite force, use s > -1",
-    nt.v: "a shrinking contact does not obey the rule of Lee and Radok, use v > 0; retract_force has the way back",
+    nt.v: "a shrinking contact does not obey the rule of Lee and Radok, use v > 0; see retract_force",
     nt.alpha: "use the Maxwell law for a fluid (alpha = 1) and the elastic contact for alpha = 0",
     nt.k: "use a modulus that grows less than linearly with depth, or k = 0 for a homogeneous half-space",
 }

@@ -29,8 +29,8 @@ SPRING, KERNEL = sp.Function("q"), sp.Function("K")
 """The solution of the equation, of a radius, and its kernel, of two."""
 EQUATION = d - DEPTH(t) + sp.Integral(KERNEL(t, s) * SPRING(s), (s, 0, a))
 """What the spring at t is pressed in."""
-BASES = ("bonded", "frictionless")
-"""How the layer lies on what is below it."""
+BASES = {"bonded": slice(0, 2), "frictionless": slice(1, 3)}
+"""How the layer lies on what is below it, and what of U, W, shear and stress vanishes there."""
 PUNCH = {suffix: COMPLETE[suffix] for suffix in ("F", "p", "dF")}
 CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")}
 
@@ -52,9 +52,7 @@ def sinking(u: sp.Expr, base: str) -> sp.Expr:
     more = (rates**2 - sp.eye(4)).applyfunc(sp.cancel)
     even = cosine * sp.eye(4) + u * sine / 2 * more
     below = even + rates * (sine * sp.eye(4) + (u * cosine - sine) / 2 * more)
-    # what vanishes at the base: U and W, or W and the shear
-    first = BASES.index(base)
-    held = below[first : first + 2, :]
+    held = below[BASES[base], :]
     pressed = held[0, 0] * held[1, 3] - held[1, 0] * held[0, 3]
     share = sp.fraction(sp.cancel(pressed / (held[:, :2].det() * (1 - nu))))
     above, under = (sp.reduced(own, [cosine**2 - sine**2 - 1], cosine)[1] for own in share)

@@ -8,6 +8,7 @@ Pull-off and stable branch of a power law: one universal curve for all of them.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import sympy as sp
 
@@ -86,7 +87,7 @@ def interface(writer: Writer) -> None:
 
 def rules(writer: Writer) -> None:
     """Adds what they rest on."""
-    writer.private += _Adhesive(writer).rules()
+    writer.private += [replace(own, summed=writer.summed) for own in _Adhesive(writer).rules()]
 
 
 def stated(entries: Mapping[str, Entry]) -> list[Entry]:

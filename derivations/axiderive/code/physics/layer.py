@@ -12,7 +12,7 @@ from ..function import Function
 from ..text import python
 from ..writer import Writer
 
-BASE = f'base: str = "{BASES[0]}"'
+BASE = f'base: str = "{next(iter(BASES))}"'
 NOTES = (
     "The springs below the surface are pressed in by q(t) = {}, which is zero {}. Valid for {}; {}. One linear "
     "system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the integral of (1 - L(u)) "
