@@ -184,6 +184,32 @@ def test_pull_off_is_the_least_load(name: str, sigma: float) -> None:
             assert inverse(load_of(1.7 * a, **material), **material) == pytest.approx(1.7 * a, rel=1e-9)
 
 
+@pytest.mark.parametrize("sigma", [0.01, 0.3, 30.0])
+@pytest.mark.parametrize("name", [*OFTEN, *RARELY])
+def test_plain_numbers_are_found_where_arrays_are(name: str, sigma: float) -> None:
+    """There are two searches: of arrays on a grid, of plain numbers from a few samples."""
+    own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
+    for control, load_of, inverse in (
+        ("force", own.force, own.radius_from_force),
+        ("depth", own.depth, own.radius_from_depth),
+    ):
+        one, pair = (
+            own.pull_off(control, **material),
+            own.pull_off(control, **{k: [x] * 2 for k, x in material.items()}),
+        )
+        least = getattr(one, control)
+        assert getattr(pair, control) == pytest.approx([least] * 2, rel=1e-13)
+        assert pair.radius == pytest.approx([one.radius] * 2, rel=1e-6)
+        loads = load_of(max(one.radius, 0.02) * np.array([1.001, 1.1, 1.4]), **material)
+        loads = np.append(loads, least - 0.1 * abs(least))
+        many, singles = inverse(loads, **material), [inverse(float(x), **material) for x in loads]
+        for found in (many, np.array(singles)):
+            # next to pull-off a radius has half of the digits of its load
+            assert load_of(found[:-1], **material) == pytest.approx(loads[:-1], rel=1e-12)
+            assert np.isnan(found[-1])
+        assert many[:-1] == pytest.approx(singles[:-1], rel=1e-5)
+
+
 def test_a_weak_attraction_lets_go_without_contact() -> None:
     """Under control of the depth a ring without contact holds until f'(c) = 4 sigma_0/(pi E_star)."""
     own, material = module("paraboloid"), {"R": 1.0, **GIVEN, "sigma_0": 0.01}
