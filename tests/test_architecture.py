@@ -29,13 +29,14 @@ LATER = (
     *("abel/field_moments", "languages/", "web/calculator", "scene/translation"),
     *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
+    *("physics/cohesive", "code/physics/cohesive", "runtime/physics/cohesive"),
     *("physics/layer", "oracle/layer", "checks/layer", "code/physics/layer", "runtime/physics/layer"),
 )
-"""What came since, counted by itself: fields below the surface; torsion; layers; a way back; load
+"""What came since, counted by itself: fields below the surface; torsion; cohesive zones; layers; a way back; load
 within a radius and energy; other languages and calculators."""
 WHOLE = 64777
 """Lines with all of that."""
-FULL = {"physics": 16}
+FULL = {"physics": 17}
 """Folders with more than 15 files: each physics is one, whatever else they rest on."""
 PHYSICS = {"normal", "adhesive", "tangential", "viscoelastic", "plane", "graded", "loads", "materials", "detachment"}
 NAMED, KINDS = 5, 8

@@ -134,7 +134,7 @@ def test_what_rests_on_a_problem_that_is_left_out_is_left_out_too():
     found = {p.key: work.Outcome(p.key, {}, failed if p.key == "cone" else {}, 0.0) for p in wanted}
     published, failures = _publishable(wanted, found)
     assert [problem.key for problem, _ in published] == ["cone.fgm", "cone.fgm.adh", "cone.fgm.tan", "plane.wedge"]
-    above = ["cone.adh", "cone.tan", "cone.vis", "cone.sub", "cone.lay"]
+    above = ["cone.adh", "cone.tan", "cone.vis", "cone.coh", "cone.sub", "cone.lay"]
     assert [failure.key for failure in failures] == ["cone.p", *above]
 
 

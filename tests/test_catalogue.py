@@ -17,6 +17,7 @@ import pytest
 from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
+from axiderive.physics import cohesive
 from axiderive.physics.systems import BY_NAME, SYSTEMS, Problem, problems
 from axiderive.profiles.pools import BODIES
 from axiderive.stable.measure import closure
@@ -50,6 +51,9 @@ RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
 FOLLOW = {"load_within", "energy"}
 """Of the homogeneous half-space, as the greatest pressure is."""
 TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
+SEARCHED = {"pull_off", "radius_from_depth", "radius_from_force", "without_contact"}
+COHESIVE = {"work_of_separation", "cohesive_radius", "depth", "force", "pressure", "displacement"}
+"""Functions of entries of a cohesive zone, behind those that search among their values for a state."""
 LAYERED = {
     "depth", "force", "pressure", "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
 }  # fmt: skip
@@ -80,6 +84,8 @@ def interface(problem: Problem) -> set[str]:
         return {f"{kind}_{law}" for kind in kinds for law in LAWS}
     if family == "torsion":
         return TURNING if compact else {"torque", "displacement", "stress"}
+    if family == "cohesive":
+        return COHESIVE | SEARCHED
     if family == "layer":
         return LAYERED if compact else {"force", "pressure", "depth_from_force"}
     if family == "subsurface":
@@ -123,6 +129,7 @@ def test_modules_have_the_interface_and_nothing_that_no_entry_backs() -> None:
         found = functions(CATALOGUE / problem.module)
         assert found == interface(problem), key
         backed = {row["function"] for row in index()["entries"] if row["problem"] == key}
+        backed |= SEARCHED if problem.system.physics is cohesive.PHYSICS else set()
         assert found - {"profile", *BELOW} == backed, key
 
 

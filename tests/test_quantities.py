@@ -65,6 +65,8 @@ class Bare:
 
 KNOWN = {"n": 2.0, "R": 3.0, "R1": 3.0, "R2": 2.0, "a": 1.0, "wavelength": 9.0, "e": 0.1, "C_13": 0.1}
 """Numbers that obey the rules between parameters; all others are 0.3."""
+AROUND = {"c": 1.2}
+"""A zone of attraction surrounds the contact, where one of stick is within."""
 
 
 def functions() -> Iterator[tuple[str, Any]]:
@@ -79,7 +81,8 @@ def values(function: Any) -> tuple[dict[str, Any], list[str]]:
     """Some number for each argument, and the names of those that are numbers."""
     parameters = inspect.signature(function).parameters.values()
     numbers = [p.name for p in parameters if p.default is inspect.Parameter.empty]
-    return {name: KNOWN.get(name, 0.3) for name in numbers}, numbers
+    known = KNOWN | AROUND if "sigma_0" in numbers else KNOWN
+    return {name: known.get(name, 0.3) for name in numbers}, numbers
 
 
 def called(function: Any, given: dict[str, Any]) -> Any:

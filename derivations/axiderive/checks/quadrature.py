@@ -22,7 +22,7 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.sampling import points
 from ..oracle.shape import Number, Shape, Values, number, shape
-from ..physics import PRESSURE, normal
+from ..physics import DEPTH, PRESSURE, normal
 from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
 from ..profiles.profile import Profile
@@ -35,7 +35,9 @@ NESTED_LOST = 6
 SUMMED = 14
 """Digits of an integral over pressures by the definition, each of which is an integral."""
 TWICE = 20
-"""Digits of a consequence, which is an integral of integrals too."""
+"""Digits of a consequence, or of a sum over depths, which are integrals of integrals too."""
+DEEP = 2
+"""Points of a sum over depths."""
 STABLE = mp.mpf(9) / 10
 """Greatest share of the work of separation that a contact of radius a can carry: an inverse is the stable branch."""
 ILL = 60
@@ -54,12 +56,15 @@ def check(own: Comparison, suffix: str) -> Evidence:
     if own.physics.definitions is None and (quantity.threshold or (quantity.member and not quantity.control)):
         return ring(own, suffix)
     nested, twice = graded and quantity.place == "inside" and not _sum_of_powers(own.profile), suffix in CONSEQUENCES
-    definition = own.entries[suffix].definition
-    summed = not twice and definition.has(sp.Integral) and definition.has(PRESSURE)
+    integrals = own.entries[suffix].definition.atoms(sp.Integral) if own.physics.definitions else ()
+    summed, deep = (any(x.has(name) for x in integrals) for name in (PRESSURE, DEPTH))
+    twice = twice or deep
     working = SUMMED if summed else min(own.digits, NESTED if nested else TWICE if twice else own.digits)
     drawn = own.drawn(suffix, 1 if nested or summed or twice else own.points)
     if twice:  # an extreme ratio costs more digits than two integrals have
         drawn = [point for point in drawn if not point.extreme]
+    if deep:  # seconds each; that every case is a sum of what the normal contact has is certified
+        drawn = drawn[:: -(-len(drawn) // DEEP)]
     rule, more = (_superposed, 20) if own.physics.definitions else (_adhesive if own.physics.tension else _pressed, 0)
     # next to the largest radius of a compact contact an inverse costs half as many digits as the gap has
     ill = quantity.symbol == nt.c
@@ -69,7 +74,7 @@ def check(own: Comparison, suffix: str) -> Evidence:
         for point in drawn:
             here = HalfSpace(own.profile, point.values, working + more, graded)
             rows.append((point.values, rule(here, own, suffix, here.at(nt.a), working)))
-    extremes, lost = sum(point.extreme for point in drawn), NESTED_LOST if nested or summed else LOST
+    extremes, lost = sum(point.extreme for point in drawn), NESTED_LOST if nested or summed or deep else LOST
     return own.judge(suffix, _compared(own, suffix), rows, extremes=extremes, digits=working, lost=lost)
 
 
@@ -158,8 +163,11 @@ def _superposed(here: HalfSpace, own: Comparison, suffix: str, a: Number, digits
     assert own.physics.definitions is not None
     stated = own.physics.definitions(here.profile, here.medium)
     if not quantity.inverts:
-        return residual(formula_value(entry, here.values, digits), here.defined(stated[suffix]))
-    known = {**here.values, quantity.arguments[0]: here.defined(stated[quantity.inverts]), nt.F: here.force(a)}
+        # an integral for the gap at the end of a zone is one for the displacement at that place
+        place = {nt.r: here.values[own.physics.solved]} if own.physics.solved else {}
+        return residual(formula_value(entry, {**place, **here.values}, digits), here.defined(stated[suffix]))
+    given = own.entries[quantity.inverts].quantity.symbol
+    known = {**here.values, given: here.defined(stated[quantity.inverts]), nt.F: here.force(a)}
     return residual(_radius(entry, quantity.symbol, known, digits), here.at(quantity.symbol))
 
 

@@ -195,7 +195,7 @@ def formula(profile: Profile, quantity: Quantity, entry: Entry | None) -> list[s
     else:
         rows = _rows(entry)
     if entry is not None and any(len(text) > LONGEST for text, _ in rows):
-        rows = [(_text(entry.definition), "")]
+        rows = _pieces(entry.definition)
     lines = []
     for text, where in rows:
         lines += wrapped(_equation(name, text) + (f"   for {where}" if where else ""))
@@ -235,6 +235,15 @@ def _rows(entry: Entry) -> list[tuple[str, str]]:
         (_text(expr), " and ".join(f"{sp.sstr(low)} < {sp.sstr(high)}" for low, high in comparisons))
         for comparisons, expr in entry.regions()
     ]
+
+
+def _pieces(definition: sp.Expr) -> list[tuple[str, str]]:
+    """A definition, by where each of its pieces holds."""
+    if not isinstance(definition, sp.Piecewise):
+        return [(_text(definition), "")]
+    (first, where), (last, _) = definition.args
+    ends = sp.sstr(where.lts), sp.sstr(where.gts)
+    return [(_text(first), " < ".join(ends)), (_text(last), " < ".join(reversed(ends)))]
 
 
 def _text(expr: sp.Expr) -> str:

@@ -28,6 +28,8 @@ MODULI: Values = {nt.E_star: sp.S.One, nt.H: sp.S.One, nt.k: sp.Rational(1, 4)}
 POLYNOMIAL = (sp.Rational(1, 10), sp.Rational(1, 4), sp.Rational(1, 20))
 STICK = sp.Rational(3, 5)
 """c/a, or its place between a flat face and a."""
+BESIDE = sp.Rational(8, 7)
+"""A radius beside the contact, over a."""
 PLACES = 97
 """Radii at which the least force is looked for: a prime, so that no break of a drawn profile is met."""
 SHOWN, DIGITS = 6, 15
@@ -99,6 +101,10 @@ def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
     raise ValueError(message)
 
 
+def _holds(entry: Entry, place: sp.Symbol) -> bool:
+    return any(case.expr.has(place) for case in entry.cases)
+
+
 def rounded(number: sp.Float) -> sp.Rational:
     """The number to four significant digits, as an exact rational."""
     return sp.Rational(str(sp.Float(str(number), 4)))
@@ -138,6 +144,8 @@ class Example:
         stick = rounded(sp.N(floor + STICK * (radius - floor)))
         place = {self.system.pool.place: radius * sp.Rational(3, 10), nt.L: 10 * radius}
         rings = dict.fromkeys(RINGS[:2], radius * sp.Rational(2, 5)) | {nt.r_peak: (radius + floor) / 2}
+        if solved := self.system.physics.solved:
+            rings[solved] = rounded(sp.N(radius * BESIDE))
         return {nt.a: radius, nt.c: stick, nt.d: self.loads[nt.d], **place, **rings} | known
 
     @property
@@ -158,7 +166,7 @@ class Example:
         quantity, at = entry.quantity, dict(self.known)
         if quantity.symbol in (nt.w, nt.slope):
             at[self.system.pool.place] = 2 * at[nt.a]
-        if quantity.inverts:
+        if quantity.inverts and quantity.symbol != self.system.physics.solved:
             # what is solved in numbers has no value at a rounded place
             given = self.number(self.entries[quantity.inverts], at)
             at[quantity.arguments[0]] = given if entry.status == "equation" else rounded(given)
@@ -203,13 +211,14 @@ class Example:
         if entry.status == "root" and entry.composed:
             outer, inner = entry.composed
             return self.number(self.entries[outer], at | {nt.a: self.number(self.entries[inner], at)})
+        places = (*DEFINED, self.system.physics.solved)
         if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
-            if symbol in (nt.a, nt.c, *DEFINED):
+            if symbol in (nt.a, nt.c, *places):
                 return self.root(entry, symbol, at)
             at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
         for ring in self.entries.values():
             place = ring.quantity.symbol
-            needed = place in DEFINED and ring is not entry and any(case.expr.has(place) for case in entry.cases)
+            needed = place in places and place not in entry.arguments and ring is not entry and _holds(entry, place)
             if needed and {*ring.parameters} <= {*entry.parameters}:
                 at = at | {place: self.number(ring, at)}
         return value(entry, at)

@@ -192,7 +192,8 @@ class HalfSpace:
     def _crossed(self, integral: sp.Integral) -> list[Number]:
         """Where the radius of a spring, which may be a function of the variable, comes to a break."""
         ((variable, *_),), place = integral.limits, sp.Dummy(positive=True)
-        radii = {own.args[0] for own in integral.function.atoms(SHORT)} - {variable}
+        radii = {own.args[0] for name in (DEPTH, SHORT) for own in integral.function.atoms(name)} - {variable}
+        radii = {radius for radius in radii if radius.has(variable)}
         roots = [root for radius in radii for root in sp.solve(radius - place, variable)]
         return [
             mp.re(value)

@@ -63,6 +63,8 @@ OWN = sp.Symbol("own", real=True)
 """The formula of an entry in a statement about it."""
 DEPTH, FORCE, PRESSURE = map(sp.Function, ("g", "F", "p"))
 """Depth and force of the contact that is superposed, of a radius; its pressure of a place and a radius, 0 outside."""
+DISPLACEMENT, SHAPE = map(sp.Function, ("w", "f"))
+"""In proofs: its displacement of a place beside it and a radius, and the height of the profile."""
 
 
 @dataclass(frozen=True)
@@ -91,6 +93,8 @@ class Proof:
     shown: tuple[Shown, ...]
     within: sp.Symbol | None = None
     """A further length of its regions, anywhere below the contact radius and above a flat face."""
+    beyond: sp.Symbol | None = None
+    """One above the contact radius, and below the end of a profile that has one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,6 +145,8 @@ class Physics:
     """Functions that a scene gets if it asks for none; empty where there are no scenes."""
     definitions: Callable[[Profile, Medium], dict[str, sp.Expr]] | None = None
     """What each of its quantities is, in `DEPTH`, `FORCE` and `PRESSURE` of the contact that it superposes."""
+    solved: sp.Symbol | None = None
+    """A length in its formulas that one of its quantities is, as the root of an equation in all of its material."""
     slipped: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     """By quantity with a zone of stick, which one it is once that has shrunk, or mu times `plain.` one; with words."""
     compared: str = ""
@@ -169,6 +175,8 @@ class Physics:
         """What a quantity with this definition takes of the material: forces and pressures hold the modulus."""
         elastic = definition.has(FORCE, PRESSURE)
         known = definition.free_symbols | ({medium.modulus} if elastic else set()) | {*medium.moduli[1:]}
+        if self.solved in definition.free_symbols - {*arguments}:
+            known |= {medium.modulus, *self.material}
         shear = (medium.shear,) if self.shear else ()
         ordered = (medium.modulus, *shear, *medium.moduli[1:], *self.material)
         return tuple(symbol for symbol in ordered if symbol in known and symbol not in arguments)

@@ -111,6 +111,11 @@ class Profile:
         """The upper ends of the pieces that have one, ascending."""
         return tuple(piece.upper for piece in self.pieces if piece.upper is not None)
 
+    def height(self, chain: tuple[sp.Expr, ...], place: sp.Symbol) -> sp.Expr:
+        """f of a place, in the order that a chain gives it among the breaks."""
+        found = (own for own in self.pieces if own.upper is None or chain.index(place) < chain.index(own.upper))
+        return next(found).expr.subs(notation.r, place)
+
     @property
     def truncated(self) -> bool:
         """The tip is flat up to the first break: the contact radius never is smaller."""

@@ -264,8 +264,8 @@ def name_of(entry: Entry) -> str:
     if own.control:
         return f"{name.partition('_')[0]}_{own.suffix[-1]}"
     argument = own.arguments[0] if own.arguments else None
-    if physics.tension and own.symbol in (nt.d, nt.F, nt.p, nt.w):
-        return f"{name.partition('_')[0]}_adh({argument})"
+    if marked := re.match(r"\w_\{\\mathrm\{(\w+)\}\}\(", own.left):
+        return f"{name.partition('_')[0]}_{marked[1]}({argument})"
     if f"({argument})" in own.left and argument in (nt.r, nt.x):
         return f"{name}({argument})"
     return f"{name}(t)" if physics.laws and own.symbol == nt.F else name

@@ -73,8 +73,10 @@ def _balance(entry: Entry, case: Case) -> Given:
     if not isinstance(case.expr, sp.Equality):
         return ((entry.quantity.symbol, case.expr),)
     left, right = case.expr.args
-    loads = entry.quantity.arguments
-    return ((loads[0], left),) if loads else ((nt.dgamma, nt.dgamma * (left / right) ** 2),)
+    # the load is the argument, or what gives one of the lengths at hand
+    if entry.quantity.arguments:
+        return ((right, left),)
+    return ((nt.dgamma, nt.dgamma * (left / right) ** 2),)
 
 
 def _pulled(entry: Entry, case: Case, entries: Entries) -> Given:

@@ -102,6 +102,8 @@ def _direct(entry: Entry, system: System) -> bool:
     known = entry.status == "closed" or is_inverse(entry)
     if not known or any(case.expr.has(sp.Integral) for case in entry.cases):
         return False
+    if system.physics.solved is not None:
+        return False  # a length in it is the root of another entry
     stated = system.physics.code is not None
     return system in OWN or stated or entry.suffix in DIRECT and entry.profile.compact
 

@@ -40,6 +40,7 @@ class Problem:
         self.pieces = [tree(p["expr"]["="]) for p in self.profile["pieces"]]
         self.chain: Chain = tuple(tree(member["="]) for member in self.profile["chain"])
         self.floor = self.breaks[0] if self.breaks and self.pieces[0] == 0 else None
+        self.end_of_profile = next((high for low, high in itertools.pairwise(self.chain) if low == "a"), None)
         self.rules = [(tree(rule["left"]["="]), tree(rule["right"]["="])) for rule in self.profile["rules"]]
         own = {tree(p["="]) for p in self.profile["parameters"] if p["="].startswith("Symbol")}
         shape = set().union(*map(symbols, self.pieces))

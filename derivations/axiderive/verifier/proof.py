@@ -72,8 +72,9 @@ class Proof:
         return record["status"] == flag or flag in self.flags or bool(record.get(flag))
 
     def chained(self, text: str) -> Chain:
-        """An order of the table; its floor is the break up to which the face is level, if there is one."""
-        found = [self.problem.floor if member == "floor" else member for member in chain(text)]
+        """An order of the table; its floor is the break up to which the face is level, its end that of the profile."""
+        ends = {"floor": self.problem.floor, "end": self.problem.end_of_profile}
+        found = [ends.get(member, member) for member in chain(text)]
         return tuple(member for member in found if member is not None)
 
     def domains(self) -> list[tuple[Domain, Chain]]:

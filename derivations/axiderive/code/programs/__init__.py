@@ -214,8 +214,10 @@ class _Module:
             lines = Lines(result, ranges, self.rules).text()
         elif self.twins.add(calls[0].formula):
             self.bodies.add(name)
-            ranges |= dict.fromkeys((name for call in calls for name in call.signed), (-LARGE, LARGE))
-            lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED, *settled(ranges)]
+            signed = [name for call in calls for name in call.signed]
+            ranges |= dict.fromkeys(signed, (-LARGE, LARGE))
+            sure = settled(ranges, vanishing=bool(words or signed))
+            lines = [f"value = bodies.{name}({', '.join(arguments)})", *TRUSTED, *sure]
         else:
             return
         orders = dict.fromkeys(order for call in calls for order in call.orders if ranges.keys() >= {*order})

@@ -34,6 +34,7 @@ COUNTERPARTS = {
     "_runtime.integrals": "_runtime.plain",
     "_runtime.functions": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
+    "_runtime.physics.cohesive": "_runtime.physics.cohesive_single",
     "_runtime.graded.rules": "_runtime.graded.single",
     "_runtime.graded.waves": "_runtime.graded.single",
 }
@@ -257,10 +258,13 @@ class Twins:
 
     def _mentioned(self, function: FunctionType) -> list[Any]:
         """What the names in a body stand for, of its module, of modules it knows and of those it imports."""
-        names = _names(function.__code__) | self._decorators(function)
-        space = function.__globals__ | self._late(function)
-        spaces = [space, *(vars(m) for n in names if self._is_own(m := space.get(n), ModuleType))]
-        return [known[name] for known in spaces for name in sorted(names) if name in known]
+        names, late = _globals(function.__code__) | self._decorators(function), self._late(function)
+        space = function.__globals__ | late
+        found = {name: space[name] for name in sorted(names | late.keys()) if name in space}
+        # an attribute of a module is not the function of that name beside the body
+        modules = [(own, _attributes_of(function, n)) for n, own in found.items() if self._is_own(own, ModuleType)]
+        members = [vars(own)[name] for own, named in modules for name in sorted(named) if name in vars(own)]
+        return [*found.values(), *members]
 
     def _called(self, function: FunctionType) -> list[FunctionType]:
         return [body for other in self._mentioned(function) if (body := self._body(other)) is not None]

@@ -70,10 +70,14 @@ def function(
     return ast.unparse(ast.parse(text))
 
 
-def settled(arguments: Iterable[str]) -> list[str]:
-    """The lines for a result that is no number, or nothing outside the contact, where no argument is far out."""
+def settled(arguments: Iterable[str], *, vanishing: bool = False) -> list[str]:
+    """The lines for a result that is no number, or nothing outside the contact, where no argument is far out.
+
+    Of what may be `vanishing`, as the radius at which surfaces part, nothing is a result like any other.
+    """
     known = [*arguments]
     outside = [f" or value == 0.0 and {own} > a" for own in ("r", "x") if {own, "a"}.issubset(known)]
+    outside += [" or value == 0.0"] * vanishing
     return [f"if ({''.join(['value != value', *outside])}) and {ORDINARY}({', '.join(known)}):", "    return value"]
 
 

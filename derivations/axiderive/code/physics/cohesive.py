@@ -1,0 +1,255 @@
+"""Contact with a cohesive zone: the normal contact less what the ring takes, and the root of the ring."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ...abel.masters import Dawson
+from ...entry import COMPACT, FOUR
+from ...letters import name_of
+from ...notation import E_star, a, dgamma, r, sigma_0
+from ...physics import adhesive
+from ...physics.cohesive import cohesive
+from .. import docstring
+from ..function import Function
+from ..text import python
+from ..writer import Writer, ordered
+from .adhesive import exponent
+
+MATERIAL = ("E_star", "dgamma", "sigma_0")
+LOSSES = {
+    "_depth": "sunk(q, E_star, sigma_0)",
+    "_force": "pull_of_zone(q, a, sigma_0)",
+    "_pressure": "tension_of_zone(r, q, a, sigma_0)",
+    "_displacement": "lift_of_zone(r, q, a, E_star, sigma_0)",
+}
+NOTE = "Negative or NaN field values give NaN, as do states whose zone would reach beyond the profile."
+INVERSES = [quantity for quantity in adhesive.QUANTITIES.values() if quantity.inverts]
+"""The radii on the stable branches, as they are called without a zone."""
+PULL = "-np.pi * sigma_0 * c * c"
+"""Force of a zone without contact."""
+PARTED = "depth"
+"""The load that is held while the surfaces part without contact."""
+OPENED = "Gap of the normal contact at c, and its rate with c."
+ZONE = name_of(cohesive)
+ORDER = "the zone surrounds the contact; exchange a and c"
+
+
+def rules(writer: Writer) -> None:
+    """Adds the root of the zone, and what it takes of the normal contact."""
+    needs = [*writer.geometry, *MATERIAL]
+    zone = Function("_zone", ["a"], needs, []).call()
+    pair = "tuple[Array, Array]"
+    writer.rule("_opened", ["q", "a"], writer.geometry, _opened(writer), OPENED, returns=pair)
+    opened = _bound_to_shape(writer, "_opened")
+    writer.rule("_zone", ["a"], needs, [f"return {_root(writer, opened)}"], "sqrt(c**2 - a**2) of the zone.")
+    work = f"work_of_zone({opened}, difference_root(c, a), a, E_star, sigma_0)"
+    writer.rule("_work_of_separation", ["a", ZONE], [*writer.geometry, "E_star", "sigma_0"], [f"return {work}"])
+    writer.rule("_cohesive_radius", ["a"], needs, [f"return outer_radius({zone}, a)"])
+    for function, loss in LOSSES.items():
+        fields = ["r", "a"] if loss.partition("(")[2].startswith("r") else ["a"]
+        plain = _plain(writer, function, *fields)
+        within = [*fields, "q"]
+        writer.rule(f"{function}_of", within, needs, [f"return {plain} - {loss}"])
+        lines = [f"return {Function(f'{function}_of', within, needs, []).call(*fields, zone)}"]
+        writer.rule(function, fields, needs, lines)
+    _states(writer, opened)
+
+
+def _states(writer: Writer, opened: str) -> None:
+    """Adds pull-off, which ends without contact under control of the depth, and the stable branches."""
+    needs = [*writer.geometry, *MATERIAL]
+    given = ", ".join(needs)
+    first = [f"first = _zone(np.zeros(1), {given})"]
+    separating = [*first, f"return {_radii(writer)}"]
+    writer.rule("_radii", [], needs, separating, "Radii that separate the minima of the load.")
+    state = [
+        f"q = _zone(a, {given})",
+        'load = _force_of if control == "force" else _depth_of',
+        f"return still({opened}, a, q, control, E_star, sigma_0), load(a, q, {given})",
+    ]
+    writer.rule("_state", ["a"], [*needs, "control"], state, returns="tuple[Array, Array]")
+    searched = f"return radius_of_pull_off(lambda a: _state(a, {given}, control), _radii({given}))"
+    writer.rule("_pull_off_radius", [], [*needs, "control"], [searched])
+    apart = f"alone({opened}, c, E_star, dgamma, sigma_0)"
+    writer.rule("_parted", [], needs, [*first, f"return parted({opened}, first, E_star, sigma_0)"])
+    alone = f"alone({opened}, _parted({given}), E_star, dgamma, sigma_0)"
+    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: {alone})"
+    force = f"np.where(a > 0.0, _force(a, {given}), {PULL.replace('c * c', f'_parted({given}) ** 2')})"
+    closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
+    for member, value in (("depth", "depth"), ("force", PULL)):
+        lines = [f"depth = {apart}", f"return {closed.format(value)}"]
+        writer.rule(f"_without_contact_{member}", [ZONE], needs, lines)
+    writer.rule("_pull_off_depth", ["a"], needs, [f"return {depth}"])
+    writer.rule("_pull_off_force", ["a"], needs, [f"return {force}"])
+    for inverse in INVERSES:
+        (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
+        states = f'lambda a: _state(a, {given}, "{load}")'
+        found = f"radius_under({states}, {field}, _radii({given}))"
+        if load == PARTED:
+            least = f'_pull_off_radius({given}, "{load}")'
+            held = f"({least} == 0.0) & ({field} >= _pull_off_{load}(np.zeros_like({field}), {given}))"
+            writer.rule("_held_apart", [field], needs, [f"return np.where({held}, 0.0, np.nan)"])
+            lines = [f"a = {found}", f"return np.where(np.isnan(a), _held_apart({field}, {given}), a)"]
+        else:
+            lines = [f"return {found}"]
+        writer.rule(f"_{inverse.function}", [field], needs, lines)
+
+
+def _radii(writer: Writer) -> str:
+    """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
+    profile = writer.profile
+    if profile.breaks:
+        return f"radii_by(first, {python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))})"
+    if profile.largest is not None:
+        return f"radii_on_bump(first, {python(profile.largest)})"
+    end = _end(writer)
+    return "radii(first)" if end is None else f"radii_up_to(first, {python(end)})"
+
+
+def _bound_to_shape(writer: Writer, function: str) -> str:
+    return f"partial({', '.join([function, *(f'{name}={name}' for name in writer.geometry)])})"
+
+
+def _plain(writer: Writer, function: str, *fields: str) -> str:
+    """The normal contact, of which there is none within a flat face."""
+    plain = writer.call(function, *(fields or ("a",)))
+    return f"np.where(a < {writer.profile.breaks[0]}, 0.0, {plain})" if writer.profile.truncated else plain
+
+
+def _root(writer: Writer, opened: str) -> str:
+    end = writer.profile.largest or _end(writer)
+    given = f"{opened}, a, E_star, dgamma, sigma_0"
+    return f"root_of_zone({given})" if end is None else f"root_within({given}, difference_root({python(end)}, a))"
+
+
+def _end(writer: Writer) -> sp.Expr | None:
+    """The radius at which the profile ends."""
+    return next((high for low, high in itertools.pairwise(writer.profile.chain) if low == a), None)
+
+
+def _opened(writer: Writer) -> list[str]:
+    """The lines of it, by what is known of g'."""
+    profile, slopes = writer.profile, writer.normal
+    tip, end, power = slopes.get("_slope"), _end(writer), exponent(profile)
+    body = list[str]()
+    if profile.breaks:
+        b, parts = str(profile.breaks[0]), []
+        if tip is not None:
+            slope = f"lambda t: normal._slope({_with_root(tip, 'np.sqrt((R - t) * (R + t))')})"
+            nodes = "SHORT" if profile.pieces[0].expr.is_polynomial(r) else "TIP"
+            body.append(f"tip, tip_rate = opening_tip({slope}, q, a, {b}, {nodes})")
+            parts.append(("tip", "tip_rate"))
+        slope = f"lambda t, root: normal._slope_beyond({', '.join(['t', *slopes['_slope_beyond'][1:]])})"
+        body.append(f"beyond, rate = opening_beyond({slope}, q, a, {b})")
+        parts.append(("beyond", "rate"))
+        body.append(f"return {', '.join(' + '.join(column) for column in zip(*parts, strict=True))}")
+        return body
+    assert tip is not None
+    if end is not None:
+        slope = f"lambda t, root: normal._slope({', '.join(['t', *tip[1:]])})"
+        return [f"return opening_below({slope}, q, a, {python(end)})"]
+    slope = f"lambda t: normal._slope({', '.join(['t', *tip[1:]])})"
+    (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
+    if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
+        return [f"return opening({slope}, q, a, {'SHORT' if depth.is_polynomial(a) else 'NODES'})"]
+    return [f"return opening_power({slope}, q, a, {1.0 if power is None else python(power)})"]
+
+
+def _with_root(taken: Sequence[str], root: str) -> str:
+    return ", ".join(["t", *(root if name == "root" else name for name in taken[1:])])
+
+
+def interface(writer: Writer) -> None:
+    """Adds the public functions."""
+    notes = f"Valid for {writer.profile.validity}. {NOTE}"
+    for entry in writer.entries.values():
+        checks = writer.checks(entry.parameters)
+        if cohesive in entry.arguments:
+            checks += ordered('np.all(~(numbers("a", a) > numbers("c", c)))', "a <= c", ORDER, ("a", ZONE))
+        writer.add(entry, notes, checks)
+    _without_contact(writer)
+    _pull_off(writer)
+    _inverses(writer)
+
+
+PULLED = (
+    "The least force, or depth, on unloading. At c the gap of the contact without adhesion then changes with c by",
+    "4 sigma_0/(pi E_star) (phi^2/cos(phi) + 1 - cos(phi)) under control of the force, cos(phi) = a/c, and by",
+    "4 sigma_0/(pi E_star) (1 - cos(phi)) under control of the depth.",
+)
+"""Where the loads are stationary."""
+JUMP = (
+    "Coming closer, the attraction begins at the depth -dgamma/sigma_0, where the surfaces jump together if f'(c) < "
+    "4 sigma_0/(pi E_star) next to the axis; under control of the depth the states with a larger f'(c) are stable."
+)
+APART = "the radius is 0 where the depth falls until the surfaces have parted, and go on attracting each other"
+
+
+def _sources(writer: Writer) -> list[str]:
+    return docstring.sources_of(next(iter(writer.entries.values())))
+
+
+def _symbols(writer: Writer) -> list[sp.Symbol]:
+    return [*writer.profile.parameters, E_star, dgamma, sigma_0]
+
+
+def _without_contact(writer: Writer) -> None:
+    """Adds the function of the states in which the surfaces attract each other and do not touch."""
+    names = [name_of(symbol) for symbol in _symbols(writer)]
+    evaluated = (writer.evaluated(f"_without_contact_{member}", [ZONE], names) for member in ("depth", "force"))
+    doc = docstring.document(
+        "Depth and force of surfaces that attract each other up to the radius c and do not touch.",
+        ["d = f(c) - dgamma/sigma_0 - 4*c*sigma_0/(pi*E_star)", "F = -pi*sigma_0*c**2"],
+        docstring.parameters([cohesive], _symbols(writer)),
+        ("Separated", f"Named tuple of depth [m] and force [N]; NaN where they would touch. {docstring.SHAPE}"),
+        f"Valid for {writer.profile.validity}. {JUMP}",
+        _sources(writer),
+        [],
+    )
+    body = [*writer.checks(_symbols(writer)), f"return Separated({', '.join(evaluated)})"]
+    writer.public.append(Function("without_contact", [ZONE], names, body, doc, "Separated"))
+
+
+def _pull_off(writer: Writer) -> None:
+    """Adds the function of the state of pull-off."""
+    names = [name_of(symbol) for symbol in _symbols(writer)]
+    named = ", ".join(f"{name}={name}" for name in names if not (writer.summed and name == "A"))
+    first, fixed = ("A=A, ", "partial({}, A=A)") if writer.summed else ("", "{}")
+    body = [*writer.checks(_symbols(writer)), "require_control(control)"]
+    body.append(f"radius = elementwise(partial(_pull_off_radius, {first}control=control), {named})")
+    for load in ("force", "depth"):
+        body.append(f"{load} = elementwise({fixed.format(f'_pull_off_{load}')}, radius, {named})")
+    doc = docstring.of_state(
+        "State at which the contact breaks on unloading.",
+        docstring.wrapped(" ".join(PULLED)),
+        _symbols(writer),
+        ("", f"; {APART}"),
+        f"{docstring.SEVERAL.strip()} Valid for {writer.profile.validity}.",
+        _sources(writer),
+        [],
+    )
+    body.append("return PullOff(radius, force, depth)")
+    writer.public.append(Function("pull_off", [], names, body, doc, "PullOff", 'control: str = "force"'))
+
+
+def _inverses(writer: Writer) -> None:
+    """Adds the contact radii on the stable branches."""
+    names = [name_of(symbol) for symbol in _symbols(writer)]
+    for quantity in INVERSES:
+        (field,) = map(name_of, quantity.arguments)
+        doc = docstring.document(
+            quantity.summary,
+            docstring.wrapped(f"a from {field} = {COMPACT[quantity.inverts].function}(a), where it grows with a."),
+            docstring.parameters(quantity.arguments, _symbols(writer)),
+            (docstring.NUMBERS, f"Contact radius [m]. {docstring.SHAPE}"),
+            f"Valid for {writer.profile.validity}. NaN below pull-off.",
+            _sources(writer),
+            [],
+        )
+        evaluated = writer.evaluated(f"_{quantity.function}", [], names, **{field: field})
+        body = [*writer.checks(_symbols(writer)), f"return {evaluated}"]
+        writer.public.append(Function(quantity.function, [field], names, body, doc, "Result"))

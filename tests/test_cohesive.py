@@ -1,0 +1,293 @@
+"""The cohesive zone against what knows nothing of its formulas: point forces, published numbers, both limits."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+from importlib import import_module
+from types import ModuleType
+
+import mpmath as mp
+import numpy as np
+import pytest
+import sympy as sp
+from false_entries import below, record
+
+from axiderive import notation as nt
+from axiderive.letters import name_of
+from axiderive.oracle.evaluate import case_at, evaluated
+from axiderive.physics import cohesive
+from axiderive.profiles import COMPACT_NAMES, load
+from axiderive.proof.certificate import certify
+from axiderive.verifier.problem import Problem
+
+C = cohesive.cohesive
+GEOMETRY: dict[str, dict[str, float]] = {
+    "paraboloid": {"R": 1.0},
+    "cone": {"theta": 0.2},
+    "sphere": {"R": 2.0},
+    "hyperboloid": {"theta": 0.3, "b": 0.4},
+    "power_law": {"A": 0.3, "n": 2.7},
+    "rounded_cone": {"theta": 0.3, "b": 0.5},
+    "truncated_paraboloid": {"R": 1.5, "b": 0.4},
+    "capped_paraboloid": {"R1": 2.0, "R2": 1.0, "b": 0.3},
+}
+"""Of every way in which the gap is integrated."""
+GIVEN = {"E_star": 1.0, "dgamma": 0.01}
+
+
+def module(name: str, physics: str = "cohesive") -> ModuleType:
+    return import_module(f"axicontact.{physics}.{name}")
+
+
+def of_maugis(number: float, R: float = 1.0) -> float:
+    """sigma_0 with which Maugis' parameter has this value."""
+    return number * (2.0 * np.pi * GIVEN["dgamma"] * GIVEN["E_star"] ** 2 / (9.0 * R)) ** (1.0 / 3.0)
+
+
+@pytest.mark.parametrize(("number", "force"), [(4.0, -1.50976), (1.0, -1.600735), (0.05, -1.98144)])
+def test_pull_off_of_a_paraboloid_is_the_published_one(number: float, force: float) -> None:
+    state = module("paraboloid").pull_off(R=1.0, **GIVEN, sigma_0=of_maugis(number))
+    assert state.force / (np.pi * GIVEN["dgamma"]) == pytest.approx(force, abs=6e-6)
+
+
+def test_a_far_reaching_attraction_pulls_with_twice_pi_R_dgamma() -> None:
+    state = module("paraboloid").pull_off(R=3.0, **GIVEN, sigma_0=of_maugis(1e-8, 3.0))
+    assert state.force == pytest.approx(-2.0 * np.pi * 3.0 * GIVEN["dgamma"], rel=1e-10)
+
+
+@pytest.mark.parametrize("name", GEOMETRY)
+def test_a_short_ranged_attraction_is_that_of_johnson_kendall_roberts(name: str) -> None:
+    """What is left of the zone falls as q/a ~ dgamma E_star/(a sigma_0^2), here below 1e-15."""
+    own, limit = module(name), module(name, "adhesive")
+    material, a = GEOMETRY[name] | GIVEN, 0.9
+    for function, places in (("depth", ()), ("force", ()), ("pressure", (0.5,)), ("displacement", (1.3,))):
+        got = getattr(own, function)(*places, a, **material, sigma_0=1e9)
+        assert got == pytest.approx(getattr(limit, function)(*places, a, **material), rel=1e-12), function
+    for control in ("force", "depth"):
+        got, want = own.pull_off(control, **material, sigma_0=1e9), limit.pull_off(control, **material)
+        assert got == pytest.approx(want, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["rounded_cone"])
+def test_the_surface_is_where_point_forces_move_it(name: str) -> None:
+    """Rings of pressure move it by 4 s/(pi E* (r + s)) K: to the face in the contact, dgamma/sigma_0 from it at c."""
+    own, a, sigma = module(name), 0.9, 0.07
+    material = GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
+    c, depth = own.cohesive_radius(a, **material), own.depth(a, **material)
+
+    def moved(r: float) -> float:
+        """By Gauss' rule in t, which crowds at both ends: at the ring at r the kernel is a logarithm."""
+        nodes, weights = np.polynomial.legendre.leggauss(200)
+        t, total = 0.5 * (nodes + 1.0), 0.0
+        up, down = t**4, (1.0 - t) ** 4
+        ends = sorted({0.0, 0.5, a, min(r, c), c})
+        for low, high in zip(ends, ends[1:], strict=False):
+            s = low + (high - low) * up / (up + down)
+            pressure = np.where(s < a, own.pressure(s, a, **material), -sigma)
+            mean, root = np.ones_like(s), np.abs(r - s) / (r + s)
+            for _ in range(8):
+                mean, root = 0.5 * (mean + root), np.sqrt(mean * root)
+            rate = 2.0 * s / (r + s) / mean * pressure * (high - low) * 4.0 * (t - t * t) ** 3 / (up + down) ** 2
+            total += float(np.sum(0.5 * weights * rate))
+        return total
+
+    face = module(name, "normal").profile
+    geometry = GEOMETRY[name]
+    assert moved(0.5) == pytest.approx(depth - face(0.5, **geometry), rel=1e-6)
+    gap = face(c, **geometry) - depth + moved(c)
+    assert gap == pytest.approx(GIVEN["dgamma"] / sigma, rel=1e-5)
+    assert moved(1.6 * c) == pytest.approx(own.displacement(1.6 * c, a, **material), rel=1e-6)
+    between = 0.5 * (a + c)
+    assert moved(between) == pytest.approx(own.displacement(between, a, **material), rel=1e-5)
+
+
+@pytest.mark.parametrize("name", GEOMETRY)
+def test_pressure_and_ring_add_up_to_the_force(name: str) -> None:
+    own, a = module(name), 0.9
+    material = GEOMETRY[name] | GIVEN | {"sigma_0": 0.07}
+    c, b = own.cohesive_radius(a, **material), GEOMETRY[name].get("b", 0.5)
+
+    def carried(r: mp.mpf) -> mp.mpf:
+        # at the edge of a flat face the pressure is infinite
+        place = float(r) if float(r) != b else np.nextafter(b, a)
+        return 2 * mp.pi * r * own.pressure(place, a, **material)
+
+    with mp.workdps(15):
+        inside = mp.quad(carried, [0, b, a])
+    assert own.force(a, **material) == pytest.approx(float(inside) - np.pi * 0.07 * (c * c - a * a), rel=1e-9)
+    assert own.pressure(0.5 * (a + c), a, **material) == -0.07
+    assert own.pressure(1.01 * c, a, **material) == 0.0
+
+
+@pytest.mark.parametrize("name", [name for name in COMPACT_NAMES if not cohesive.refusal(load(name))])
+def test_one_zone_closes_around_a_contact(name: str) -> None:
+    """The work of separation grows with c from 0 on, as both of its terms do: the root is the only one."""
+    own, values = module(name), {str(s): float(x) for s, x in load(name).sketch.values}
+    geometry = {n: values[n] for n in map(name_of, load(name).parameters) if n in values} or {"A": (0.1, 0.25, 0.05)}
+    a = values.get("b", 0.4) * (1.3 if load(name).truncated else 0.5)
+    c = a * (1.0 + np.geomspace(1e-12, 0.5, 200))
+    works = own.work_of_separation(a, c, **geometry, E_star=1.0, sigma_0=0.05)
+    assert np.all(np.diff(works) > 0.0) and works[0] > 0.0
+    assert own.work_of_separation(a, a, **geometry, E_star=1.0, sigma_0=0.05) == 0.0
+
+
+SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("truncated_paraboloid", "rounded_cone")]
+
+
+@pytest.mark.parametrize("name", ["paraboloid", *SLOW])
+@pytest.mark.parametrize("suffix", cohesive.QUANTITIES)
+def test_formulas_are_proved_twice_and_wrong_ones_by_none(name: str, suffix: str) -> None:
+    profile, key = load(name), f"{name}.{cohesive.GROUP}"
+    entries, plain = cohesive.derive(profile), Problem(below(key))
+    assert certify(profile, entries, suffix).proved
+    assert Problem(record(key, entries), plain).prove(suffix) == ""
+    case = entries[suffix].cases[-1]
+    # a factor, a length put in for another, a lost ring
+    for change in (lambda x: 2 * x, lambda x: x.subs(C, 2 * C), lambda x: x.subs(nt.sigma_0, 2 * nt.sigma_0)):
+        changed = sp.Eq(change(case.expr.lhs), case.expr.rhs) if suffix == "c" else change(case.expr)
+        cases = (*entries[suffix].cases[:-1], replace(case, expr=changed))
+        wrong = {**entries, suffix: replace(entries[suffix], cases=cases)}
+        assert not certify(profile, wrong, suffix).proved
+        assert Problem(record(key, wrong), plain).prove(suffix)
+
+
+def test_an_equation_for_anything_but_the_work_is_no_proof() -> None:
+    profile, entries = load("cone"), cohesive.derive(load("cone"))
+    (case,) = entries["c"].cases
+    for other in (sp.Eq(case.expr.lhs, nt.sigma_0), case.expr.lhs):
+        wrong = {**entries, "c": replace(entries["c"], cases=(replace(case, expr=other),))}
+        assert not certify(profile, wrong, "c").proved
+
+
+OFTEN = ("paraboloid", "truncated_paraboloid")
+RARELY = [pytest.param(name, marks=pytest.mark.slow) for name in GEOMETRY if name not in OFTEN]
+
+
+@pytest.mark.parametrize("sigma", [0.01, 0.3, 30.0])
+@pytest.mark.parametrize("name", [*OFTEN, *RARELY])
+def test_pull_off_is_the_least_load(name: str, sigma: float) -> None:
+    """Of all contact radii on a fine grid around it, and radii from loads lead back."""
+    own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
+    for control, load_of, inverse in (
+        ("force", own.force, own.radius_from_force),
+        ("depth", own.depth, own.radius_from_depth),
+    ):
+        state = own.pull_off(control, **material)
+        least = getattr(state, control)
+        radii = max(state.radius, 1e-3) * np.geomspace(0.2, 1.8, 81)
+        assert np.nanmin(load_of(radii, **material)) >= least - 1e-12 * abs(least)
+        assert np.isnan(inverse(least - 1e-6 * abs(least), **material))
+        a = max(1.2 * state.radius, 0.3 if state.radius else 1e-2)
+        if state.radius > 0.0:
+            assert load_of(state.radius, **material) == pytest.approx(least, rel=1e-13)
+            assert inverse(load_of(1.7 * a, **material), **material) == pytest.approx(1.7 * a, rel=1e-9)
+
+
+@pytest.mark.parametrize("sigma", [0.01, 0.3, 30.0])
+@pytest.mark.parametrize("name", [*OFTEN, *RARELY])
+def test_plain_numbers_are_found_where_arrays_are(name: str, sigma: float) -> None:
+    """There are two searches: of arrays on a grid, of plain numbers from a few samples."""
+    own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
+    for control, load_of, inverse in (
+        ("force", own.force, own.radius_from_force),
+        ("depth", own.depth, own.radius_from_depth),
+    ):
+        one, pair = (
+            own.pull_off(control, **material),
+            own.pull_off(control, **{k: [x] * 2 for k, x in material.items()}),
+        )
+        least = getattr(one, control)
+        assert getattr(pair, control) == pytest.approx([least] * 2, rel=1e-13)
+        assert pair.radius == pytest.approx([one.radius] * 2, rel=1e-6)
+        loads = load_of(max(one.radius, 0.02) * np.array([1.001, 1.1, 1.4]), **material)
+        loads = np.append(loads, least - 0.1 * abs(least))
+        many, singles = inverse(loads, **material), [inverse(float(x), **material) for x in loads]
+        for found in (many, np.array(singles)):
+            # next to pull-off a radius has half of the digits of its load
+            assert load_of(found[:-1], **material) == pytest.approx(loads[:-1], rel=1e-12)
+            assert np.isnan(found[-1])
+        assert many[:-1] == pytest.approx(singles[:-1], rel=1e-5)
+
+
+def test_a_weak_attraction_lets_go_without_contact() -> None:
+    """Under control of the depth a ring without contact holds until f'(c) = 4 sigma_0/(pi E_star)."""
+    own, material = module("paraboloid"), {"R": 1.0, **GIVEN, "sigma_0": 0.01}
+    state = own.pull_off("depth", **material)
+    c = 4.0 * 0.01 / np.pi
+    assert state.radius == 0.0
+    assert state.force == pytest.approx(-np.pi * 0.01 * c * c, rel=1e-13)
+    assert state.depth == pytest.approx(c * c / 2.0 - 1.0 - 4.0 * 0.01 * c / np.pi, rel=1e-13)
+    assert own.without_contact(c, **material) == pytest.approx((state.depth, state.force), rel=1e-13)
+    first = own.cohesive_radius(0.0, **material)
+    touching = own.without_contact(first * (1.0 - 1e-12), **material)
+    assert touching == pytest.approx((own.depth(0.0, **material), own.force(0.0, **material)), rel=1e-10)
+    assert np.isnan(own.without_contact(1.001 * first, **material).depth)
+    assert own.radius_from_depth(0.5 * (state.depth + own.depth(0.0, **material)), **material) == 0.0
+
+
+def test_what_is_asked_wrongly_is_refused() -> None:
+    own = module("paraboloid")
+    with pytest.raises(ValueError, match="a <= c"):
+        own.work_of_separation(1.0, 0.5, R=1.0, E_star=1.0, sigma_0=0.1)
+    with pytest.raises(ValueError, match="control"):
+        own.pull_off("displacement", R=1.0, **GIVEN, sigma_0=0.1)
+    with pytest.raises(ValueError, match="sigma_0"):
+        own.depth(1.0, R=1.0, **GIVEN, sigma_0=0.0)
+    with pytest.raises(ValueError, match="use adhesive"):
+        cohesive.derive(load("flat_punch"))
+    assert np.isnan(module("sphere").depth(0.99, R=1.0, E_star=1.0, dgamma=1.0, sigma_0=0.01))
+
+
+def missed(name: str, a: float, ratio: float, share: float, place: float) -> float:
+    """Largest error of a state with q = ratio a and sigma_0 = share E_star, of each value over its parts."""
+    profile, entries, own = load(name), cohesive.derive(load(name)), module(name)
+    geometry = {s: GEOMETRY[name][name_of(s)] for s in profile.parameters}
+    with mp.workdps(70):
+        known = {s: mp.mpf(x) for s, x in geometry.items()}
+        known |= {nt.a: mp.mpf(a), nt.E_star: mp.mpf(1), nt.sigma_0: mp.mpf(share)}
+        known |= {symbol: evaluated(expr, known) for symbol, expr in profile.abbreviations}
+        start = known[nt.a] * mp.sqrt(1 + mp.mpf(ratio) ** 2)
+        case = case_at(entries["work"], {**known, C: start})
+        work = float(evaluated(case.expr, {**known, C: start}))
+        # the root of the work as the module gets it
+        c = mp.findroot(
+            lambda x: evaluated(case.expr, {**known, C: x}) / work - 1,
+            (start, start + (start - a) * mp.mpf("1e-18")), tol=mp.mpf(10) ** -90, verify=False,
+        )  # fmt: skip
+        known |= {C: c, nt.r: mp.mpf(place * a)}
+        q = mp.sqrt(c * c - known[nt.a] ** 2)
+        parts = {"d": 2 * share * q, "F": 2 * share * (c * c * mp.acos(a / c) + a * q), "p": share, "w": 2 * share * q}
+        exact = {s: evaluated(case_at(entries[s], known).expr, known) for s in parts if (s == "w") == (place > 1)
+                 or s in "dF"}  # fmt: skip
+    material = {name_of(s): x for s, x in geometry.items()} | {"E_star": 1.0, "dgamma": work, "sigma_0": share}
+    worst = [abs(own.cohesive_radius(a, **material) / c - 1)]
+    for suffix, value in exact.items():
+        fields = (place * a, a) if suffix in "pw" else (a,)
+        got = getattr(own, entries[suffix].quantity.function)(*fields, **material)
+        worst.append(abs(got - value) / (abs(value) + parts[suffix]))
+    return float(max(worst))
+
+
+@pytest.mark.parametrize("name", GEOMETRY)
+@pytest.mark.parametrize(("ratio", "share"), [(1e-10, 1e-2), (1e-4, 1e-5), (0.3, 0.1), (20.0, 1e-6)])
+def test_the_module_keeps_its_digits_at_all_sizes_of_the_zone(name: str, ratio: float, share: float) -> None:
+    a = 0.45 if ratio < 1.0 else 0.05
+    if load(name).truncated:
+        a, ratio = 0.45, min(ratio, 3.0)
+    assert missed(name, a, ratio, share, 0.6) < 1e-13
+    assert missed(name, a, ratio, share, 1.4) < 1e-13
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("name", GEOMETRY)
+def test_no_state_of_many_is_lost(name: str) -> None:
+    """Over thirteen decades of q/a and nine of sigma_0/E_star."""
+    draw = random.Random(name)
+    for _ in range(200):
+        ratio = 10.0 ** draw.uniform(-10.0, 3.0)
+        a = 0.4 * (1.0 + 10.0 ** draw.uniform(-8.0, 0.0)) if load(name).truncated else 10.0 ** draw.uniform(-4.0, 0.5)
+        if name == "sphere":
+            a, ratio = 0.3 * a, min(ratio, 1.0 / a)
+        place = draw.choice([0.3, 0.999, 1.0 + draw.random(), 1e3])
+        assert missed(name, a, ratio, 10.0 ** draw.uniform(-9.0, 0.0), place) < 1e-12
