@@ -30,6 +30,7 @@ LATER = (
     *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
     *("physics/layer", "oracle/layer", "checks/layer", "code/physics/layer", "runtime/physics/layer"),
+    *("rows/layer", "readback/layer"),
 )
 """What came since, counted by itself: fields below the surface; torsion; layers; a way back; load
 within a radius and energy; other languages and calculators."""

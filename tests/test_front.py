@@ -15,6 +15,7 @@ from axiderive.book import back, book, front, guide, handbook, texts
 from axiderive.oracle.evaluate import evaluate
 from axiderive.physics.systems import pool_of
 from axiderive.profiles import load
+from axiderive.rows import layer
 from axiderive.rows.special import HOSTS
 
 
@@ -56,7 +57,7 @@ def test_a_thick_layer_is_a_half_space_that_has_lost_its_far_part(nu: float, los
 
     first = mp.quad(kernel, [0, 1, 4, 20])
     assert float(first) == pytest.approx(float(lost), abs=1e-6)
-    assert (guide.layer_factor(1e-6, nu) - 1) / 1e-6 == pytest.approx(2 / mp.pi * first, rel=1e-5)
+    assert (layer.factor(1e-6, nu) - 1) / 1e-6 == pytest.approx(2 / mp.pi * first, rel=1e-5)
 
 
 def test_first_yield_is_where_the_pressure_of_the_catalogue_shears_most() -> None:
