@@ -18,7 +18,7 @@ from typing import Any
 from axiderive.proof import certificate
 
 MODULES = (
-    "certificate", "frame", "compact", "complete", "adhesive", "detachment", "superposed", "viscoelastic",
+    "certificate", "frame", "compact", "complete", "adhesive", "superposed", "viscoelastic",
     "plane", "rings", "loads", "materials", "statement", "identity", "functions", "tower",
     "domain", "graded", "special",
 )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cache
 
 from axiderive import notation as nt
 from axiderive.expression import own_profile
@@ -18,15 +19,17 @@ ROUNDING = 1e-12
 RULES = 1e-14
 
 
+@cache
 def answer_to(text: str) -> Answer:
+    """What the engine says, derived and compared once for all that ask."""
     own = own_profile(text)
     with nt.extended(own.notation):
         return answered(own)
 
 
 def module_of(text: str, values: dict[str, float] | None = None, names: list[str] = ALL) -> Result:
-    own = own_profile(text)
-    return composed(Scene("own", "Own", own=own, quantities=names, values=values or {}, module="own.py"))
+    request = Scene("own", "Own", own=own_profile(text), quantities=names, values=values or {}, module="own.py")
+    return composed(request, None if values else answer_to(text))
 
 
 def errors_of(result: Result) -> list[float]:

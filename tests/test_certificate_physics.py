@@ -12,7 +12,7 @@ from selected import few
 
 from axiderive import notation as nt
 from axiderive import profiles
-from axiderive.physics import adhesive, detachment, loads, normal, tangential, viscoelastic
+from axiderive.physics import adhesive, loads, normal, tangential, viscoelastic
 from axiderive.physics.medium import GRADED, HOMOGENEOUS
 from axiderive.profiles.loads import LOADS
 from axiderive.profiles.profile import Profile
@@ -51,7 +51,7 @@ def test_displacement_of_a_prescribed_pressure_is_proved(load: Profile) -> None:
 LIMITS = [
     *((normal.derive, name) for name in profiles.NAMES),
     *((module.derive, name) for module in (adhesive, tangential) for name in profiles.COMPACT_NAMES),
-    *((detachment.derive, name) for name in ("flat_punch", "concave_power", "concave_quartic")),
+    *((adhesive.detachment, name) for name in ("flat_punch", "concave_power", "concave_quartic")),
 ]
 
 

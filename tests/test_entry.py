@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 
 from axiderive.entry import COMPACT, COMPLETE, FOUR
-from axiderive.physics import adhesive, detachment, loads, materials, tangential, viscoelastic
+from axiderive.physics import adhesive, loads, materials, tangential, viscoelastic
 from axiderive.physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from axiderive.physics.systems import problem
 from axiderive.store.records import entry_record, read_entry
 
 TABLES = {
-    "compact": COMPACT, "complete": COMPLETE, "adhesive": adhesive.QUANTITIES, "detachment": detachment.QUANTITIES,
+    "compact": COMPACT, "complete": COMPLETE, "adhesive": adhesive.QUANTITIES, "detachment": adhesive.PEELING,
     "tangential": tangential.QUANTITIES, "viscoelastic": viscoelastic.QUANTITIES, "plane": PLANE,
     "plane complete": PLANE_COMPLETE, "plane eccentric": PLANE_ECCENTRIC, "loads": loads.QUANTITIES,
     "materials": materials.QUANTITIES,

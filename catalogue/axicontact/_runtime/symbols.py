@@ -56,7 +56,7 @@ SYMBOLS = {
     "v": Domain(
         "v > 0",
         "speed of indentation, d = v t, in m/s",
-        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0; retract_force has the way back",
+        instead="a shrinking contact does not obey the rule of Lee and Radok, use v > 0; see retract_force",
     ),
     "E": Domain("E > 0", "effective (plane-strain) modulus of the viscoelastic law, in Pa"),
     "E_inf": Domain("E_inf > 0", "long-time effective modulus, in Pa"),

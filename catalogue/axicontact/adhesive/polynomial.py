@@ -435,45 +435,45 @@ def pull_off(control: str = "force", *, A: ArrayLike, E_star: ArrayLike, dgamma:
     return PullOff(radius, force, depth)
 
 
-def _depth(a: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _depth(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     return normal._depth(a, A) - hess_retraction(a, E_star, dgamma)
 
 
-def _force(a: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _force(a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     return normal._force(a, A, E_star) - pull(a, E_star, dgamma)
 
 
-def _pressure(r: Array, a: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _pressure(r: Array, a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     return normal._pressure(r, a, A, E_star) - tension(r, a, E_star, dgamma)
 
 
-def _displacement(r: Array, a: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _displacement(r: Array, a: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     return normal._displacement(r, a, A) - lift(r, a, E_star, dgamma)
 
 
-def _rate(a: Array, A: Array) -> Array:
+def _rate(a: Array, A: tuple[float, ...]) -> Array:
     """Derivative g'(a) of the depth without adhesion."""
     return normal._slope(a, A)
 
 
 @Kept
-def _samples(A: Array) -> Samples:
+def _samples(A: tuple[float, ...]) -> Samples:
     """The steepness at radii that separate the minima of the load."""
     a = decades()
     return Samples(a, np.sqrt(a) * _rate(a, A), np.inf, {})
 
 
-def _branches(A: Array, E_star: Array, dgamma: Array, control: str) -> Branches:
+def _branches(A: tuple[float, ...], E_star: Array, dgamma: Array, control: str) -> Branches:
     return branches(lambda a: np.sqrt(a) * _rate(a, A), _samples(A), least_steepness(control, E_star, dgamma))
 
 
-def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, control: str) -> Array:
+def _pull_off_radius(A: tuple[float, ...], E_star: Array, dgamma: Array, control: str) -> Array:
     found = _branches(A, E_star, dgamma, control)
     load = _force if control == "force" else _depth
     return lowest(found, lambda a: load(a, A, E_star, dgamma))
 
 
-def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_depth(d: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     found = _branches(A, E_star, dgamma, control="depth")
     return stable_radius(
         d,
@@ -485,7 +485,7 @@ def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array) -> Arra
     )
 
 
-def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array) -> Array:
+def _radius_from_force(F: Array, A: tuple[float, ...], E_star: Array, dgamma: Array) -> Array:
     found = _branches(A, E_star, dgamma, control="force")
     return stable_radius(
         F,

@@ -19,7 +19,7 @@ from ..print.box import width
 from ..print.formula import Printer
 from ..print.words import domain, prose
 from ..profiles.loads import Load
-from ..profiles.materials import PROFILE as ELASTIC
+from ..profiles.pools import ELASTIC
 from ..profiles.profile import Piece, Profile
 from ..rows.row import kappa_row
 

@@ -29,7 +29,8 @@ KNOWN = {  # Johnson, Kendall & Roberts 1971, Maugis & Barquins 1981; graded: Ch
     "cone.adh.Fc": -54 * nt.dgamma**2 / (sp.pi * nt.E_star * sp.tan(nt.theta) ** 3),
 }
 STATIONARY = {"force": "F", "depth": "d"}
-TINY = sp.Rational(1, 10**60)
+VANISHING = 60
+TINY = sp.Rational(1, 10**VANISHING)
 """What stands for a parameter that vanishes; the formulas depend on it with its first power at least."""
 
 
@@ -208,10 +209,11 @@ def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
             values |= {nt.E_star: modulus(values), **limit(values)}
             if own.profile.compact:
                 values.pop(nt.a, None)
-            with mp.workdps(own.digits + GUARD):
-                got = evaluate(case_at(entry, values).expr, values, own.digits)
+            digits = own.digits + VANISHING  # a time over tau = 1e60 beside 1 is lost with fewer
+            with mp.workdps(digits + GUARD):
+                got = evaluate(case_at(entry, values).expr, values, digits)
                 known = SPRING[kind] if kind in SPRING else case_at(source, values).expr
-                rows.append((values, residual(got, evaluate(known, values, own.digits))))
+                rows.append((values, residual(got, evaluate(known, values, digits))))
         line = "the line of the way in" if kind in SPRING else source.key
         found.append(own.judge(suffix, f"{words}: {line}", rows))
     return found

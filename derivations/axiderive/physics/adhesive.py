@@ -5,6 +5,17 @@ by Delta l(a) = sqrt(2 pi a dgamma / c_N(a)), (11.31), (11.64); c_N(a) =
 modulus * a**k.  Pull-off is where the force or the depth is stationary:
 both conditions read a**((1 + k)/2) g'(a) = xi/2 sqrt(2 pi dgamma/modulus), with
 xi = 3 + k under force control and 1 - k under depth control.
+
+Under a face with a fixed edge the contact holds until its edge peels off; till
+then the solution is that of the contact without adhesion, in tension too.  The
+edge term of the pressure, modulus * w1D(a) * (a^2 - r^2)^((k-1)/2)/pi, is that of
+a flat punch moved by w1D(a) = d - g(a); the edge peels where it reaches the
+retraction of Hess, w1D(a) = -Dl(a) (Kendall 1971 for the flat punch).  Under a
+flat or concave face g and -Dl fall with the radius, so that a smaller contact
+needs a greater depth and a greater force: what begins at the edge runs through,
+under force control and depth control alike.  Under a convex face it does not: the
+contact goes on as that of the unbounded profile, whose radius it reaches or
+leaves at the edge.
 """
 
 from __future__ import annotations
@@ -17,11 +28,13 @@ from ..entry import COMPACT, FOUR, Case, Entry, Quantity, Status
 from ..notation import F, a, a_c, d, dgamma, n, p, r, retraction, w
 from ..profiles import profile as bodies
 from ..profiles.profile import Profile
-from . import Physics, Printing, Rule, Wording, detachment, normal
+from . import Physics, Printing, Rule, Wording, complete, normal
 from .medium import GRADED, HOMOGENEOUS, Medium
 from .normal import stable_inverse
 
-GROUP = detachment.GROUP
+GROUP = "adh"
+REFERENCES = ("(11.31)",), ("(11.64)", "(11.66)")
+"""Of the homogeneous and of the graded half-space."""
 
 QUANTITIES = {
     q.suffix: q
@@ -54,6 +67,17 @@ QUANTITIES |= {
     )
     for control, suffixes in CONTROLS.items()
     for suffix, name, symbol in zip(suffixes, ("radius", "force", "depth"), (a_c, F, d), strict=True)
+}  # fmt: skip
+PEELING = {
+    q.suffix: q
+    for q in (
+        Quantity("Dl", "retraction", "Retraction", retraction, (),
+                 summary="Retraction of the edge at which it peels off."),
+        Quantity("Fc", "pull_off", "Pull-off force", F, (), control="force",
+                 written=r"F_{\mathrm c}", row="Pull-off force: force control"),
+        Quantity("dc", "pull_off", "Pull-off depth", d, (), control="force",
+                 written=r"d_{\mathrm c}", row="Pull-off depth: force control"),
+    )
 }  # fmt: skip
 
 
@@ -126,7 +150,7 @@ class _Builder:
     def entry(self, suffix: str, status: Status, cases: tuple[Case, ...], definition: sp.Expr) -> Entry:
         """The entry of a suffix with its key, quantity, parameters, references and note filled in."""
         parameters = (() if suffix == "Dl" else self.profile.parameters) + (*self.medium.moduli, dgamma)
-        references = detachment.REFERENCES[self.medium.graded]
+        references = REFERENCES[self.medium.graded]
         return self.medium.entry(
             self.profile, GROUP, QUANTITIES[suffix], status, cases, definition, parameters, references,
             note=self._note(suffix),
@@ -199,9 +223,57 @@ def _monomial_root(slope: sp.Expr, level: sp.Expr) -> sp.Expr | None:
     return sp.powdenest(factor ** (-1 / exponent), force=True)
 
 
+CONVEX = (
+    "{name} is the adhesive paraboloid until the contact reaches the edge; from that depth on the edge holds, the force"
+    " grows with the stiffness of the flat punch, and on unloading the edge comes loose at the same depth: use"
+    " {package}.paraboloid for radii below a; its depth and force at the radius a are those at which the edge comes"
+    " loose, and where its pull_off has a larger radius the contact ends there"
+)
+"""Why a convex face has no entries of its own; the paraboloid is the only one of the catalogue."""
+
+
+def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
+    """Why a profile has no adhesive entries; empty if it has."""
+    (*_, face) = profile.pieces
+    if profile.compact or face.expr == 0 or face.expr.has(a):
+        return ""
+    return CONVEX.format(name=profile.name, package=medium.key("axicontact", medium.name, "adhesive"))
+
+
+def detachment(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, Entry]:
+    """Retraction at the edge, force and depth at which it peels off, keyed by suffix."""
+    shift = medium.retraction()
+    level = complete.edge_depth(profile, medium) - shift
+    (force,) = complete.derive(profile, medium)["F"].cases
+    w1D = sp.Function("w1D")
+    balance = sp.Eq(2 * sp.pi * a * dgamma, medium.modulus * a**medium.k * retraction**2)
+    return {
+        "Dl": _at_edge(profile, medium, "Dl", shift, balance),
+        "Fc": _at_edge(profile, medium, "Fc", _tidy(force.expr, level), sp.Eq(sp.Function("F")(w1D(a)), F)),
+        "dc": _at_edge(profile, medium, "dc", level, sp.Eq(w1D(a), -retraction)),
+    }
+
+
+def _tidy(force: sp.Expr, level: sp.Expr) -> sp.Expr:
+    """The force is linear in the depth: its constant part and its slope put together again."""
+    slope = sp.diff(force, d)
+    constant = sp.powsimp(sp.factor(sp.expand(force - slope * d) + sp.expand(slope * _without_root(level))))
+    return constant + sp.powsimp(slope * (level - _without_root(level)))
+
+
+def _without_root(level: sp.Expr) -> sp.Expr:
+    return level.subs(dgamma, 0)
+
+
+def _at_edge(profile: Profile, medium: Medium, suffix: str, expr: sp.Expr, definition: sp.Expr) -> Entry:
+    parameters = ((a,) if suffix == "Dl" else profile.parameters) + (*medium.moduli, dgamma)
+    cases, references = (Case((a,), expr),), REFERENCES[medium.graded]
+    return medium.entry(profile, GROUP, PEELING[suffix], "closed", cases, definition, parameters, references)
+
+
 def _derive(profile: Profile, medium: Medium, plain: Mapping[str, Entry] | None = None) -> dict[str, Entry]:
     """Of a contact that grows, or of one with a fixed edge."""
-    return derive(profile, medium, plain) if profile.compact else detachment.derive(profile, medium)
+    return derive(profile, medium, plain) if profile.compact else detachment(profile, medium)
 
 
 ADH = r"_{\mathrm{adh}}"
@@ -266,13 +338,13 @@ PHYSICS = Physics(
     _derive,
     group=GROUP,
     over=normal.PHYSICS,
-    refusal=detachment.refusal,
+    refusal=refusal,
     tension=True,
     material=(dgamma,),
     contact="with adhesion",
     shown={dgamma: "1/100"},
     runtime=("physics.adhesion", "physics.branches", "physics.stable", "physics.unknowns"),
-    quantities={"adhesive": QUANTITIES, "detachment": detachment.QUANTITIES},
+    quantities={"adhesive": QUANTITIES, "detachment": PEELING},
     wanted=("depth", "force", "pressure", "displacement", "pull_off"),
     rules=rules,
     compared="mpmath quadrature of the contact that is short of its depth by Dl, (11.63)",

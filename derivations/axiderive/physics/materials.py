@@ -47,8 +47,8 @@ from ..notation import (
     young_2,
     z_0,
 )
-from ..profiles.materials import PROFILE
 from ..profiles.pools import BODIES as POOL
+from ..profiles.pools import ELASTIC
 from . import Physics, Wording
 from .medium import HOMOGENEOUS
 
@@ -127,8 +127,8 @@ def _entry(
     suffix: str, expr: sp.Expr, definition: sp.Expr, parameters: tuple[sp.Symbol, ...], references: tuple[str, ...]
 ) -> Entry:
     return Entry(
-        key=f"{PROFILE.name}.{suffix}",
-        profile=PROFILE,
+        key=f"{ELASTIC.name}.{suffix}",
+        profile=ELASTIC,
         quantity=QUANTITIES[suffix],
         status="closed",
         cases=(Case((), expr),),

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..notation import F, P, r, x
+from ..notation import F, P, beta, k, nu, r, x
 from . import NAMES, load, plane
 from . import loads as prescribed
-from .materials import PROFILE as ELASTIC
-from .profile import Profile
+from .profile import Profile, Sketch
 
 
 @dataclass(frozen=True)
@@ -35,6 +34,21 @@ class Pool:
         """How the profile is called on the command line and in the index."""
         return ".".join(part for part in (self.prefix, name) if part)
 
+
+ELASTIC = Profile(
+    name="materials",
+    title="Elastic constants",
+    subtitle="Effective modulus and radius of two bodies, moduli of transversely isotropic and of graded half-spaces, "
+    "numbers of adhesion.",
+    contact="none",
+    parameters=(),
+    pieces=(),
+    validity="linear elasticity",
+    sources=("Elliott 1949", "Maugis 1992", "Tabor 1977"),
+    sketch=Sketch((), a=1.0),
+    abbreviations=((beta, sp.sqrt((1 + k) * (1 - k * nu / (1 - nu)))),),
+)
+"""The half-space without an indenter: what its constants come to in a contact."""
 
 ROUND = Pool("", NAMES, load)
 STRIPS = Pool("plane", plane.NAMES, plane.load, x, P)

@@ -20,11 +20,12 @@ from ..physics.consequences import CONSEQUENCES, Consequence
 from ..physics.medium import HOMOGENEOUS, Medium
 from ..physics.systems import of
 from ..profiles.loads import Load
+from ..profiles.pools import ELASTIC
 from ..profiles.profile import Profile
 from . import frame
 from .algebra.domain import NotProvedError
 from .frame import Frames
-from .rules import adhesive, detachment, graded, loads, materials, plane, rings, subsurface, superposed, viscoelastic
+from .rules import adhesive, graded, loads, materials, plane, rings, subsurface, superposed, viscoelastic
 from .rules.compact import Compact
 from .rules.complete import Complete
 from .statement import Rule
@@ -155,7 +156,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
     physics, medium = system.physics, system.medium
     if isinstance(profile, Load):
         return Prover(entries, frame.pressed(profile), loads.RULES, lambda: loads.Loads(profile, entries))
-    if profile == materials.PROFILE:
+    if profile == ELASTIC:
         return Prover(entries, frame.elastic(), materials.RULES, lambda: materials.Materials(entries))
     if system.pool.strip:
         return Prover(entries, frame.strip(profile, entries), *plane.statements(profile, entries))
@@ -178,7 +179,7 @@ def _prover(profile: Profile, entries: dict[str, Entry]) -> Prover:
         frames = frame.adhering(profile, medium)
         return Prover(entries, frames, adhesive.RULES, lambda: adhesive.Adhesive(plain.built(), found), plain)
     frames = frame.peeling(profile, medium)
-    return Prover(entries, frames, detachment.RULES, lambda: detachment.Detachment(plain.built(), found), plain)
+    return Prover(entries, frames, adhesive.PEELING, lambda: adhesive.Detachment(plain.built(), found), plain)
 
 
 def certify(profile: Profile, entries: dict[str, Entry], suffix: str) -> Certificate:

@@ -64,12 +64,12 @@ from ..notation import (
     z,
     z_0,
 )
-from ..physics import Physics, adhesive, detachment, loads, materials, normal, subsurface, viscoelastic
+from ..physics import Physics, adhesive, loads, materials, normal, subsurface, viscoelastic
 from ..physics.consequences import CONSEQUENCES
 from ..physics.medium import Medium
 from ..physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from ..profiles.loads import Load
-from ..profiles.materials import PROFILE as ELASTIC
+from ..profiles.pools import ELASTIC
 from ..profiles.profile import Profile
 from .algebra.domain import NotProvedError, require
 
@@ -265,7 +265,7 @@ def peeling(profile: Profile, medium: Medium) -> Frames:
     }
     return {
         suffix: Frame(
-            medium.key(profile.name, medium.group, adhesive.GROUP, suffix), profile, detachment.QUANTITIES[suffix],
+            medium.key(profile.name, medium.group, adhesive.GROUP, suffix), profile, adhesive.PEELING[suffix],
             definition, ((a,) if suffix == "Dl" else profile.parameters) + _material(medium) + (dgamma,),
         )
         for suffix, definition in definitions.items()

@@ -7,7 +7,7 @@ import itertools
 import sympy as sp
 
 from ..entry import Entry
-from ..notation import F, L, a, c, d, e, n, r, x
+from ..notation import F, L, a, d, e, n, r, x
 from ..print.box import bracket
 from ..print.formula import Printer
 
@@ -98,8 +98,7 @@ def _own_range(entry: Entry, chain: tuple[sp.Expr, ...]) -> Pairs:
         return ()
     radius = next((y for y in chain if not y.is_Symbol and a in chain and chain.index(y) < chain.index(a)), a)
     place = next((s for s in entry.quantity.arguments if s in (r, x)), r)
-    # a traction is told apart by its stick zone, which ends before the edge
-    if e in entry.profile.parameters or not entry.quantity.place or c in entry.quantity.arguments:
+    if e in entry.profile.parameters or not entry.quantity.place:
         return ((a, L),) if L in chain else ()
     return ((place, radius),) if entry.quantity.place == "inside" else ((radius, place),)
 

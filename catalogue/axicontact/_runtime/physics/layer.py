@@ -19,7 +19,6 @@ from ..interface import KEPT, Array
 from ..inverse import Curve, inverse
 from ..nodes import gauss_legendre
 
-BASES = ("bonded", "frictionless")
 THINNEST = 20.0
 """Contact radius over thickness up to which the errors were measured."""
 NODES = ((0.7, 24, 24), (2.0, 32, 24), (5.0, 64, 64), (THINNEST, 128, 128))
@@ -113,18 +112,23 @@ def of_states(contact: Callable[..., State]) -> Callable[..., States]:
 
 
 def require_base(base: str) -> None:
-    if base not in BASES:
-        message = f"base = {base!r} must be 'bonded' or 'frictionless': how the layer lies on what is below it"
+    if base not in STIFFER:
+        message = f"base = {base!r} must be {' or '.join(map(repr, STIFFER))}: how the layer lies on what is below it"
         raise ValueError(message)
 
 
-def stiffer(u: Array, nu: float, base: str) -> Array:
-    """1 - L(u): by which share a wave with k = u/h sinks less into the layer than into a half-space."""
-    if base == "frictionless":
-        return (2.0 * u - np.expm1(-2.0 * u)) / (np.sinh(2.0 * u) + 2.0 * u)
+def _bonded(u: Array, nu: float) -> Array:
     k = 3.0 - 4.0 * nu
     rest = 4.0 * u * u + 1.0 + k * k
     return (2.0 * k * np.exp(-2.0 * u) + 4.0 * u + rest) / (2.0 * k * np.cosh(2.0 * u) + rest)
+
+
+def _frictionless(u: Array, nu: float) -> Array:
+    return (2.0 * u - np.expm1(-2.0 * u)) / (np.sinh(2.0 * u) + 2.0 * u)
+
+
+STIFFER = {"bonded": _bonded, "frictionless": _frictionless}
+"""1 - L(u) by the base: by which share a wave with k = u/h sinks less into the layer than into a half-space."""
 
 
 @lru_cache(KEPT)
@@ -133,7 +137,7 @@ def _waves(nu: float, base: str, count: int) -> tuple[Array, Array]:
     nodes, weights = (np.asarray(own) for own in gauss_legendre(count))
     low, width = np.array(STRETCHES[:-1])[:, None], np.diff(STRETCHES)[:, None]
     u = (low + width * nodes).ravel()
-    return u, 2.0 / np.pi * (width * weights).ravel() * stiffer(u, nu, base)
+    return u, 2.0 / np.pi * (width * weights).ravel() * STIFFER[base](u, nu)
 
 
 @lru_cache(KEPT)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..bodies.regimes import strip_width
-from ..graded import slip
+from ..graded.families import Family, family
 from ..text import python
 from ..writer import Writer
 from . import stated
@@ -20,7 +20,7 @@ def rules(writer: Writer) -> None:
     needs = [*writer.geometry, *map(str, medium.moduli), "mu"]
     sliding = [*writer.geometry, str(medium.modulus), str(medium.shear), *map(str, medium.moduli[1:]), "mu"]
     scale = f"mu * ({medium.modulus} / {medium.shear})"
-    force, traction, displacement = slip.gains(writer) if medium.graded else _gains(writer, scale)
+    force, traction, displacement = _graded_gains(writer) if medium.graded else _gains(writer, scale)
     writer.rule("_tangential_force", ["a", "c"], needs, force)
     writer.rule("_traction", ["r", "a", "c"], needs, traction)
     writer.rule("_tangential_displacement", ["a", "c"], sliding, displacement)
@@ -119,3 +119,55 @@ def _gain(writer: Writer, scale: str, order: str, r: str) -> list[str]:
 
 def _tuple(names: Sequence[str]) -> str:
     return f"({names[0]},)" if len(names) == 1 else f"({', '.join(names)})"
+
+
+RULES = {
+    "hyperboloid": "smooth", "gaussian": "smooth", "sphere": "below", "flank": "beyond", "rim": "beyond",
+    "rounding": "beyond", "rounded": "rounded", "tipped": "tipped", "waves": "waves",
+}  # fmt: skip
+"""Which rule of the runtime follows the growth of a shape."""
+
+
+def _graded_gains(writer: Writer) -> tuple[list[str], list[str], list[str]]:
+    """The same by the rule of each shape of the profile."""
+    own = family(writer.profile)
+    limit = _domain(writer, own)
+
+    def limited(value: str) -> str:
+        return f"return np.where({limit}, {value}, np.nan)" if limit else f"return {value}"
+
+    traction = f"mu * either(r < c, lambda: H / np.pi * gain(), lambda: {writer.call('_pressure', 'r', 'a')})"
+    lines = ["inside = np.minimum(r, c)", *_of_terms(own, "pressure", "inside", "return")]
+    inside = ["def gain() -> Array:", *(f"    {line}" for line in lines)]
+    return (
+        [*_of_terms(own, "force"), limited("mu * (2.0 * H / (1.0 + k)) * gain")],
+        [*([""] if writer.profile.abbreviations else []), *inside, "", limited(traction)],
+        [*_of_terms(own, "depth"), limited("mu * (H / H_x) * gain")],
+    )
+
+
+def _of_terms(own: Family, quantity: str, r: str = "0.0", result: str = "gain =") -> list[str]:
+    """The lines of `gain`, or that return it: the sum of what the terms of a profile gain from c to a."""
+    parts = {}
+    for term in own.terms:
+        if term.shape == "power":
+            (n,) = term.texts
+            call = f'power_gain("{quantity}", {r}, c, a, {n}, k)'
+        else:
+            lengths = ", ".join(term.texts) + ("," if len(term.texts) == 1 else "")
+            shape = f"{term.shape}_{quantity}, {term.shape}_rate, ({lengths})"
+            call = f'{RULES[term.shape]}_gain("{quantity}", {shape}, {r}, c, a, k)'
+        parts[term.shape] = term.times(call)
+    if len(parts) > 1:
+        return [*(f"{shape} = {part}" for shape, part in parts.items()), f"{result} {' + '.join(parts)}"]
+    (text,) = parts.values()
+    return [f"{result} sum({text} for j, A_j in enumerate(A, 1))" if own.summed else f"{result} {text}"]
+
+
+def _domain(writer: Writer, own: Family) -> str:
+    """The condition on the radii, "" where there is none."""
+    if writer.profile.truncated:
+        return f"c >= {writer.profile.breaks[0]}"
+    if own.has("sphere"):
+        return f"a <= {writer.profile.chain[-1]}"
+    return f"{writer.call('_rate', 'a')} >= 0.0" if own.has("gaussian") else ""

@@ -2,7 +2,8 @@
 
 The retraction follows from the energy 2 pi a dgamma = c_N(a) D^2 of a moving
 edge, hence dD/da = (1 - k) D/(2 a), and D stands for dgamma wherever the force
-or the depth is stationary: what is shown there is rational in D.
+or the depth is stationary: what is shown there is rational in D.  A fixed edge peels
+where the edge term of the pressure reaches that of the retraction.
 """
 
 from __future__ import annotations
@@ -11,12 +12,13 @@ import sympy as sp
 
 from ...abel.form import Chain
 from ...entry import Case, Entry
-from ...notation import F, a, a_c, d, dgamma, n
+from ...notation import C, F, a, a_c, d, dgamma, n
 from ...physics.adhesive import CONTROLS
-from ..algebra.domain import Domain, require
+from ..algebra.domain import Domain, NotProvedError, require
 from ..algebra.functions import normal, require_analytic, sign
 from ..statement import Rule, closed, paired, require_regions, require_zero, retraction
 from .compact import Compact
+from .complete import Complete
 
 PUNCH = {
     "d": lambda medium: sp.S.One,
@@ -142,6 +144,36 @@ class Adhesive:
         return steps
 
 
+class Detachment:
+    """Those of a profile with a fixed edge, above the complete contact without adhesion."""
+
+    def __init__(self, normal: Complete, entries: dict[str, Entry]) -> None:
+        self.normal, self.entries, self.medium = normal, entries, normal.medium
+
+    def _expr(self, suffix: str) -> sp.Expr:
+        require_regions(self.entries[suffix], ((a,),))
+        return self.entries[suffix].cases[0].expr
+
+    def depth(self) -> list[str]:
+        """w1D(a) = -Dl, and a smaller radius needs a greater depth."""
+        domain, shift = self.normal.domain((a,)), self._expr("Dl")
+        edge = self.normal.gap.subs(C, self.normal.coefficient).subs(d, self._expr("dc"))
+        steps = [*self.normal.face(), *retraction(self)]
+        steps.append(require_zero(edge + shift, domain, "w1D(a) = d - g(a) = -Dl"))
+        # for a fixed face: C is no function of a
+        depth = d - self.normal.gap
+        if depth != 0 and sign(sp.diff(depth, a), domain) >= 0:
+            message = "the depth of a smaller contact is not shown to be greater"
+            raise NotProvedError(message)
+        return [*steps, "g(a) - Dl(a) falls with a: an edge that peels does not stop"]
+
+    def force(self) -> list[str]:
+        """Fc is the force of complete contact at the depth dc."""
+        (case,) = self.normal.entries["F"].cases
+        gap = self._expr("Fc") - case.expr.subs(d, self._expr("dc"))
+        return [*self.depth(), require_zero(gap, self.normal.domain((a,)), "Fc = F at dc")]
+
+
 def _moved(chain: Chain) -> Chain:
     """The radius at pull-off for that of the contact."""
     return tuple(length.subs(a, a_c) for length in chain)
@@ -162,4 +194,9 @@ RULES: dict[str, Rule] = {
     **{suffix: ((f"plain.{suffix}",), Adhesive.superposed, suffix) for suffix in PUNCH},
     **{suffix: ((source,), Adhesive.stable_radius, suffix) for suffix, (source, _) in STABLE.items()},
     **_pull_off_rules(),
+}
+PEELING: dict[str, Rule] = {
+    "Dl": ((), retraction),
+    "dc": ((), Detachment.depth),
+    "Fc": (("dc", "plain.F"), Detachment.force),
 }

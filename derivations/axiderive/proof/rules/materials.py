@@ -13,7 +13,6 @@ import sympy as sp
 from ... import notation as nt
 from ...entry import Entry
 from ...notation import nu_1, nu_2, r, young_1, young_2
-from ...profiles.materials import PROFILE as PROFILE
 from ..algebra.domain import Domain, NotProvedError, require
 from ..statement import Rule, require_regions, require_zero
 
