@@ -25,7 +25,7 @@ ROOT = Path(__file__).parents[1]
 def axicontact(*arguments, **options):
     """The command in a process of its own, as a user runs it."""
     command = [sys.executable, "-m", "axiderive.cli", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300, **options)
+    return subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=600, **options)
 
 
 # prescribed pressures are a fifth of a second each; every kind of problem is built by the same code

@@ -33,7 +33,7 @@ STATES = (("bonded", 0.5, 0.2), ("bonded", 0.5, 3.0), ("bonded", 0.0, 1.0), ("fr
 FIRST = [("paraboloid", *STATES[1]), ("cone", *STATES[3]), ("truncated_cone", *STATES[2])]
 OTHERS = [(name, *state) for name in COMPACT_NAMES for state in (STATES if name == "paraboloid" else STATES[1:2])]
 DIGITS = 18
-"""Of the reference: with 14 its force on a cone is off by 3.7e-12 at three thicknesses, and with 22 it is the module's."""
+"""Of the reference: with 14 its force on a cone is off by 3.7e-12 at three thicknesses; with 22 it is the module's."""
 
 
 @cache

@@ -19,13 +19,13 @@ from .evidence import NONE, power_of_ten
 ENTRIES = {
     "Compact contact": (
         *("cone", "plane.wedge", "rounded_cone", "sphere_tipped_cone", "plane.rounded_wedge"),
-        *("paraboloid", "plane.parabola", "power_law", "plane.power_law", "polynomial", "ellipsoid", "hyperboloid"),
-        *("wavy_paraboloid", "gaussian", "truncated_cone", "truncated_paraboloid", "capped_paraboloid"),
+        *("paraboloid", "plane.parabola", "power_law", "plane.power_law", "polynomial", "sphere", "ellipsoid"),
+        *("hyperboloid", "wavy_paraboloid", "gaussian", "truncated_cone", "truncated_paraboloid", "capped_paraboloid"),
         *("rounded_curved_punch", "rounded_punch", "plane.truncated_wedge", "plane.rounded_punch"),
     ),
     "Complete contact": (
-        *("flat_punch", "plane.flat_punch", "plane.eccentric_punch", "capped_cylinder"),
-        *("concave_power", "plane.concave_power"),
+        *("flat_punch", "plane.flat_punch", "plane.eccentric_punch"),
+        *("concave_power", "plane.concave_power", "capped_cylinder"),
     ),
     "Prescribed pressure": ("loads.uniform", "loads.hertzian", "loads.punch", "loads.power"),
     "Elastic constants": ("materials",),

@@ -65,7 +65,6 @@ def model(profile_id: str, derived: Mapping[str, Entries], evidence: Mapping[str
         "blocks": shown,
         "sources": [(prose(work), back.label(work)) for work in profile.sources],
         "equations": _equations(own),
-        "shown": [anchor for row in printed for anchor in row.anchors],
         "keys": [entry.key for entries in own.values() for entry in entries.values()],
         "symbols": sorted({s for entries in own.values() for s in page.symbols(entries)}),
         "master_row": front.master_row(main),

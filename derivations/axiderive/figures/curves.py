@@ -29,12 +29,12 @@ SLIP_FRAME = 1.25
 """Upper ends of both axes of the plot of partial slip."""
 
 
-def _sphere(slip: Rows) -> Curve:
+def _hertz(slip: Rows) -> Curve:
     """F_x/(mu F_N) = 1 - (1 - u/u_s)^(3/2); its label is placed on the frame of the pressures."""
     rows = [(i / 60, 1 - (1 - i / 60) ** 1.5) for i in range(61)]
     up = HIGHEST / SLIP_FRAME
     family = [[(x / SLIP_FRAME, y * up) for x, y in own] for own in ([*slip, (SLIP_FRAME, 1.0)], rows)]
-    placed = labelled(family, 1, "sphere", [])
+    placed = labelled(family, 1, "Hertz", [])
     return replace(placed, rows=rounded(rows), x=placed.x * SLIP_FRAME, y=placed.y / up)
 
 
@@ -131,5 +131,5 @@ def _slip(profile: Profile, numbers: Numbers) -> Axes:
         ),
         "Partial slip",
         r"the contact sticks in its middle until it slides as a whole at $u_{\mathrm s}$.",
-        (_sphere(rows),),
+        (_hertz(rows),),
     )

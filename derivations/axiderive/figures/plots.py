@@ -33,9 +33,9 @@ def plots(profile: Profile, numbers: Numbers) -> tuple[Axes, ...]:
     rows = [(_pressure(member), label) for label, member in family]
     # the semicircle of a cylinder and the strip, each over its own mean
     known: list[Shown] = (
-        [(_scaled(SPHERE, 8 / (3 * math.pi)), "cylinder"), (_scaled(PUNCH, 4 / math.pi), "flat strip")]
+        [(_scaled(HERTZ, 8 / (3 * math.pi)), "cylinder"), (_scaled(PUNCH, 4 / math.pi), "flat strip")]
         if plane
-        else [(SPHERE, "sphere"), (PUNCH, "flat punch")]
+        else [(HERTZ, "Hertz"), (PUNCH, "flat punch")]
     )
     against = f"against {' and '.join(label for _, label in known)}"
     words = f"over its mean, for {name}, {against}." if name else f"over its mean, {against}."
@@ -128,7 +128,7 @@ def _grows(towards: list[float]) -> bool:
 
 # dense towards the edge
 RADII = [math.sin(math.pi / 2 * i / 60) for i in range(61)]
-SPHERE: Rows = [(x, 1.5 * math.sqrt(1 - x * x)) for x in RADII]
+HERTZ: Rows = [(x, 1.5 * math.sqrt(1 - x * x)) for x in RADII]
 PUNCH: Rows = [(x, 0.5 / math.sqrt(1 - x * x)) for x in RADII[:-1] if 0.5 / math.sqrt(1 - x * x) < 4.2]
 
 

@@ -216,7 +216,7 @@ PROFILES = (
                 "exchange R1 and R2",
             ),
         ),
-        limits=(Limit("paraboloid", b, 0, ((R1, R2),)),),
+        limits=(Limit("paraboloid", b, 0),),
         note="the pressure is logarithmically infinite at the edge r = b of the cap, unless R1 = R2",
     ),
     Profile(

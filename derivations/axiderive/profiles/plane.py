@@ -2,156 +2,99 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import sympy as sp
 
-from ..notation import A, R, a, b, e, h, n, theta, x
+from ..notation import R, a, b, e, h, n, r, x
+from . import load as body
 from .profile import Limit, Piece, Profile, Rule, Sketch, named
 
+SCHUBERT = ("Schubert 1942",)
+
+
+def _strip(like: str, /, **own: Any) -> Profile:
+    """The section of a body of revolution, with what is its own in the plane."""
+    known = body(like)
+    pieces = tuple(Piece(piece.upper, piece.expr.subs(r, x)) for piece in known.pieces)
+    return replace(known, **{"pieces": pieces, "sources": SCHUBERT, **own})
+
+
 PROFILES = (
-    Profile(
+    _strip(
+        "cone",
         name="wedge",
         title="Wedge",
         subtitle="Rigid wedge of inclination theta; the mean pressure does not depend on the load.",
-        contact="compact",
-        parameters=(theta,),
-        pieces=(Piece(None, x * sp.tan(theta)),),
-        validity="tan(theta) << 1; a << size of the body",
         sources=("Schubert 1942", "Johnson 1985"),
-        sketch=Sketch(((theta, 0.35),), a=1.0),
+        synonyms=(),
         note="the pressure is singular at the tip, as ln(x)",
     ),
-    Profile(
+    _strip(
+        "paraboloid",
         name="parabola",
         title="Parabola",
         subtitle="Cylinder of radius R in line contact, a << R.",
-        contact="compact",
-        parameters=(R,),
-        pieces=(Piece(None, x**2 / (2 * R)),),
-        validity="a << R",
         sources=("Schubert 1942", "Johnson 1985"),
         sketch=Sketch(((R, 1.45),), a=1.0),
         synonyms=("cylinder", "line contact"),
     ),
-    Profile(
-        name="quartic",
-        title="Quartic profile",
-        subtitle="Vanishing curvature at the tip: the pressure has a dip in the middle.",
-        contact="compact",
-        parameters=(A,),
-        pieces=(Piece(None, A * x**4),),
-        validity="small slopes, 4 A a^3 << 1",
-        sources=("Schubert 1942",),
-        sketch=Sketch(((A, 0.4),), a=1.0),
-        synonyms=("power law of order four",),
-    ),
-    Profile(
-        name="sextic",
-        title="Sextic profile",
-        subtitle="Flatter tip than the quartic, and a deeper dip of the pressure in the middle.",
-        contact="compact",
-        parameters=(A,),
-        pieces=(Piece(None, A * x**6),),
-        validity="small slopes, 6 A a^5 << 1",
-        sources=("Schubert 1942",),
-        sketch=Sketch(((A, 0.4),), a=1.0),
-        synonyms=("power law of order six",),
-    ),
-    Profile(
-        name="power_law",
-        title="Power law",
+    _strip("quartic", subtitle="Vanishing curvature at the tip: the pressure has a dip in the middle."),
+    _strip("sextic", subtitle="Flatter tip than the quartic, and a deeper dip of the pressure in the middle."),
+    _strip(
+        "power_law",
         subtitle="Every self-similar profile: P ~ a^n. Wedge, parabola and quartic are n = 1, 2, 4.",
-        contact="compact",
-        parameters=(A, n),
-        pieces=(Piece(None, A * x**n),),
-        validity="small slopes, n A a^(n-1) << 1",
-        sources=("Schubert 1942",),
-        sketch=Sketch(((A, 0.45), (n, 1.5)), a=1.0),
-        limits=(
-            Limit("wedge", n, 1, ((theta, sp.atan(A)),)),
-            Limit("parabola", n, 2, ((R, 1 / (2 * A)),)),
-            Limit("quartic", n, 4),
-            Limit("sextic", n, 6),
-        ),
+        limits=(Limit("wedge", n, 1), Limit("parabola", n, 2), Limit("quartic", n, 4), Limit("sextic", n, 6)),
         note="the pressure in the middle is finite only for n > 1; n = 1, 2, 4 and 6 are solutions of Schubert",
     ),
-    Profile(
+    _strip(
+        "truncated_cone",
         name="truncated_wedge",
         title="Truncated wedge",
         subtitle="Flat face of half-width b with straight flanks. The half-width of the contact starts at b.",
-        contact="compact",
-        parameters=(theta, b),
-        pieces=(Piece(b, sp.S.Zero), Piece(None, sp.tan(theta) * (x - b))),
-        validity="tan(theta) << 1",
-        sources=("Schubert 1942",),
         meanings=((b, "half-width of the flat face"),),
-        sketch=Sketch(((theta, 0.42), (b, 0.5)), a=1.0),
         limits=(Limit("wedge", b, 0),),
         note="the pressure is logarithmically infinite at the corner x = b; from the general solution of Schubert",
     ),
-    Profile(
+    _strip(
+        "rounded_cone",
         name="rounded_wedge",
         title="Wedge with a rounded tip",
         subtitle="Parabolic tip running tangentially into straight flanks at x = b.",
-        contact="compact",
-        parameters=(theta, b),
-        pieces=(Piece(b, x**2 * sp.tan(theta) / (2 * b)), Piece(None, sp.tan(theta) * (x - b / 2))),
-        validity="tan(theta) << 1",
-        sources=("Schubert 1942",),
         meanings=((b, "half-width of the rounded tip"),),
-        sketch=Sketch(((theta, 0.42), (b, 0.5)), a=1.0),
         limits=(Limit("wedge", b, 0),),
     ),
-    Profile(
-        name="rounded_punch",
+    _strip(
+        "rounded_punch",
         title="Flat punch with rounded edges",
         subtitle="Flat face of half-width b running tangentially into roundings of radius R.",
-        contact="compact",
-        parameters=(R, b),
-        pieces=(Piece(b, sp.S.Zero), Piece(None, (x - b) ** 2 / (2 * R))),
-        validity="a - b << R (parabolic rounding)",
         sources=("Schubert 1942", "Ciavarella, Hills & Monno 1998"),
         meanings=((b, "half-width of the flat face"),),
-        sketch=Sketch(((R, 1.45), (b, 1.15)), a=1.62),
         limits=(Limit("parabola", b, 0),),
-        note="the pressure is bounded",
     ),
-    Profile(
-        name="flat_punch",
-        title="Flat punch",
+    _strip(
+        "flat_punch",
         subtitle="The flat strip: every other plane contact is a superposition of flat strips.",
-        contact="complete",
-        parameters=(a,),
-        pieces=(Piece(None, sp.S.Zero),),
         validity="sharp edges, frictionless, load in the middle",
         sources=("Sadowsky 1928", "Schubert 1942"),
-        sketch=Sketch(((a, 1.0),), a=1.0, d=0.25),
         note="the pressure is infinite at the edges",
     ),
-    Profile(
+    _strip(
+        "flat_punch",
         name="eccentric_punch",
         title="Flat punch under an eccentric load",
         subtitle="The load acts at x = e: the punch tilts, and beyond abs(e) = a/2 one edge lifts off.",
-        contact="complete",
         parameters=(a, e),
-        pieces=(Piece(None, sp.S.Zero),),
         validity="sharp edges, frictionless, free to tilt",
-        sources=("Schubert 1942",),
         sketch=Sketch(((a, 1.0), (e, 0.3)), a=1.0, d=0.25),
         rules=(Rule(sp.Abs(e), a, True, "a load beyond the edge overturns the punch; move it inside, abs(e) < a"),),
         limits=(Limit("flat_punch", e, 0),),
         note="after lift-off the pressure is zero on the side of the lifted edge, at distances beyond 4 abs(e) - 3 a",
     ),
-    Profile(
-        name="concave_power",
-        title="Concave power law",
+    _strip(
+        "concave_power",
         subtitle="Concave face of depth h; complete contact needs the line load P_min.",
-        contact="complete",
-        parameters=(a, h, n),
-        pieces=(Piece(None, -h * (x / a) ** n),),
-        validity="small slopes; complete contact only",
-        sources=("Schubert 1942",),
-        meanings=((h, "depth of the concave face"),),
-        sketch=Sketch(((a, 1.0), (h, 0.15), (n, 3.0)), a=1.0, d=0.6),
         rules=(
             Rule(
                 sp.S.One, n, True,
@@ -159,32 +102,21 @@ PROFILES = (
             ),
         ),
         limits=(Limit("concave_parabola", n, 2), Limit("concave_quartic", n, 4)),
+        note="",
     ),
-    Profile(
+    _strip(
+        "concave_paraboloid",
         name="concave_parabola",
         title="Concave parabola",
         subtitle="Concave parabolic face of depth h: the pressure vanishes first in the middle.",
-        contact="complete",
-        parameters=(a, h),
-        pieces=(Piece(None, -h * (x / a) ** 2),),
-        validity="small slopes; complete contact only",
-        sources=("Schubert 1942",),
-        meanings=((h, "depth of the concave face"),),
-        sketch=Sketch(((a, 1.0), (h, 0.15)), a=1.0, d=0.6),
         limits=(Limit("flat_punch", h, 0),),
+        note="",
     ),
-    Profile(
-        name="concave_quartic",
-        title="Concave quartic",
+    _strip(
+        "concave_quartic",
         subtitle="Concave face of fourth order: the pressure vanishes first at x = a/2.",
-        contact="complete",
-        parameters=(a, h),
-        pieces=(Piece(None, -h * (x / a) ** 4),),
-        validity="small slopes; complete contact only",
-        sources=("Schubert 1942",),
-        meanings=((h, "depth of the concave face"),),
-        sketch=Sketch(((a, 1.0), (h, 0.15)), a=1.0, d=0.6),
         limits=(Limit("flat_punch", h, 0),),
+        note="",
     ),
 )  # fmt: skip
 COMPACT_NAMES = tuple(own.name for own in PROFILES if own.compact)

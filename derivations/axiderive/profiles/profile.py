@@ -45,12 +45,11 @@ class Rule:
 
 @dataclass(frozen=True)
 class Limit:
-    """`target` is reached from this profile when `symbol` tends to `value`; `mapping` names the target's parameters."""
+    """`target` is reached from this profile when `symbol` tends to `value`."""
 
     target: str
     symbol: sp.Symbol
     value: sp.Expr
-    mapping: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from .approaches import Further
 from .row import Region
 
 HOSTS = {
-    "quartic": "power_law", "sextic": "power_law", "sphere": "ellipsoid",
+    "quartic": "power_law", "sextic": "power_law",
     "concave_paraboloid": "concave_power", "concave_quartic": "concave_power",
     "plane.quartic": "plane.power_law", "plane.sextic": "plane.power_law",
     "plane.concave_parabola": "plane.concave_power", "plane.concave_quartic": "plane.concave_power",
