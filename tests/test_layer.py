@@ -138,7 +138,7 @@ def test_first_and_second_order(nu: float) -> None:
 
 
 def test_published_series_beside_the_solution() -> None:
-    """The derived coefficients by (1, k_0, 7/6 k_0^2, 40/27 k_0^3 - 8/15 k_1, 143/72 k_0^4 - 8/5 k_0 k_1), and the table."""
+    """(1, k_0, 7/6 k_0^2, 40/27 k_0^3 - 8/15 k_1, 143/72 k_0^4 - 8/5 k_0 k_1) in powers of chi, and the table."""
     own = printed.moments(0.5)
     k_0, k_1 = 2 / mp.pi * own[stated.m_0], own[stated.m_2] / mp.pi
     wanted = (1, k_0, 7 * k_0**2 / 6, 40 * k_0**3 / 27 - 8 * k_1 / 15, 143 * k_0**4 / 72 - 8 * k_0 * k_1 / 5)

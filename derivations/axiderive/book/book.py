@@ -47,9 +47,10 @@ FRONT = (
     ("How to read an entry", "howto"), ("Conventions", "conventions"), ("When does it hold?", "validity"),
     ("Which profile?", "chart"), ("All profiles", "master"), ("Notation", "notation"),
     ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
+    ("Layer on a rigid base", "layer"),
 )  # fmt: skip
 BACK = (
-    ("Layer on a rigid base", "layer"), ("Stress below the contact", "stress"),
+    ("Stress below the contact", "stress"),
     ("Errata of chapter 11", "errata"), ("Error against run time", "study"), ("References", "references"),
     ("Index", "words"), ("Index of symbols", "symbols"), ("This edition", "imprint"),
 )  # fmt: skip
@@ -132,7 +133,8 @@ def model(
         "masters": front.master_rows(),
         "laws": laws.laws(),
         "layer": layer.sections(),
-        "compared": (list(map(guide.linked, layer.PUBLISHED)), list(layer.compared())),
+        "sums": layer.sums(),
+        "compared": (list(map(guide.linked, layer.PUBLISHED)), layer.compared()),
         "rules": (front.homogeneous(), front.graded()),
         "chart": front.chart(pages),
         "chapter11": chapter11 and _chapter(chapter11),

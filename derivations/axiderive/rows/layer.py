@@ -6,7 +6,8 @@ contact that is small against the thickness; published ones are compared with th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Mapping
 from functools import cache
 
 import mpmath as mp
@@ -27,9 +28,10 @@ CHI, DEEP = sp.symbols("chi e", positive=True)
 """The square root of R d, and the contact radius, over the thickness."""
 ENDLESS, ALONE, STIFF, FIRST, SECOND = sp.symbols("endless alone stiff first second", positive=True)
 NAMES = {
-    CHI: r"\chi", ENDLESS: r"\infty", ALONE: r"F_{\mathrm N}(a)", STIFF: r"(3-4 \nu)", FIRST: r"\alpha", SECOND: r"\beta",
+    CHI: r"\chi", ENDLESS: r"\infty", ALONE: r"F_{\mathrm N}(a)", STIFF: r"(3-4 \nu)",
+    FIRST: r"\alpha", SECOND: r"\beta",
 }  # fmt: skip
-"""What only print has: the end of an integral, the force of the half-space, a number of the layer, m_0 and m_2 over pi."""
+"""What only print has: chi, infinity, the force of the half-space, 3 - 4 nu, and m_0 and m_2 over pi."""
 ORDER = 4
 """Of the highest power of chi that a contact without the fifth power of e decides."""
 LETTERS = frozenset(("thickness", "q", "K", "sinking", "m_0", "m_2"))
@@ -60,7 +62,7 @@ def _of_ratio(c: sp.Expr) -> sp.Expr:
 
 def statements() -> dict[str, sp.Expr]:
     """What the rows say, by the left sides as they are read."""
-    grown, expanded = stated.definitions(load("paraboloid")), stated.expanded()
+    grown, expanded = stated.definitions(load("flat_punch")), stated.expanded()
     return {
         "q(t)": stated.EQUATION,
         "K": stated.SUMMED,
@@ -112,7 +114,8 @@ def sections() -> list[tuple[str, str, list[Line]]]:
             (("Spring", "of a radius", tex["q(t)"]),),
             (("Kernel", "", tex["K"]),),
             (("Waves", "bonded base", bonded),),
-            (("Waves", "frictionless base", sliding), ("Force", "", tex["F_N"])),
+            (("", "frictionless base", sliding),),
+            (("Force", "", tex["F_N"]),),
             (("Pressure", "", tex["p(r)"]),),
         ]),
         ("A thick layer", "any profile, by depth and force of the half-space", [
@@ -126,37 +129,43 @@ def sections() -> list[tuple[str, str, list[Line]]]:
 
 
 @cache
-def expansions() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Of a paraboloid the depth to the first order, and force and depth to the second."""
+def expansions() -> tuple[sp.Expr, ...]:
+    """Force and depth of a paraboloid to the first order, and to the second."""
     plain, (force, depth) = normal.derive(load("paraboloid")), stated.expanded().values()
     for function, suffix in ((DEPTH, "d"), (FORCE, "F")):
         own = sp.Lambda(nt.a, plain[suffix].cases[0].expr)
         force, depth = (expr.replace(function, own) for expr in (force, depth))
     depth = depth.subs(nt.F, force).doit()
-    return depth.subs(stated.m_2, 0), force, depth
+    return *(own.subs(stated.m_2, 0) for own in (force, depth)), force, depth
 
 
 @cache
 def coefficients() -> tuple[sp.Expr, ...]:
     """Of the powers of chi in the force of a paraboloid at a depth, over that of the half-space."""
-    _, force, depth = (own.subs(nt.a, DEEP * stated.thickness) for own in expansions())
+    force, depth = (own.subs(nt.a, DEEP * stated.thickness) for own in expansions()[2:])
     scale = nt.R / (DEEP * stated.thickness) ** 2
     square = sp.expand(depth * scale)
     more = sp.expand(force / _alone().subs(nt.d, 1 / scale))
-    # chi = e root(square); its reverse by Newton's steps, each of which gives at least one more power
-    chi = _cut(DEEP * sp.series(sp.sqrt(square), DEEP, 0, ORDER + 1).removeO(), DEEP)
-    reverse: sp.Expr = CHI
-    for _ in range(ORDER):
-        reverse = _cut(reverse - (chi.subs(DEEP, reverse) - CHI), CHI)
-    ratio = _cut(sp.series(more * square ** sp.Rational(-3, 2), DEEP, 0, ORDER + 1).removeO(), DEEP)
-    series = sp.expand(ratio.subs(DEEP, reverse))
-    return tuple(sp.factor(series.coeff(CHI, i)) for i in range(ORDER + 1))
+    ratio = _cut(more * _power(square, -sp.Rational(3, 2)))
+    # chi = e root(square): Lagrange's inversion
+    slope = sp.diff(ratio, DEEP)
+    found = (_cut(slope * _power(square, -sp.Rational(i, 2))).coeff(DEEP, i - 1) / i for i in range(1, ORDER + 1))
+    return sp.S.One, *map(sp.factor, found)
 
 
-def _cut(expr: sp.Expr, x: sp.Symbol) -> sp.Expr:
-    """A polynomial without the powers that are too high."""
+def _power(series: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+    """Of a polynomial in e that begins with 1."""
+    found, more = sp.S.One, sp.S.One
+    for i in range(1, ORDER + 1):
+        more = _cut(more * (series - 1))
+        found += sp.binomial(exponent, i) * more
+    return found
+
+
+def _cut(expr: sp.Expr) -> sp.Expr:
+    """A polynomial in e without the powers that are too high."""
     whole = sp.expand(expr)
-    return sp.Add(*(whole.coeff(x, i) * x**i for i in range(ORDER + 2)))
+    return sp.Add(*(whole.coeff(DEEP, i) * DEEP**i for i in range(ORDER + 1)))
 
 
 @cache
@@ -169,6 +178,14 @@ def moments(nu: float, base: str = next(iter(stated.BASES))) -> Mapping[sp.Symbo
             summand = sp.lambdify((nt.u, stated.L), moment.function, "mpmath")
             found[symbol] = mp.quad(lambda u, summand=summand: summand(u, sunk(u)), WAVES)
         return found
+
+
+def sums() -> tuple[list[str], list[tuple[str, list[str]]]]:
+    """Heads of the columns, and what the rows m_0 and m_2 of their table begin with and hold."""
+    bonded, sliding = stated.BASES
+    found = [*(moments(nu, bonded) for nu in POISSON), moments(POISSON[0], sliding)]
+    rows = [(LEFT[symbol.name], [f"{float(own[symbol]):.5f}" for own in found]) for symbol in stated.MOMENTS]
+    return [rf"$\nu={nu:g}$" for nu in POISSON] + [sliding], rows
 
 
 def factor(chi: float, nu: float) -> float:
@@ -188,7 +205,9 @@ DIGITS = 8
 """Of the solution: the table has five."""
 WAVES = (0, 2, 6, 12, 24)
 """Stretches of a sum over wave numbers."""
-RATIOS = (sp.Rational(1, 5), sp.S.Half, sp.S.One, sp.Integer(2))
+POISSON = (0.0, 0.1, 0.2, 0.3, 0.4, 0.45, 0.5)
+"""Poisson's ratios for which the sums of a bonded layer are printed; without friction it has no part in them."""
+RATIOS = (*(sp.Rational(i, 10) for i in (1, 2, 3, 5)), sp.S.One)
 """Contact radius over thickness in the table."""
 PUBLISHED = {
     "Dimitriadis et al. 2002": (1.133, 1.283, 0.769, 0.0975),
@@ -197,24 +216,29 @@ PUBLISHED = {
 """Coefficients in print, of chi and its powers, for a bonded layer and nu = 1/2."""
 
 
-def compared() -> Iterator[tuple[list[str], list[str]]]:
+@cache
+def compared() -> tuple[tuple[list[str], list[str]], ...]:
     """Rows of the table: a/h_0, chi, the force over that of the half-space; errors of all approximations in per cent.
 
-    They are those of the depth to the first order and of force and depth to the second, at the radius, and of the
-    force by the series, at the depth.
+    They are those of force and depth to the first order and to the second, at the radius, and of the force by the
+    series, at the depth.
     """
-    for ratio in RATIOS:
-        found, values = solved(ratio)
-        depth, force, chi = float(found.depth), float(found.force()), float(mp.sqrt(found.depth))
-        alone = float(_alone().subs({**values, nt.d: depth}))
-        expanded = [float(own.subs({**values, **moments(0.5)})) for own in expansions()]
-        series = [1 + sum(c * chi**i for i, c in enumerate(own, 1)) for own in PUBLISHED.values()]
-        wanted = (depth, force, depth, *[force / alone] * (len(series) + 1))
-        shares = [
-            100 * (own / want - 1) for own, want in zip((*expanded, *series, factor(chi, 0.5)), wanted, strict=True)
-        ]
-        yield [f"{float(ratio):g}", f"{chi:.3f}", f"{force / alone:.4f}"], [_per_cent(share) for share in shares]
+    return tuple(map(_compared, RATIOS))
+
+
+def _compared(ratio: sp.Rational) -> tuple[list[str], list[str]]:
+    found, values = solved(ratio)
+    depth, force, chi = float(found.depth), float(found.force()), float(mp.sqrt(found.depth))
+    alone = float(_alone().subs({**values, nt.d: depth}))
+    expanded = [float(own.subs({**values, **moments(0.5)})) for own in expansions()]
+    series = [1 + sum(c * chi**i for i, c in enumerate(own, 1)) for own in PUBLISHED.values()]
+    wanted = (force, depth, force, depth, *[force / alone] * (len(series) + 1))
+    pairs = zip((*expanded, *series, factor(chi, 0.5)), wanted, strict=True)
+    shares = [_per_cent(100 * (own / want - 1)) for own, want in pairs]
+    return [f"{float(ratio):g}", f"{chi:.3f}", f"{force / alone:.4f}"], shares
 
 
 def _per_cent(share: float) -> str:
-    return f"${share:+.0f}$" if abs(share) >= 9.95 else f"${share:+.2g}$"
+    """Two digits, and no more than four behind the point."""
+    places = min(4, max(0, 1 - math.floor(math.log10(abs(share)))))
+    return f"${share:+.{places}f}$"
