@@ -111,11 +111,10 @@ def sections() -> list[tuple[str, str, list[Line]]]:
     bonded, sliding = (tex[f"L of {base}"] for base in stated.BASES)
     return [
         ("The equation", "of the springs below the surface, which feel each other", [
-            (("Spring", "of a radius", tex["q(t)"]),),
+            (("Spring", "of a radius", tex["q(t)"]), ("Force", "", tex["F_N"])),
             (("Kernel", "", tex["K"]),),
             (("Waves", "bonded base", bonded),),
             (("", "frictionless base", sliding),),
-            (("Force", "", tex["F_N"]),),
             (("Pressure", "", tex["p(r)"]),),
         ]),
         ("A thick layer", "any profile, by depth and force of the half-space", [
