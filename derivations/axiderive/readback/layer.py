@@ -38,8 +38,8 @@ def rules() -> list[Line]:
         names |= {"nu": known[nt.nu], "E*": known[nt.E_star], "m_0": known[stated.m_0], "m_2": known[stated.m_2]}
         env = {**names, "g()": FUNCTIONS["g"], "q()": FUNCTIONS["q"], "q'()": FUNCTIONS["slope"]}
         env |= {"F_N()": FUNCTIONS["whole"], "F_N": known[nt.F]}
-        env |= {"K": Node(lambda here: FUNCTIONS["K"](here["t"], here["s"]))}
-        env |= {"L": Node(lambda here: FUNCTIONS["sunk"](here["u"]))}
+        env |= {"K": Node(lambda here: FUNCTIONS["K"](*(here[symbol.name] for symbol in (nt.t, nt.s))))}
+        env |= {"L": Node(lambda here: FUNCTIONS["sunk"](here[nt.u.name]))}
         return [
             Claim(env, _value(expr, known), name.partition(" ")[0]).line(f"layer: {name}", layer.texts()[name])
             for name, expr in layer.statements().items()

@@ -62,24 +62,32 @@ def _of_ratio(c: sp.Expr) -> sp.Expr:
 
 def statements() -> dict[str, sp.Expr]:
     """What the rows say, by the left sides as they are read."""
-    grown, expanded = stated.definitions(load("flat_punch")), stated.expanded()
+    carried, pressure, _ = stated.definitions(load("flat_punch")).values()
+    force, depth = stated.expanded().values()
     return {
         "q(t)": stated.EQUATION,
         "K": stated.SUMMED,
         **{f"L of {base}": stated.sinking(nt.u, base) for base in stated.BASES},
-        "F_N": grown["F"],
-        "p(r)": grown["p"],
+        "F_N": carried,
+        "p(r)": pressure,
         **{symbol.name: moment for symbol, moment in stated.MOMENTS.items()},
-        "d of first order": expanded["d"].subs(stated.m_2, 0).doit(),
-        "F_N of second order": expanded["F"],
-        "d of second order": expanded["d"],
+        "d of first order": depth.subs(stated.m_2, 0).doit(),
+        "F_N of second order": force,
+        "d of second order": depth,
         "F_N of a paraboloid": _alone() * sum(c * CHI**i for i, c in enumerate(coefficients())),
     }
 
 
 def _alone() -> sp.Expr:
     """The force of a paraboloid at a depth of the half-space."""
-    return normal.derive(load("paraboloid"))["Fd"].cases[0].expr
+    return _half_space("force_from_depth")
+
+
+@cache
+def _half_space(function: str) -> sp.Expr:
+    """What a function says of a paraboloid on the half-space."""
+    entries = normal.derive(load("paraboloid")).values()
+    return next(entry.cases[0].expr for entry in entries if entry.quantity.function == function)
 
 
 LEFT = {"F_N": r"F_{\mathrm N}", "m_0": "m_{0}", "m_2": "m_{2}"}
@@ -130,9 +138,9 @@ def sections() -> list[tuple[str, str, list[Line]]]:
 @cache
 def expansions() -> tuple[sp.Expr, ...]:
     """Force and depth of a paraboloid to the first order, and to the second."""
-    plain, (force, depth) = normal.derive(load("paraboloid")), stated.expanded().values()
-    for function, suffix in ((DEPTH, "d"), (FORCE, "F")):
-        own = sp.Lambda(nt.a, plain[suffix].cases[0].expr)
+    force, depth = stated.expanded().values()
+    for function, name in ((DEPTH, "depth"), (FORCE, "force")):
+        own = sp.Lambda(nt.a, _half_space(name))
         force, depth = (expr.replace(function, own) for expr in (force, depth))
     depth = depth.subs(nt.F, force).doit()
     return *(own.subs(stated.m_2, 0) for own in (force, depth)), force, depth
