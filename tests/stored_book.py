@@ -14,7 +14,7 @@ from axiderive import notation as nt
 from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
-from axiderive.readback import fields, front
+from axiderive.readback import fields, front, layer
 from axiderive.readback.claims import Line, residuals, worst_residual
 from axiderive.readback.ranges import Place, misplaced, places_of
 from axiderive.rows import blocks
@@ -133,6 +133,7 @@ def front_readings() -> list[Line]:
         *fields.numbers(stored),
         *front.rules(stored),
         *front.laws_of_materials(),
+        *layer.rules(),
         *(reading for name in PROFILES if name in KEYS for reading in front.master_table(name, stored(name))),
     ]
 

@@ -26,6 +26,7 @@ from axiderive.oracle.shape import coefficient
 from axiderive.physics import layer as stated
 from axiderive.physics.systems import problem
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, load
+from axiderive.rows import layer as printed
 
 STATES = (("bonded", 0.5, 0.2), ("bonded", 0.5, 3.0), ("bonded", 0.0, 1.0), ("frictionless", 0.3, 2.0))
 """Base, Poisson's ratio, contact radius over thickness."""
@@ -134,6 +135,21 @@ def test_first_and_second_order(nu: float) -> None:
     wanted = force / less, depth * (1.0 - 2.0 / 3.0 * k_0 * e + 2.0 / 15.0 * k_1 * e**3) / less
     assert paraboloid.force(e, R=1.0, E_star=1.0, nu=nu, thickness=1.0) == pytest.approx(wanted[0], rel=10.0 * e**5)
     assert paraboloid.depth(e, R=1.0, nu=nu, thickness=1.0) == pytest.approx(wanted[1], rel=10.0 * e**5)
+
+
+def test_published_series_beside_the_solution() -> None:
+    """(1, k_0, 7/6 k_0^2, 40/27 k_0^3 - 8/15 k_1, 143/72 k_0^4 - 8/5 k_0 k_1) in powers of chi, and the table."""
+    own = printed.moments(0.5)
+    k_0, k_1 = 2 / mp.pi * own[stated.m_0], own[stated.m_2] / mp.pi
+    wanted = (1, k_0, 7 * k_0**2 / 6, 40 * k_0**3 / 27 - 8 * k_1 / 15, 143 * k_0**4 / 72 - 8 * k_0 * k_1 / 5)
+    found = [float(c.subs(own)) for c in printed.coefficients()]
+    assert found == pytest.approx([float(c) for c in wanted], rel=1e-12)
+    shares = {float(ratio): float(share) for (ratio, _, share), _ in printed.compared()}
+    both = [ratio for ratio, _ in FORCES if ratio in shares]
+    assert len(both) == 3
+    assert [shares[ratio] for ratio in both] == pytest.approx([dict(FORCES)[ratio] for ratio in both], abs=1e-4)
+    for nu, wanted in M_0.items():
+        assert float(printed.moments(nu)[stated.m_0]) == pytest.approx(wanted, abs=1e-6)
 
 
 def test_far_from_the_base_it_is_a_half_space() -> None:

@@ -11,7 +11,7 @@ from .. import __version__
 from ..figures.contours import SHADES
 from ..physics.systems import pool_of
 from ..print.words import escaped, typeset
-from ..rows import laws
+from ..rows import laws, layer
 from ..store.cache import digest
 from . import back, front, guide, notation_table, studies
 from .evidence import NONE, power_of_ten
@@ -47,6 +47,7 @@ FRONT = (
     ("How to read an entry", "howto"), ("Conventions", "conventions"), ("When does it hold?", "validity"),
     ("Which profile?", "chart"), ("All profiles", "master"), ("Notation", "notation"),
     ("Definitions", "definitions"), ("Viscoelastic laws", "laws"), ("Rules for every profile", "rules"),
+    ("Layer on a rigid base", "layer"),
 )  # fmt: skip
 BACK = (
     ("Stress below the contact", "stress"),
@@ -127,10 +128,13 @@ def model(
         "validity": guide.validity(),
         "errors": guide.errors(),
         "coverage": _coverage(pages),
-        "notation": notation_table.by_subject({s for m in pages for s in m["symbols"]}, pages),
+        "notation": notation_table.by_subject({*layer.LETTERS, *(s for m in pages for s in m["symbols"])}, pages),
         "definitions": front.definition_rows(),
         "masters": front.master_rows(),
         "laws": laws.laws(),
+        "layer": layer.sections(),
+        "sums": layer.sums(),
+        "compared": (list(map(guide.linked, layer.PUBLISHED)), layer.compared()),
         "rules": (front.homogeneous(), front.graded()),
         "chart": front.chart(pages),
         "chapter11": chapter11 and _chapter(chapter11),

@@ -189,7 +189,7 @@ Rules = tuple[str, str, Sequence[Line]]
 
 
 def homogeneous() -> list[Rules]:
-    """The rules on the left page, of the homogeneous half-space."""
+    """The rules of the homogeneous half-space."""
     return [
         ("Normal contact", "", [*_inverses("normal"), (_stiffness(HOMOGENEOUS), _mean("normal"))]),
         *_superposed(HOMOGENEOUS),
@@ -202,7 +202,7 @@ def homogeneous() -> list[Rules]:
 
 
 def graded() -> list[Rules]:
-    """The rules on the right page, of the graded half-space."""
+    """The rules on the page behind, of the graded half-space."""
     integrals = [(_integral("d"),), (_integral("F"),), *_lines("graded.normal", (("p",), ("w",)))]
     return [
         ("Normal contact", "", [*integrals, (_stiffness(GRADED), _mean("graded.normal"))]),
@@ -211,7 +211,7 @@ def graded() -> list[Rules]:
 
 
 def rule_rows() -> list[RuleRow]:
-    """All rules of the spread."""
+    """All rules of both half-spaces."""
     return [one for page in (homogeneous(), graded()) for _, _, lines in page for line in lines for one in line]
 
 

@@ -15,6 +15,7 @@ from typing import Any
 import mpmath as mp
 
 from ..print.words import escaped
+from ..rows import layer
 from .back import label
 from .texts import sections
 
@@ -52,24 +53,6 @@ def _force(slope: Any, a: float) -> Any:
         return t * mp.quad(lambda angle: slope(t * mp.sin(angle)), [0, mp.pi / 2])
 
     return 2 * (a * depth(mp.mpf(a)) - mp.quad(depth, [0, a]))
-
-
-@cache
-def layer_factor(ratio: float, nu: float) -> float:
-    """Force of a paraboloid on a bonded layer over that on a half-space, at sqrt(R d) = `ratio` times the thickness.
-
-    To the second order in the ratio; the kernel is that of a layer on a rigid base.
-    """
-    k = 3 - 4 * mp.mpf(nu)
-
-    def lost(u: Any) -> Any:
-        # with exp(-2 u) in front of both, so that nothing overflows
-        fall = mp.exp(-2 * u)
-        above = fall * (2 * k * fall + 4 * u * u + 4 * u + 1 + k * k)
-        return above / (k * (1 + fall**2) + (4 * u * u + 1 + k * k) * fall)
-
-    first = 2 / mp.pi * mp.quad(lost, [0, 1, 4, mp.inf]) * ratio
-    return float(1 + first + mp.mpf(7) / 6 * first**2)
 
 
 def first_yield(nu: float) -> tuple[float, float]:
@@ -117,7 +100,7 @@ def validity() -> list[Paragraph]:
     factors = {
         "cone": slope_factor(70.3, 0.3),
         **{name: sphere_over_paraboloid(ratio) for name, ratio in (("small", 0.1), ("large", 0.3))},
-        **{name: layer_factor(0.1, nu) for name, nu in (("soft", 0.5), ("stiff", 0.3))},
+        **{name: layer.factor(0.1, nu) for name, nu in (("soft", 0.5), ("stiff", 0.3))},
         **{name: without_slip(nu) for name, nu in (("stuck", 0.3), ("sticky", 0.0))},
     }
     shear, depth = first_yield(0.3)
@@ -128,7 +111,9 @@ def validity() -> list[Paragraph]:
 
 def _paragraphs(part: str, numbers: Mapping[str, float] = MappingProxyType({})) -> list[Paragraph]:
     """The paragraphs of a part of the guide with its numbers put in, and the works as links to their references."""
-    text = _NUMBER.sub(lambda match: format(numbers[match[1]], match[2]), _WORK.sub(_linked, TEXTS[part]))
+    text = _NUMBER.sub(
+        lambda match: format(numbers[match[1]], match[2]), _WORK.sub(lambda match: linked(match[1]), TEXTS[part])
+    )
     found = (" ".join(paragraph.split()).removeprefix("**").partition("** ") for paragraph in text.split("\n\n"))
     return [(first, rest) for first, _, rest in found]
 
@@ -137,8 +122,9 @@ _NUMBER = re.compile(r"@(\w+):([.\w]+)@")
 _WORK = re.compile(r"\\work\{([^}]*)\}")
 
 
-def _linked(match: re.Match[str]) -> str:
-    return rf"\hyperref[{label(match[1])}]{{{escaped(match[1])}}}"
+def linked(work: str) -> str:
+    """A work as a link to its reference."""
+    return rf"\hyperref[{label(work)}]{{{escaped(work)}}}"
 
 
 TIPS = (
@@ -176,7 +162,7 @@ def errors() -> list[tuple[str, str, tuple[str, ...], list[tuple[str, list[str]]
             ("at the same $a$", _shares(map(sphere_over_paraboloid, ratios)))
         ]),
         ("Paraboloid on a bonded layer", r"$\sqrt{R\,d}$ over the thickness", tuple(f"{x:g}" for x in layers), [
-            (rf"$\nu={nu}$", _shares(layer_factor(x, nu) for x in layers)) for nu in (0.3, 0.5)
+            (rf"$\nu={nu}$", _shares(layer.factor(x, nu) for x in layers)) for nu in (0.3, 0.5)
         ]),
     ]  # fmt: skip
 

@@ -16,19 +16,26 @@ from functools import cache
 import sympy as sp
 
 from ..entry import COMPACT, COMPLETE, Case, Entry
-from ..notation import LENGTH, Dimension, E_star, F, a, d, define, nu, r, s, t
+from ..notation import LENGTH, NUMBER, Dimension, E_star, F, a, d, define, nu, r, s, t, u
 from ..profiles.profile import Profile
-from . import DEPTH, Physics, Wording, normal
+from . import DEPTH, FORCE, Physics, Wording, normal
 from .medium import HOMOGENEOUS, Medium
 
 GROUP = "lay"
 thickness = define("thickness", "h_0", LENGTH, "m", "thickness > 0", "thickness of the layer")
 define("q", "q", LENGTH, "m", "", "how far the spring of a radius is pressed in, on a layer")
 define("K", "K", Dimension.of(-1, 0), "1/m", "", "what one spring of a layer takes off another")
+L = define("sinking", "L", NUMBER, "1", "", "how far a wave moves the surface of a layer, over a half-space")
+m_0 = define("m_0", "m_0", NUMBER, "1", "", "integral of 1 - L over the wave numbers of a layer")
+m_2 = define("m_2", "m_2", NUMBER, "1", "", "the same, weighted by the squares of the wave numbers")
 SPRING, KERNEL = sp.Function("q"), sp.Function("K")
 """The solution of the equation, of a radius, and its kernel, of two."""
 EQUATION = d - DEPTH(t) + sp.Integral(KERNEL(t, s) * SPRING(s), (s, 0, a))
 """What the spring at t is pressed in."""
+_wave = sp.cos(u * t / thickness) * sp.cos(u * s / thickness)
+SUMMED = 2 / (sp.pi * thickness) * sp.Integral((1 - L) * _wave, (u, 0, sp.oo))
+"""The kernel by waves u = k thickness."""
+MOMENTS = {m_0: sp.Integral(1 - L, (u, 0, sp.oo)), m_2: sp.Integral(u**2 * (1 - L), (u, 0, sp.oo))}
 BASES = {"bonded": slice(0, 2), "frictionless": slice(1, 3)}
 """How the layer lies on what is below it, and what of U, W, shear and stress vanishes there."""
 PUNCH = {suffix: COMPLETE[suffix] for suffix in ("F", "p", "dF")}
@@ -57,6 +64,23 @@ def sinking(u: sp.Expr, base: str) -> sp.Expr:
     share = sp.fraction(sp.cancel(pressed / (held[:, :2].det() * (1 - nu))))
     above, under = (sp.reduced(own, [cosine**2 - sine**2 - 1], cosine)[1] for own in share)
     return sp.cancel(above / under).subs({sine: sp.sinh(u), cosine: sp.cosh(u)})
+
+
+@cache
+def expanded() -> dict[str, sp.Expr]:
+    """Force and, by it, depth of a contact that is small against the thickness, to the fourth power of their quotient.
+
+    Without m_2 they are those of the first order, to the second power.
+    """
+    even = sp.series(_wave, u, 0, 4).removeO()
+    kernel = sum(2 / (sp.pi * thickness) * even.coeff(u, i) * m for i, m in ((0, m_0), (2, m_2)))
+    # the last spring carries nothing: what the kernel at t adds to that at a is of the third power
+    beside = sp.integrate(kernel - kernel.subs(t, a), (t, 0, a))
+    edge = sp.expand(kernel.subs({t: a, s: t}, simultaneous=True))
+    scale, squares = sp.factor(edge.coeff(m_2)).as_independent(t)
+    short = sp.Integral(squares * (DEPTH(a) - DEPTH(t)), (t, 0, a))
+    force = FORCE(a) * (1 + sp.expand(beside))
+    return {"F": force, "d": DEPTH(a) - edge.coeff(m_0) * m_0 * F / (2 * E_star) - scale * m_2 * short}
 
 
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:

@@ -246,13 +246,14 @@ LISTED = {
         r"c_{\mathrm T}(x)=H_x|x|^k", "d=v t", r"d=vt", r"m=k^2", r"w_{\mathrm{1D}}=d-g",
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
         "g'=t^{n-1}",
-        r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}", r"\sqrt{R\,d}",
+        r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}",
+        r"\sqrt{R\,d}", r"\chi=\sqrt{R\,d}/h_0",
         r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
         r"0\le r\le a", r"|x|\le a", "r=a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c",
-        "p(r;c)=0", "t<b", "g(t)=0",
+        "p(r;c)=0", "t<b", "g(t)=0", "q(a)=0",
     ),
     "a place or a case that a sketch or a note points to": (
         r"F_x=\mu F_{\mathrm N}", "r=b", "x=b", "R_1=R_2", "k=-0.5", "k=0.5", "d+h", "|e|=a/2",
@@ -272,7 +273,7 @@ LISTED = {
         r"\tan \theta \ll 1", r"n A a^{n-1} \ll 1", "r^{2}",
         r"P \sim a^{n}", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim d^{1+1/n}",
     ),
-    "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "h/b", "1-r^2/a^2", "1-r^{2}/a^{2}"),
+    "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "a/h_0", "h/b", "1-r^2/a^2", "1-r^{2}/a^{2}"),
     "an axis, a legend or a case of a study": (
         r"\frac12", r"1-5\cdot10^{-13}", r"\le 5", r"\le 10^{3}", r"\le 10^{6}", r"\le 10^{9}", r"\le 10^{12}",
         r"\tfrac12", "1-10^{-3}", "1-10^{-6}", "1-10^{-12}", r"b\to 0", r"R\to \infty",

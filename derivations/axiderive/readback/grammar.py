@@ -83,7 +83,7 @@ class Tokens:
 _CLOSING = {"(": ")", "[": "]", r"\{": r"\}"}
 CALLABLE = (
     "f", "g", "P", "F_N", "p", "w", "w_1D", "F_adh", "d_adh", "p_adh", "w_adh", "F_coh", "d_coh", "p_coh", "w_coh",
-    "tau", "F", "E", "I", "J", "Phi_m", "N_0",
+    "tau", "F", "E", "I", "J", "Phi_m", "N_0", "q",
 )  # fmt: skip
 """Names that are functions when a bracket follows; every other symbol before a bracket is a factor."""
 _STOPS = {"+", "-", "/", "=", ",", ";", ")", "]", "}", r"\}", r"\rvert", "<", *SEPARATORS}
