@@ -76,8 +76,8 @@ def _states(writer: Writer, opened: str) -> None:
     writer.rule("_pull_off_radius", [], [*needs, "control"], [searched])
     apart = f"alone({opened}, c, E_star, dgamma, sigma_0)"
     writer.rule("_parted", [], needs, [*first, f"return parted({opened}, first, E_star, sigma_0)"])
-    alone = f"alone({opened}, _parted({given}), E_star, dgamma, sigma_0)"
-    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: {alone})"
+    writer.rule("_parted_depth", [], needs, [f"c = _parted({given})", f"return {apart}"])
+    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: _parted_depth({given}))"
     force = f"np.where(a > 0.0, _force(a, {given}), {PULL.replace('c * c', f'_parted({given}) ** 2')})"
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
     for member, value in (("depth", "depth"), ("force", PULL)):
@@ -90,9 +90,12 @@ def _states(writer: Writer, opened: str) -> None:
         states = f'lambda a: _state(a, {given}, "{load}")'
         found = f"radius_under({states}, {field}, _radii({given}))"
         if load == PARTED:
-            least = f'_pull_off_radius({given}, "{load}")'
-            held = f"({least} == 0.0) & ({field} >= _pull_off_{load}(np.zeros_like({field}), {given}))"
-            writer.rule("_held_apart", [field], needs, [f"return np.where({held}, 0.0, np.nan)"])
+            held = [
+                f'apart = _pull_off_radius({given}, "{load}") == 0.0',
+                f"deeper = {field} >= _pull_off_{load}(np.zeros_like({field}), {given})",
+                "return np.where(apart & deeper, 0.0, np.nan)",
+            ]
+            writer.rule("_held_apart", [field], needs, held)
             lines = [f"a = {found}", f"return np.where(np.isnan(a), _held_apart({field}, {given}), a)"]
         else:
             lines = [f"return {found}"]
