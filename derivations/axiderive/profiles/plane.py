@@ -11,14 +11,12 @@ from ..notation import R, a, b, e, h, n, r, x
 from . import load as body
 from .profile import Limit, Piece, Profile, Rule, Sketch, named
 
-SCHUBERT = ("Schubert 1942",)
-
 
 def _strip(like: str, /, **own: Any) -> Profile:
     """The section of a body of revolution, with what is its own in the plane."""
     known = body(like)
     pieces = tuple(Piece(piece.upper, piece.expr.subs(r, x)) for piece in known.pieces)
-    return replace(known, **{"pieces": pieces, "sources": SCHUBERT, **own})
+    return replace(known, **{"pieces": pieces, "sources": ("Schubert 1942",), **own})
 
 
 PROFILES = (
