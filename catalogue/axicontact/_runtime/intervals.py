@@ -52,7 +52,7 @@ INSIDE = {
     "sigma_0": (0.0, inf),
     "p_0": (0.0, inf),
     "sigma": (-1.0, inf),
-    "thickness": (0.0, inf),
     "G": (0.0, inf),
     "twist": (0.0, inf),
+    "thickness": (0.0, inf),
 }

@@ -93,9 +93,9 @@ SYMBOLS = {
         instead="a steeper edge carries an infinite force, use s > -1",
         letter="s",
     ),
-    "thickness": Domain("thickness > 0", "thickness of the layer, in m"),
     "G": Domain("G > 0", "shear modulus of the half-space, in Pa"),
     "twist": Domain("twist >= 0", "angle by which the punch turns, in rad", closed="low", letter="beta"),
+    "thickness": Domain("thickness > 0", "thickness of the layer, in m"),
 }
 UNITS = {
     "r": "m",
@@ -151,8 +151,8 @@ UNITS = {
     "sigma_0": "Pa",
     "p_0": "Pa",
     "x": "m",
-    "thickness": "m",
     "G": "Pa",
     "beta": "rad",
+    "thickness": "m",
 }
 """Units of the arguments, by their letters in the interface."""

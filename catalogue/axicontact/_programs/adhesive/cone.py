@@ -477,7 +477,7 @@ def pull_off_depth(a, theta, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -490,7 +490,7 @@ def pull_off_force(a, theta, E_star, dgamma, control):
             value = bodies._pull_off_force(a, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -503,7 +503,7 @@ def pull_off_radius(theta, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -516,7 +516,7 @@ def radius_from_depth(d, theta, E_star, dgamma):
             value = bodies._radius_from_depth(d, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -529,7 +529,7 @@ def radius_from_force(F, theta, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -854,7 +854,7 @@ def pull_off_radius(h, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(h, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(h, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(h, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -867,7 +867,7 @@ def radius_from_depth(d, h, b, E_star, dgamma):
             value = bodies._radius_from_depth(d, h, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, h, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, h, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -880,7 +880,7 @@ def radius_from_force(F, h, b, E_star, dgamma):
             value = bodies._radius_from_force(F, h, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, h, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, h, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -324,7 +324,7 @@ def pull_off_radius(theta, b, E_star, dgamma, control):
             value = bodies._pull_off_radius(theta, b, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(theta, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -337,7 +337,7 @@ def radius_from_depth(d, theta, b, E_star, dgamma):
             value = bodies._radius_from_depth(d, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, theta, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -350,7 +350,7 @@ def radius_from_force(F, theta, b, E_star, dgamma):
             value = bodies._radius_from_force(F, theta, b, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, theta, b, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, theta, b, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

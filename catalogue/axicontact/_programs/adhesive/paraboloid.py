@@ -598,7 +598,7 @@ def pull_off_depth(a, R, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, R, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -611,7 +611,7 @@ def pull_off_force(a, R, E_star, dgamma, control):
             value = bodies._pull_off_force(a, R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, R, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -624,7 +624,7 @@ def pull_off_radius(R, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(R, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -637,7 +637,7 @@ def radius_from_depth(d, R, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -650,7 +650,7 @@ def radius_from_force(F, R, E_star, dgamma):
             value = bodies._radius_from_force(F, R, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -469,7 +469,7 @@ def pull_off_depth(a, A, n, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, n, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -482,7 +482,7 @@ def pull_off_force(a, A, n, E_star, dgamma, control):
             value = bodies._pull_off_force(a, A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, n, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -495,7 +495,7 @@ def pull_off_radius(A, n, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, n, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(A, n, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -508,7 +508,7 @@ def radius_from_depth(d, A, n, E_star, dgamma):
             value = bodies._radius_from_depth(d, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, A, n, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -521,7 +521,7 @@ def radius_from_force(F, A, n, E_star, dgamma):
             value = bodies._radius_from_force(F, A, n, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, A, n, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, A, n, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -636,7 +636,7 @@ def pull_off_depth(a, A, E_star, dgamma, control):
             value = bodies._pull_off_depth(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -649,7 +649,7 @@ def pull_off_force(a, A, E_star, dgamma, control):
             value = bodies._pull_off_force(a, A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -662,7 +662,7 @@ def pull_off_radius(A, E_star, dgamma, control):
             value = bodies._pull_off_radius(A, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(A, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -675,7 +675,7 @@ def radius_from_depth(d, A, E_star, dgamma):
             value = bodies._radius_from_depth(d, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, A, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -688,7 +688,7 @@ def radius_from_force(F, A, E_star, dgamma):
             value = bodies._radius_from_force(F, A, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, A, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, A, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -402,7 +402,7 @@ def pull_off_radius(R, theta, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, theta, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -415,7 +415,7 @@ def radius_from_depth(d, R, theta, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -428,7 +428,7 @@ def radius_from_force(F, R, theta, E_star, dgamma):
             value = bodies._radius_from_force(F, R, theta, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R, theta, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R, theta, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

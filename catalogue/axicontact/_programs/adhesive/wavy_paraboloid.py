@@ -1343,7 +1343,7 @@ def pull_off_radius(R, h, wavelength, E_star, dgamma, control):
             value = bodies._pull_off_radius(R, h, wavelength, E_star, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R, h, wavelength, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1356,7 +1356,7 @@ def radius_from_depth(d, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_depth(d, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R, h, wavelength, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -1369,7 +1369,7 @@ def radius_from_force(F, R, h, wavelength, E_star, dgamma):
             value = bodies._radius_from_force(F, R, h, wavelength, E_star, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R, h, wavelength, E_star, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R, h, wavelength, E_star, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -16,7 +16,7 @@ def depth(a, A):
             value = bodies._depth(a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a):
+            if (value != value or value == 0.0) and ordinary(a):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -29,7 +29,7 @@ def depth_from_force(F, E_star, A):
             value = bodies._depth_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, E_star):
+            if (value != value or value == 0.0) and ordinary(F, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -42,7 +42,7 @@ def displacement(r, a, A):
             value = bodies._displacement(r, a, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -55,7 +55,7 @@ def energy(a, E_star, A):
             value = bodies._energy(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, E_star):
+            if (value != value or value == 0.0) and ordinary(a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -68,7 +68,7 @@ def force(a, E_star, A):
             value = bodies._force(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, E_star):
+            if (value != value or value == 0.0) and ordinary(a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -81,7 +81,7 @@ def force_from_depth(d, E_star, A):
             value = bodies._force_from_depth(d, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, E_star):
+            if (value != value or value == 0.0) and ordinary(d, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -94,7 +94,7 @@ def load_within(r, a, E_star, A):
             value = bodies._load_within(r, a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, E_star):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -107,7 +107,7 @@ def mean_pressure(a, E_star, A):
             value = bodies._mean_pressure(a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, E_star):
+            if (value != value or value == 0.0) and ordinary(a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -120,7 +120,7 @@ def pressure(r, a, E_star, A):
             value = bodies._pressure(r, a, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, E_star):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -133,7 +133,7 @@ def profile(r, A):
             value = bodies._profile(r, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(r):
+            if (value != value or value == 0.0) and ordinary(r):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -146,7 +146,7 @@ def radius_from_depth(d, A):
             value = bodies._radius_from_depth(d, A)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d):
+            if (value != value or value == 0.0) and ordinary(d):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -159,7 +159,7 @@ def radius_from_force(F, E_star, A):
             value = bodies._radius_from_force(F, A, E_star)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, E_star):
+            if (value != value or value == 0.0) and ordinary(F, E_star):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -12,7 +12,7 @@ def full_slip_displacement(a, E_star, G_star, mu, A):
             value = bodies._full_slip_displacement(a, A, E_star, G_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, E_star, G_star, mu):
+            if (value != value or value == 0.0) and ordinary(a, E_star, G_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -25,7 +25,7 @@ def stick_radius(F_x, a, E_star, mu, A):
             value = bodies._stick_radius(F_x, a, A, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F_x, a, E_star, mu):
+            if (value != value or value == 0.0) and ordinary(F_x, a, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -38,7 +38,7 @@ def tangential_displacement(a, c, E_star, G_star, mu, A):
             value = bodies._tangential_displacement(a, c, A, E_star, G_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, c, E_star, G_star, mu):
+            if (value != value or value == 0.0) and ordinary(a, c, E_star, G_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -51,7 +51,7 @@ def tangential_force(a, c, E_star, mu, A):
             value = bodies._tangential_force(a, c, A, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, c, E_star, mu):
+            if (value != value or value == 0.0) and ordinary(a, c, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,7 +64,7 @@ def traction(r, a, c, E_star, mu, A):
             value = bodies._traction(r, a, c, A, E_star, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, E_star, mu):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, c, E_star, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass

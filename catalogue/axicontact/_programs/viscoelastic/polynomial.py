@@ -12,7 +12,7 @@ def step_force_kelvin_voigt(t, d, E, eta, A):
             value = bodies._step_force_kelvin_voigt(t, d, A, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, d, E, eta):
+            if (value != value or value == 0.0) and ordinary(t, d, E, eta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -25,7 +25,7 @@ def step_force_maxwell(t, d, E, tau, A):
             value = bodies._step_force_maxwell(t, d, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, d, E, tau):
+            if (value != value or value == 0.0) and ordinary(t, d, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -38,7 +38,7 @@ def step_force_power_creep(t, d, E, alpha, t_0, A):
             value = bodies._step_force_power_creep(t, d, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, d, E, alpha, t_0):
+            if (value != value or value == 0.0) and ordinary(t, d, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -51,7 +51,7 @@ def step_force_standard_solid(t, d, E_inf, E_1, tau, A):
             value = bodies._step_force_standard_solid(t, d, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, d, E_inf, E_1, tau):
+            if (value != value or value == 0.0) and ordinary(t, d, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,7 +64,7 @@ def step_load_radius_kelvin_voigt(t, F, E, eta, A):
             value = bodies._step_load_radius_kelvin_voigt(t, F, A, E, eta)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, F, E, eta):
+            if (value != value or value == 0.0) and ordinary(t, F, E, eta):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,7 +77,7 @@ def step_load_radius_maxwell(t, F, E, tau, A):
             value = bodies._step_load_radius_maxwell(t, F, A, E, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, F, E, tau):
+            if (value != value or value == 0.0) and ordinary(t, F, E, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -90,7 +90,7 @@ def step_load_radius_power_creep(t, F, E, alpha, t_0, A):
             value = bodies._step_load_radius_power_creep(t, F, A, E, alpha, t_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, F, E, alpha, t_0):
+            if (value != value or value == 0.0) and ordinary(t, F, E, alpha, t_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -103,7 +103,7 @@ def step_load_radius_standard_solid(t, F, E_inf, E_1, tau, A):
             value = bodies._step_load_radius_standard_solid(t, F, A, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(t, F, E_inf, E_1, tau):
+            if (value != value or value == 0.0) and ordinary(t, F, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

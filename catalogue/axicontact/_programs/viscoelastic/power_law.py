@@ -119,7 +119,7 @@ def contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau):
             value = bodies._contact_time_standard_solid(v, v_2, t_m, E_inf, E_1, tau)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(v, v_2, t_m, E_inf, E_1, tau):
+            if (value != value or value == 0.0) and ordinary(v, v_2, t_m, E_inf, E_1, tau):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -297,121 +299,53 @@ const pressure = (r, a, R1, R2, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R1, R2, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth_of_capped_paraboloid = (a, R1, R2, b) => {
-  let beyond, root, tip;
-  tip = (Math.pow(a, 2) / R1);
-  root = Math.sqrt(((a - b) * (a + b)));
-  beyond = ((a * (a + (((R1 - R2) / R2) * root))) / R1);
-  return math.where((a < b), tip, beyond);
-};
-
-const _profile = (r, R1, R2, b) => {
-  return math.where((r < b), (Math.pow(r, 2) / (2 * R1)), ((Math.pow(b, 2) / (2 * R1)) + (((r - b) * (r + b)) / (2 * R2))));
-};
-
-const _displacement_of_capped_paraboloid = (r, a, R1, R2, b) => {
-  let beyond, inner, inside, outside;
-  inner = math.minimum(a, b);
-  beyond = displacement_integral_beyond(_slope_beyond, [R1, R2, b], r, a, b);
-  outside = ((((2 * Math.pow(inner, 2)) / (Math.PI * R1)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
-  inside = (_depth_of_capped_paraboloid(a, R1, R2, b) - _profile(r, R1, R2, b));
-  return math.where((r > a), outside, inside);
-};
+const RULE_0_of_capped_paraboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, R1, R2, b) => {
   let node, v11, v12, v13, v15, v167, v18, v23, v25, v30, v33, v35, v44, v45, v47, v49, v5, v50, v53, v54, v6, v63, v65, v66, v69, v70, v79, v80, v82, v9, v93, v95, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R1 > 1e-30) && (R1 < 1e+30) && (R2 > 1e-30) && (R2 < 1e+30) && (b > 1e-30) && (b < 1e+30))) {
-    v6 = (r - b);
-    v9 = (r + b);
-    v13 = (a - b);
-    v15 = (a + b);
-    v63 = (R1 - R2);
-    v69 = (b * b);
-    if ((r > a)) {
-      v5 = (((a < b) || (a !== a)) ? a : b);
-      if ((a > b)) {
-        v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v9));
-        v12 = (b / r);
-        v18 = (r - a);
-        v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a))));
-        v25 = Math.asinh((v23 / v12));
-        v30 = (0.0 - Math.expm1(((-2.0) * v25)));
-        v33 = ((v30 > 0.0) ? v30 : Infinity);
-        v50 = (b * b);
-        v54 = (v12 * v12);
-        v65 = (R1 * R2);
-        v66 = ((2.0 * v63) / v65);
-        v70 = (v69 * v63);
-        v80 = [];
-        for ([node, weight] of RULE_0((v25 / 1.0))) {
-          v35 = (node * v25);
-          v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
-          v45 = (v44 * v44);
-          v47 = Math.sqrt((1.0 + v45));
-          v49 = ((v11 * v44) / v47);
-          v53 = Math.sqrt((v50 + (v49 * v49)));
-          v79 = ((((((((2.0 * v53) / R1) + (v66 * v49)) + (v70 / (v65 * v49))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
-          v80.push((weight * v79));
-        }
-        v80 = (math.fsum(v80) * v25);
-        v82 = (v11 * v80);
-      } else {
-        v82 = 0.0;
+  v6 = (r - b);
+  v9 = (r + b);
+  v13 = (a - b);
+  v15 = (a + b);
+  v63 = (R1 - R2);
+  v69 = (b * b);
+  if ((r > a)) {
+    v5 = (((a < b) || (a !== a)) ? a : b);
+    if ((a > b)) {
+      v11 = math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * v9));
+      v12 = (b / r);
+      v18 = (r - a);
+      v23 = (math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a))));
+      v25 = Math.asinh((v23 / v12));
+      v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+      v33 = ((v30 > 0.0) ? v30 : Infinity);
+      v50 = (b * b);
+      v54 = (v12 * v12);
+      v65 = (R1 * R2);
+      v66 = ((2.0 * v63) / v65);
+      v70 = (v69 * v63);
+      v80 = [];
+      for ([node, weight] of RULE_0_of_capped_paraboloid((v25 / 1.0))) {
+        v35 = (node * v25);
+        v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
+        v45 = (v44 * v44);
+        v47 = math.sqrt((1.0 + v45));
+        v49 = ((v11 * v44) / v47);
+        v53 = math.sqrt((v50 + (v49 * v49)));
+        v79 = ((((((((2.0 * v53) / R1) + (v66 * v49)) + (v70 / (v65 * v49))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
+        v80.push((weight * v79));
       }
-      v93 = (v5 / (r + Math.sqrt(((r - v5) * (r + v5)))));
-      v95 = (v93 * v93);
-      return ((((2.0 * (v5 * v5)) / (3.141592653589793 * R1)) * ((v5 / r) * (0.6666666666666666 + (v95 * ((((((((((((((((((-0.7327347664453868) * v95) + (-32.15553480435792)) * v95) + (-332.23363563146734)) * v95) + (-1070.7082873491413)) * v95) + (-85.27694715374247)) * v95) + 5044.821368830373) * v95) + 8082.413158212496) * v95) + 3759.725330928701) * v95) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v95) + 32.12935731379798) * v95) + 746.8124983579742) * v95) + 6202.125133759036) * v95) + 23553.080984642995) * v95) + 44404.005348491315) * v95) + 40380.01430284195) * v95) + 14099.684276696918) * v95) + 1.0)))))) + (0.6366197723675814 * v82));
+      v80 = (math.fsum(v80) * v25);
+      v82 = (v11 * v80);
+    } else {
+      v82 = 0.0;
     }
-    v167 = (2.0 * R1);
-    return (((a < b) ? ((a * a) / R1) : ((a * (a + ((v63 / R2) * Math.sqrt((v13 * v15))))) / R1)) - ((r < b) ? ((r * r) / v167) : ((v69 / v167) + ((v6 * v9) / (2.0 * R2)))));
+    v93 = (v5 / (r + math.sqrt(((r - v5) * (r + v5)))));
+    v95 = (v93 * v93);
+    return ((((2.0 * (v5 * v5)) / (3.141592653589793 * R1)) * ((v5 / r) * (0.6666666666666666 + (v95 * ((((((((((((((((((-0.7327347664453868) * v95) + (-32.15553480435792)) * v95) + (-332.23363563146734)) * v95) + (-1070.7082873491413)) * v95) + (-85.27694715374247)) * v95) + 5044.821368830373) * v95) + 8082.413158212496) * v95) + 3759.725330928701) * v95) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v95) + 32.12935731379798) * v95) + 746.8124983579742) * v95) + 6202.125133759036) * v95) + 23553.080984642995) * v95) + 44404.005348491315) * v95) + 40380.01430284195) * v95) + 14099.684276696918) * v95) + 1.0)))))) + (0.6366197723675814 * v82));
   }
-  return _displacement_of_capped_paraboloid(r, a, R1, R2, b);
+  v167 = (2.0 * R1);
+  return (((a < b) ? ((a * a) / R1) : ((a * (a + ((v63 / R2) * math.sqrt((v13 * v15))))) / R1)) - ((r < b) ? ((r * r) / v167) : ((v69 / v167) + ((v6 * v9) / (2.0 * R2)))));
 };
 
 const displacement = (r, a, R1, R2, b) => {
@@ -465,6 +399,14 @@ const mean_pressure = (a, R1, R2, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _mean_pressure(a, R1, R2, b, E_star) : NaN);
+};
+
+const _depth_of_capped_paraboloid = (a, R1, R2, b) => {
+  let beyond, root, tip;
+  tip = (Math.pow(a, 2) / R1);
+  root = Math.sqrt(((a - b) * (a + b)));
+  beyond = ((a * (a + (((R1 - R2) / R2) * root))) / R1);
+  return math.where((a < b), tip, beyond);
 };
 
 const falling_of_rules = (stop, even = 0.0) => {
@@ -1022,7 +964,7 @@ const force_of_capped_paraboloid = (a, R1, R2, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, R1, R2, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_capped_paraboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -1072,7 +1014,7 @@ const _pressure_2 = (r, a, R1, R2, b, E_star, dgamma) => {
           v77 = ((2.0 * v74) / v76);
           v81 = ((b * b) * v74);
           v87 = [];
-          for ([node, weight] of RULE_0_of_capped_paraboloid((v45 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v45 / 1.0))) {
             v57 = (node * v45);
             v67 = (v32 * ((Math.exp((-v57)) * (v46 - (v47 * Math.expm1(((-2.0) * (v45 - v57)))))) / v54));
             v71 = Math.sqrt((v68 + (v67 * v67)));
@@ -1114,6 +1056,65 @@ const pressure_of_capped_paraboloid = (r, a, R1, R2, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, R1, R2, b) => {
+  return math.where((r < b), (Math.pow(r, 2) / (2 * R1)), ((Math.pow(b, 2) / (2 * R1)) + (((r - b) * (r + b)) / (2 * R2))));
+};
+
+const _displacement_3 = (r, a, R1, R2, b) => {
+  let beyond, inner, inside, outside;
+  inner = math.minimum(a, b);
+  beyond = displacement_integral_beyond(_slope_beyond, [R1, R2, b], r, a, b);
+  outside = ((((2 * Math.pow(inner, 2)) / (Math.PI * R1)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
+  inside = (_depth_of_capped_paraboloid(a, R1, R2, b) - _profile(r, R1, R2, b));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -1125,11 +1126,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R1, R2, b, E_star, dgamma) => {
-  return (_displacement_of_capped_paraboloid(r, a, R1, R2, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, R1, R2, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
+const _displacement_of_capped_paraboloid = (r, a, R1, R2, b, E_star, dgamma) => {
   let node, v11, v13, v14, v15, v169, v17, v178, v179, v20, v24, v25, v27, v32, v35, v37, v46, v47, v49, v51, v52, v55, v56, v65, v67, v68, v7, v71, v72, v8, v81, v82, v84, v95, v97, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R1 > 1e-30) && (R1 < 1e+30) && (R2 > 1e-30) && (R2 < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v8 = (r - b);
@@ -1156,7 +1157,7 @@ const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
         v68 = ((2.0 * v65) / v67);
         v72 = (v71 * v65);
         v82 = [];
-        for ([node, weight] of RULE_0_of_capped_paraboloid((v27 / 1.0))) {
+        for ([node, weight] of RULE_0_2((v27 / 1.0))) {
           v37 = (node * v27);
           v46 = (v25 * ((Math.exp((-v37)) * (0.0 - Math.expm1(((-2.0) * (v27 - v37))))) / v35));
           v47 = (v46 * v46);
@@ -1180,17 +1181,17 @@ const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
     }
     return (v179 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v178 ? (0.6366197723675814 * Math.atan2(a, v24)) : 1.0)));
   }
-  return _displacement_3(r, a, R1, R2, b, E_star, dgamma);
+  return _displacement_2(r, a, R1, R2, b, E_star, dgamma);
 };
 
 const displacement_of_capped_paraboloid = (r, a, R1, R2, b, E_star, dgamma) => {
   if ((!((0.0 < R1 && R1 < Infinity) && (0.0 < R2 && R2 < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity) && (R2 <= R1)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_capped_paraboloid(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1274,7 +1275,7 @@ const _tangential_force = (a, c, R1, R2, b, E_star, mu) => {
           v77 = 0.0;
         }
         v89 = [];
-        for ([node, weight] of RULE_0_2((v77 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v77 / 1.0))) {
           v79 = (node * v77);
           v84 = ((c * Math.cosh(v79)) + (v59 * Math.sinh(v79)));
           v88 = (((2.0 * v84) / R1) * (v84 * v84));
@@ -1310,7 +1311,7 @@ const _tangential_force = (a, c, R1, R2, b, E_star, mu) => {
         v140 = ((2.0 * v23) / v139);
         v143 = (v26 * v23);
         v151 = [];
-        for ([node, weight] of RULE_0_2((v125 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v125 / 1.0))) {
           v126 = (node * v125);
           v131 = ((v96 * Math.cosh(v126)) + (v101 * Math.sinh(v126)));
           v135 = Math.sqrt((v132 + (v131 * v131)));
@@ -1390,7 +1391,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v53 = (v47 - (v48 * Math.expm1(((-2.0) * v46))));
           v55 = ((v53 > 0.0) ? v53 : Infinity);
           v88 = [];
-          for ([node, weight] of RULE_0_2((v46 / 1.0))) {
+          for ([node, weight] of RULE_0_3((v46 / 1.0))) {
             v58 = (node * v46);
             v68 = (v33 * ((Math.exp((-v58)) * (v47 - (v48 * Math.expm1(((-2.0) * (v46 - v58)))))) / v55));
             v72 = Math.sqrt((v69 + (v68 * v68)));
@@ -1427,7 +1428,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v124 = (v47 - (v48 * Math.expm1(((-2.0) * v120))));
           v126 = ((v124 > 0.0) ? v124 : Infinity);
           v151 = [];
-          for ([node, weight] of RULE_0_2((v120 / 1.0))) {
+          for ([node, weight] of RULE_0_3((v120 / 1.0))) {
             v128 = (node * v120);
             v138 = (v112 * ((Math.exp((-v128)) * (v47 - (v48 * Math.expm1(((-2.0) * (v120 - v128)))))) / v126));
             v141 = Math.sqrt((v69 + (v138 * v138)));
@@ -1459,7 +1460,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v185 = 0.0;
         }
         v196 = [];
-        for ([node, weight] of RULE_0_2((v185 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v185 / 1.0))) {
           v186 = (node * v185);
           v191 = ((c * Math.cosh(v186)) + (v169 * Math.sinh(v186)));
           v195 = (((2.0 * v191) / R1) * Math.pow(v191, 0.0));
@@ -1491,7 +1492,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v229 = 0.0;
         }
         v250 = [];
-        for ([node, weight] of RULE_0_2((v229 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v229 / 1.0))) {
           v230 = (node * v229);
           v235 = ((v203 * Math.cosh(v230)) + (v208 * Math.sinh(v230)));
           v238 = Math.sqrt((v69 + (v235 * v235)));
@@ -1562,7 +1563,7 @@ const _tangential_displacement = (a, c, R1, R2, b, E_star, G_star, mu) => {
           v62 = 0.0;
         }
         v74 = [];
-        for ([node, weight] of RULE_0_2((v62 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v62 / 1.0))) {
           v64 = (node * v62);
           v69 = ((c * Math.cosh(v64)) + (v44 * Math.sinh(v64)));
           v73 = (((2.0 * v69) / R1) * Math.pow(v69, 1.0));
@@ -1598,7 +1599,7 @@ const _tangential_displacement = (a, c, R1, R2, b, E_star, G_star, mu) => {
         v125 = ((2.0 * v15) / v124);
         v129 = ((b * b) * v15);
         v137 = [];
-        for ([node, weight] of RULE_0_2((v110 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v110 / 1.0))) {
           v111 = (node * v110);
           v116 = ((v81 * Math.cosh(v111)) + (v86 * Math.sinh(v111)));
           v120 = Math.sqrt((v117 + (v116 * v116)));

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -206,42 +208,14 @@ const pressure = (r, a, theta, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, E_star) : 0.0) : NaN);
 };
 
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const beside_cone = (r, a) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((2.0 * Math.atan(tangent)) - tangent);
-};
-
-const _depth_of_cone = (a, theta) => {
-  return (((Math.PI * Math.tan(theta)) * a) / 2);
-};
-
-const _profile = (r, theta) => {
-  return (Math.tan(theta) * r);
-};
-
-const _displacement_of_cone = (r, a, theta) => {
-  let inside, outside;
-  outside = ((Math.tan(theta) * a) * beside_cone(r, a));
-  inside = (_depth_of_cone(a, theta) - _profile(r, theta));
-  return math.where((r > a), outside, inside);
-};
-
 const _displacement = (r, a, theta) => {
   let v10, v3;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966))) {
-    v3 = Math.tan(theta);
-    if ((r > a)) {
-      v10 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-      return ((v3 * a) * ((2.0 * Math.atan(v10)) - v10));
-    }
-    return ((((3.141592653589793 * v3) * a) / 2.0) - (v3 * r));
+  v3 = Math.tan(theta);
+  if ((r > a)) {
+    v10 = (a / (r + math.sqrt(((r - a) * (r + a)))));
+    return ((v3 * a) * ((2.0 * Math.atan(v10)) - v10));
   }
-  return _displacement_of_cone(r, a, theta);
+  return ((((3.141592653589793 * v3) * a) / 2.0) - (v3 * r));
 };
 
 const displacement = (r, a, theta) => {
@@ -404,22 +378,26 @@ const retraction = (a, E_star, dgamma) => {
   return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
 };
 
-const _depth_3 = (a, theta, E_star, dgamma) => {
-  return (_depth_of_cone(a, theta) - hess_retraction(a, E_star, dgamma));
+const _depth_3 = (a, theta) => {
+  return (((Math.PI * Math.tan(theta)) * a) / 2);
 };
 
 const _depth_2 = (a, theta, E_star, dgamma) => {
+  return (_depth_3(a, theta) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_of_cone = (a, theta, E_star, dgamma) => {
   if (((a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     return ((((3.141592653589793 * Math.tan(theta)) * a) / 2.0) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
   }
-  return _depth_3(a, theta, E_star, dgamma);
+  return _depth_2(a, theta, E_star, dgamma);
 };
 
 const depth_of_cone = (a, theta, E_star, dgamma) => {
   if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return ((a >= 0.0) ? _depth_2(a, theta, E_star, dgamma) : NaN);
+  return ((a >= 0.0) ? _depth_of_cone(a, theta, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -484,6 +462,27 @@ const pressure_of_cone = (r, a, theta, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, E_star, dgamma) : 0.0) : NaN);
 };
 
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const beside_cone = (r, a) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((2.0 * Math.atan(tangent)) - tangent);
+};
+
+const _profile = (r, theta) => {
+  return (Math.tan(theta) * r);
+};
+
+const _displacement_3 = (r, a, theta) => {
+  let inside, outside;
+  outside = ((Math.tan(theta) * a) * beside_cone(r, a));
+  inside = (_depth_3(a, theta) - _profile(r, theta));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -495,11 +494,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, theta, E_star, dgamma) => {
-  return (_displacement_of_cone(r, a, theta) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, theta, E_star, dgamma) => {
+  return (_displacement_3(r, a, theta) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, theta, E_star, dgamma) => {
+const _displacement_of_cone = (r, a, theta, E_star, dgamma) => {
   let v12, v24, v25, v5, v7, v8;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v5 = Math.tan(theta);
@@ -514,14 +513,14 @@ const _displacement_2 = (r, a, theta, E_star, dgamma) => {
     }
     return (v25 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v24 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v7 > 0.0) || (v7 !== v7)) ? v7 : 0.0) * v8)))) : 1.0)));
   }
-  return _displacement_3(r, a, theta, E_star, dgamma);
+  return _displacement_2(r, a, theta, E_star, dgamma);
 };
 
 const displacement_of_cone = (r, a, theta, E_star, dgamma) => {
   if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_cone(r, a, theta, E_star, dgamma) : 0.0) : NaN);
 };
 
 const _pull_off_radius = (theta, E_star, dgamma, control) => {
@@ -794,7 +793,7 @@ const traction = (r, a, c, theta, E_star, mu) => {
 };
 
 const _tangential_displacement_of_cone = (a, c, theta, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth_of_cone(a, theta)) * gained_share(c, a, 1.0));
+  return (((mu * (E_star / G_star)) * _depth_3(a, theta)) * gained_share(c, a, 1.0));
 };
 
 const _tangential_displacement = (a, c, theta, E_star, G_star, mu) => {
@@ -857,7 +856,7 @@ const stick_radius = (F_x, a, theta, E_star, mu) => {
 };
 
 const _full_slip_displacement_of_cone = (a, theta, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * _depth_of_cone(a, theta));
+  return ((mu * (E_star / G_star)) * _depth_3(a, theta));
 };
 
 const _full_slip_displacement = (a, theta, E_star, G_star, mu) => {

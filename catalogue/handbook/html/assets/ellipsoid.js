@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -324,99 +326,47 @@ const pressure = (r, a, h, b, E_star) => {
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const _slope = (t, root, h, b) => {
-  let angle;
-  angle = Math.asinh((t / root));
-  return (((h / b) * angle) + ((h * t) / Math.pow(root, 2)));
-};
-
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
-};
-
-const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
-  let end, fallen, integrand, scale, stop;
-  scale = math.minimum(r, R);
-  end = (a / difference_root(scale, a));
-  stop = Math.asinh(end);
-  fallen = falling_of_rules(stop);
-  integrand = (v) => {
-    let beyond, part, root, secant, side, t;
-    side = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (side * side)));
-    [t, part] = [(scale * (side / secant)), (scale / secant)];
-    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
-    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
-    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
-  };
-  return [integrand, stop, 1.0, (a < scale), Infinity];
-});
-
-const _profile = (r, h, b) => {
-  let root_0;
-  root_0 = Math.sqrt(((1 - (r / b)) * ((r / b) + 1)));
-  return ((h * Math.pow(r, 2)) / (Math.pow(b, 2) * (root_0 + 1)));
-};
-
-const _displacement_of_ellipsoid = (r, a, h, b) => {
-  let inside, outside, tip;
-  tip = displacement_integral_tanh(_slope, [h, b], r, a, b);
-  outside = ((2 / Math.PI) * tip);
-  inside = (_depth_of_ellipsoid(a, h, b) - _profile(r, h, b));
-  return math.where((a <= b), math.where((r > a), outside, inside), NaN);
-};
-
 const _displacement = (r, a, h, b) => {
   let node, v11, v12, v17, v20, v22, v31, v34, v36, v37, v38, v4, v42, v44, v45, v48, v5, v52, v53, v55, v58, v67, v68, v69, v79, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (b > 1e-30) && (b < 1e+30))) {
-    if ((a <= b)) {
-      v58 = (h / b);
-      if ((r > a)) {
-        v4 = (((r < b) || (r !== r)) ? r : b);
-        if ((a < v4)) {
-          v5 = (v4 - a);
-          v11 = (a / Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (v4 + a))));
-          v12 = Math.asinh(v11);
-          v17 = (0.0 - Math.expm1(((-2.0) * v12)));
-          v20 = ((v17 > 0.0) ? v17 : Infinity);
-          v38 = (r - b);
-          v42 = Math.sqrt(((((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0) * (r + b)));
-          v44 = (v42 * v42);
-          v48 = (b - r);
-          v52 = Math.sqrt(((((v48 > 0.0) || (v48 !== v48)) ? v48 : 0.0) * (b + r)));
-          v53 = (v52 * v52);
-          v68 = [];
-          for ([node, weight] of RULE_0((v12 / 1.0))) {
-            v22 = (node * v12);
-            v31 = (v11 * ((Math.exp((-v22)) * (0.0 - Math.expm1(((-2.0) * (v12 - v22))))) / v20));
-            v34 = Math.sqrt((1.0 + (v31 * v31)));
-            v36 = (v4 * (v31 / v34));
-            v37 = (v4 / v34);
-            v45 = (v37 * v37);
-            v55 = Math.sqrt((v53 + v45));
-            v67 = ((((v58 * Math.asinh((v36 / v55))) + ((h * v36) / (v55 * v55))) * Math.atan2(v36, Math.sqrt((v44 + v45)))) * (v37 / v34));
-            v68.push((weight * v67));
-          }
-          v68 = (math.fsum(v68) * v12);
-          v69 = v68;
-        } else {
-          v69 = Infinity;
+  if ((a <= b)) {
+    v58 = (h / b);
+    if ((r > a)) {
+      v4 = (((r < b) || (r !== r)) ? r : b);
+      if ((a < v4)) {
+        v5 = (v4 - a);
+        v11 = (a / math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (v4 + a))));
+        v12 = Math.asinh(v11);
+        v17 = (0.0 - Math.expm1(((-2.0) * v12)));
+        v20 = ((v17 > 0.0) ? v17 : Infinity);
+        v38 = (r - b);
+        v42 = math.sqrt(((((v38 > 0.0) || (v38 !== v38)) ? v38 : 0.0) * (r + b)));
+        v44 = (v42 * v42);
+        v48 = (b - r);
+        v52 = math.sqrt(((((v48 > 0.0) || (v48 !== v48)) ? v48 : 0.0) * (b + r)));
+        v53 = (v52 * v52);
+        v68 = [];
+        for ([node, weight] of RULE_0((v12 / 1.0))) {
+          v22 = (node * v12);
+          v31 = (v11 * ((Math.exp((-v22)) * (0.0 - Math.expm1(((-2.0) * (v12 - v22))))) / v20));
+          v34 = math.sqrt((1.0 + (v31 * v31)));
+          v36 = (v4 * (v31 / v34));
+          v37 = (v4 / v34);
+          v45 = (v37 * v37);
+          v55 = math.sqrt((v53 + v45));
+          v67 = ((((v58 * Math.asinh((v36 / v55))) + ((h * v36) / (v55 * v55))) * Math.atan2(v36, math.sqrt((v44 + v45)))) * (v37 / v34));
+          v68.push((weight * v67));
         }
-        return (0.6366197723675814 * v69);
+        v68 = (math.fsum(v68) * v12);
+        v69 = v68;
+      } else {
+        v69 = Infinity;
       }
-      v79 = (r / b);
-      return (((v58 * a) * (Math.log1p(((2.0 * a) / (b - a))) / 2.0)) - ((h * (r * r)) / ((b * b) * (Math.sqrt(((1.0 - v79) * (v79 + 1.0))) + 1.0))));
+      return (0.6366197723675814 * v69);
     }
-    return NaN;
+    v79 = (r / b);
+    return (((v58 * a) * (math.log1p(((2.0 * a) / (b - a))) / 2.0)) - ((h * (r * r)) / ((b * b) * (math.sqrt(((1.0 - v79) * (v79 + 1.0))) + 1.0))));
   }
-  return _displacement_of_ellipsoid(r, a, h, b);
+  return NaN;
 };
 
 const displacement = (r, a, h, b) => {
@@ -501,6 +451,8 @@ const mean_pressure = (a, h, b, E_star) => {
   return ((a >= 0.0) ? _mean_pressure(a, h, b, E_star) : NaN);
 };
 
+const RULE_0_of_ellipsoid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
 const _depth_at = (a, root, h, b) => {
   let angle;
   angle = Math.asinh((a / root));
@@ -542,7 +494,7 @@ const _energy = (a, h, b, E_star) => {
         v24 = (0.0 - Math.expm1(((-2.0) * v19)));
         v27 = ((v24 > 0.0) ? v24 : Infinity);
         v53 = [];
-        for ([node, weight] of RULE_0((v19 / 1.0))) {
+        for ([node, weight] of RULE_0_of_ellipsoid((v19 / 1.0))) {
           v29 = (node * v19);
           v38 = (v18 * ((Math.exp((-v29)) * (0.0 - Math.expm1(((-2.0) * (v19 - v29))))) / v27));
           v41 = Math.sqrt((1.0 + (v38 * v38)));
@@ -568,6 +520,12 @@ const energy = (a, h, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _energy(a, h, b, E_star) : NaN);
+};
+
+const _slope = (t, root, h, b) => {
+  let angle;
+  angle = Math.asinh((t / root));
+  return (((h / b) * angle) + ((h * t) / Math.pow(root, 2)));
 };
 
 const load_within_integral_tanh = math.in_groups((slope, r, a, R) => {
@@ -613,7 +571,7 @@ const _load_within = (r, a, h, b, E_star) => {
         v34 = (v5 * v5);
         v60 = (h / b);
         v78 = [];
-        for ([node, weight] of RULE_0((v25 / 1.0))) {
+        for ([node, weight] of RULE_0_of_ellipsoid((v25 / 1.0))) {
           v39 = (node * v25);
           v48 = (v23 * ((Math.exp((-v39)) * (0.0 - Math.expm1(((-2.0) * (v25 - v39))))) / v33));
           v49 = (v48 * v48);
@@ -1002,7 +960,50 @@ const pressure_of_ellipsoid = (r, a, h, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, h, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_of_ellipsoid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
+  let end, fallen, integrand, scale, stop;
+  scale = math.minimum(r, R);
+  end = (a / difference_root(scale, a));
+  stop = Math.asinh(end);
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let beyond, part, root, secant, side, t;
+    side = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    [t, part] = [(scale * (side / secant)), (scale / secant)];
+    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
+    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
+    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
+  };
+  return [integrand, stop, 1.0, (a < scale), Infinity];
+});
+
+const _profile = (r, h, b) => {
+  let root_0;
+  root_0 = Math.sqrt(((1 - (r / b)) * ((r / b) + 1)));
+  return ((h * Math.pow(r, 2)) / (Math.pow(b, 2) * (root_0 + 1)));
+};
+
+const _displacement_3 = (r, a, h, b) => {
+  let inside, outside, tip;
+  tip = displacement_integral_tanh(_slope, [h, b], r, a, b);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_ellipsoid(a, h, b) - _profile(r, h, b));
+  return math.where((a <= b), math.where((r > a), outside, inside), NaN);
+};
 
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
@@ -1015,11 +1016,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, h, b, E_star, dgamma) => {
-  return (_displacement_of_ellipsoid(r, a, h, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, h, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, h, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, h, b, E_star, dgamma) => {
+const _displacement_of_ellipsoid = (r, a, h, b, E_star, dgamma) => {
   let node, v105, v13, v14, v19, v22, v24, v33, v36, v38, v39, v40, v44, v46, v47, v50, v54, v55, v57, v6, v60, v69, v7, v70, v71, v81, v94, v95, v97, v98, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v94 = (r > a);
@@ -1040,7 +1041,7 @@ const _displacement_2 = (r, a, h, b, E_star, dgamma) => {
           v54 = Math.sqrt(((((v50 > 0.0) || (v50 !== v50)) ? v50 : 0.0) * (b + r)));
           v55 = (v54 * v54);
           v70 = [];
-          for ([node, weight] of RULE_0_of_ellipsoid((v14 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v14 / 1.0))) {
             v24 = (node * v14);
             v33 = (v13 * ((Math.exp((-v24)) * (0.0 - Math.expm1(((-2.0) * (v14 - v24))))) / v22));
             v36 = Math.sqrt((1.0 + (v33 * v33)));
@@ -1073,17 +1074,17 @@ const _displacement_2 = (r, a, h, b, E_star, dgamma) => {
     }
     return (v97 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v105));
   }
-  return _displacement_3(r, a, h, b, E_star, dgamma);
+  return _displacement_2(r, a, h, b, E_star, dgamma);
 };
 
 const displacement_of_ellipsoid = (r, a, h, b, E_star, dgamma) => {
   if ((!((0.0 < h && h < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, h, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_ellipsoid(r, a, h, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1163,7 +1164,7 @@ const _tangential_force = (a, c, h, b, E_star, mu) => {
         v161 = (v111 * Math.sqrt(((((v62 > 0.0) || (v62 !== v62)) ? v62 : 0.0) * (b + c))));
         v168 = (h / b);
         v180 = [];
-        for ([node, weight] of RULE_0_2((v149 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v149 / 1.0))) {
           v150 = (node * v149);
           v151 = Math.cosh(v150);
           v152 = Math.sinh(v150);
@@ -1254,7 +1255,7 @@ const _tangential_displacement = (a, c, h, b, E_star, G_star, mu) => {
         }
         v82 = (v31 * Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (b + c))));
         v100 = [];
-        for ([node, weight] of RULE_0_2((v69 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v69 / 1.0))) {
           v71 = (node * v69);
           v72 = Math.cosh(v71);
           v73 = Math.sinh(v71);

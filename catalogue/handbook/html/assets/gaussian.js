@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -292,68 +294,39 @@ const pressure = (r, a, h, s, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, h, s, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral = (slope, parameters, r, a, count) => {
-  let integrand;
-  integrand = (angle) => {
-    return ((slope((r * Math.sin(angle)), ...parameters) * angle) * Math.cos(angle));
-  };
-  return (r * math.integral(integrand, Math.atan2(a, difference_root(r, a)), count));
-};
-
-const _depth_of_gaussian = (a, h, s) => {
-  let z;
-  z = (a / s);
-  return math.where((a <= (1.5019752682686114 * s)), (((2 * h) * dawson(z)) * z), NaN);
-};
-
-const _profile = (r, h, s) => {
-  return ((-h) * Math.expm1(((-Math.pow(r, 2)) / Math.pow(s, 2))));
-};
-
-const _displacement_of_gaussian = (r, a, h, s) => {
-  let inside, outside, tip;
-  tip = displacement_integral(_slope, [h, s], r, a, 32);
-  outside = ((2 / Math.PI) * tip);
-  inside = (_depth_of_gaussian(a, h, s) - _profile(r, h, s));
-  return math.where((a <= (1.5019752682686114 * s)), math.where((r > a), outside, inside), NaN);
-};
-
 const _displacement = (r, a, h, s) => {
   let node, v10, v117, v12, v133, v15, v17, v18, v19, v4, v57, v74, v83, v84, v88, v91, v92, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (s > 1e-30) && (s < 1e+30))) {
-    v91 = (a <= (1.5019752682686114 * s));
-    if (v91) {
-      v17 = (2.0 * h);
-      if ((r > a)) {
-        v4 = (r - a);
-        v10 = Math.atan2(a, Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + a))));
-        v18 = (v17 / s);
-        v84 = [];
-        for ([node, weight] of RULE_0_of_gaussian((v10 / 1.0))) {
-          v12 = (node * v10);
-          v15 = ((r * Math.sin(v12)) / s);
-          v19 = (v15 * v15);
-          v57 = (((((((((((((((((((((((((1.567077144036674e-13 * v19) + (-3.840375691006307e-12)) * v19) + 3.8015754128174666e-11) * v19) + (-1.8423006918213799e-10)) * v19) + 4.472469827763728e-10) * v19) + (-1.1927516362741588e-09)) * v19) + 6.225892246861416e-09) * v19) + 3.4413148480148793e-09) * v19) + (-9.933344851449817e-08)) * v19) + (-5.127541706569233e-07)) * v19) + 1.8119768160503268e-06) * v19) + 2.151585040783394e-05) * v19) + 4.61098799999374e-06) * v19);
-          v74 = (v15 / (((((((((((v57 + (-0.000684089638073553)) * v19) + (-0.002257495580553435)) * v19) + 0.016931216930225715) * v19) + 0.17777777777782838) * v19) + 0.6666666666666656) * v19) + 1.0));
-          v83 = (((v18 * (v74 + ((1.0 - ((2.0 * v74) * v15)) * v15))) * v12) * Math.cos(v12));
-          v84.push((weight * v83));
-        }
-        v84 = (math.fsum(v84) * v10);
-        return (0.6366197723675814 * (r * v84));
+  v91 = (a <= (1.5019752682686114 * s));
+  if (v91) {
+    v17 = (2.0 * h);
+    if ((r > a)) {
+      v4 = (r - a);
+      v10 = Math.atan2(a, math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + a))));
+      v18 = (v17 / s);
+      v84 = [];
+      for ([node, weight] of RULE_0((v10 / 1.0))) {
+        v12 = (node * v10);
+        v15 = ((r * Math.sin(v12)) / s);
+        v19 = (v15 * v15);
+        v57 = (((((((((((((((((((((((((1.567077144036674e-13 * v19) + (-3.840375691006307e-12)) * v19) + 3.8015754128174666e-11) * v19) + (-1.8423006918213799e-10)) * v19) + 4.472469827763728e-10) * v19) + (-1.1927516362741588e-09)) * v19) + 6.225892246861416e-09) * v19) + 3.4413148480148793e-09) * v19) + (-9.933344851449817e-08)) * v19) + (-5.127541706569233e-07)) * v19) + 1.8119768160503268e-06) * v19) + 2.151585040783394e-05) * v19) + 4.61098799999374e-06) * v19);
+        v74 = (v15 / (((((((((((v57 + (-0.000684089638073553)) * v19) + (-0.002257495580553435)) * v19) + 0.016931216930225715) * v19) + 0.17777777777782838) * v19) + 0.6666666666666656) * v19) + 1.0));
+        v83 = (((v18 * (v74 + ((1.0 - ((2.0 * v74) * v15)) * v15))) * v12) * Math.cos(v12));
+        v84.push((weight * v83));
       }
-      if (v91) {
-        v88 = (a / s);
-        v92 = (v88 * v88);
-        v117 = (((((((((((((((((((((((((1.567077144036674e-13 * v92) + (-3.840375691006307e-12)) * v92) + 3.8015754128174666e-11) * v92) + (-1.8423006918213799e-10)) * v92) + 4.472469827763728e-10) * v92) + (-1.1927516362741588e-09)) * v92) + 6.225892246861416e-09) * v92) + 3.4413148480148793e-09) * v92) + (-9.933344851449817e-08)) * v92) + (-5.127541706569233e-07)) * v92) + 1.8119768160503268e-06) * v92) + 2.151585040783394e-05) * v92) + 4.61098799999374e-06) * v92);
-        v133 = ((v17 * (v88 / (((((((((((v117 + (-0.000684089638073553)) * v92) + (-0.002257495580553435)) * v92) + 0.016931216930225715) * v92) + 0.17777777777782838) * v92) + 0.6666666666666656) * v92) + 1.0))) * v88);
-      } else {
-        v133 = NaN;
-      }
-      return (v133 - ((-h) * Math.expm1(((-(r * r)) / (s * s)))));
+      v84 = (math.fsum(v84) * v10);
+      return (0.6366197723675814 * (r * v84));
     }
-    return NaN;
+    if (v91) {
+      v88 = (a / s);
+      v92 = (v88 * v88);
+      v117 = (((((((((((((((((((((((((1.567077144036674e-13 * v92) + (-3.840375691006307e-12)) * v92) + 3.8015754128174666e-11) * v92) + (-1.8423006918213799e-10)) * v92) + 4.472469827763728e-10) * v92) + (-1.1927516362741588e-09)) * v92) + 6.225892246861416e-09) * v92) + 3.4413148480148793e-09) * v92) + (-9.933344851449817e-08)) * v92) + (-5.127541706569233e-07)) * v92) + 1.8119768160503268e-06) * v92) + 2.151585040783394e-05) * v92) + 4.61098799999374e-06) * v92);
+      v133 = ((v17 * (v88 / (((((((((((v117 + (-0.000684089638073553)) * v92) + (-0.002257495580553435)) * v92) + 0.016931216930225715) * v92) + 0.17777777777782838) * v92) + 0.6666666666666656) * v92) + 1.0))) * v88);
+    } else {
+      v133 = NaN;
+    }
+    return (v133 - ((-h) * Math.expm1(((-(r * r)) / (s * s)))));
   }
-  return _displacement_of_gaussian(r, a, h, s);
+  return NaN;
 };
 
 const displacement = (r, a, h, s) => {
@@ -434,6 +407,12 @@ const mean_pressure = (a, h, s, E_star) => {
 };
 
 const RULE_1 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const _depth_of_gaussian = (a, h, s) => {
+  let z;
+  z = (a / s);
+  return math.where((a <= (1.5019752682686114 * s)), (((2 * h) * dawson(z)) * z), NaN);
+};
 
 const falling = (stop, even = 0.0) => {
   let below, fallen, side;
@@ -962,6 +941,26 @@ const pressure_of_gaussian = (r, a, h, s, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, h, s, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral = (slope, parameters, r, a, count) => {
+  let integrand;
+  integrand = (angle) => {
+    return ((slope((r * Math.sin(angle)), ...parameters) * angle) * Math.cos(angle));
+  };
+  return (r * math.integral(integrand, Math.atan2(a, difference_root(r, a)), count));
+};
+
+const _profile = (r, h, s) => {
+  return ((-h) * Math.expm1(((-Math.pow(r, 2)) / Math.pow(s, 2))));
+};
+
+const _displacement_3 = (r, a, h, s) => {
+  let inside, outside, tip;
+  tip = displacement_integral(_slope, [h, s], r, a, 32);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_gaussian(a, h, s) - _profile(r, h, s));
+  return math.where((a <= (1.5019752682686114 * s)), math.where((r > a), outside, inside), NaN);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -973,11 +972,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, h, s, E_star, dgamma) => {
-  return (_displacement_of_gaussian(r, a, h, s) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, h, s, E_star, dgamma) => {
+  return (_displacement_3(r, a, h, s) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, h, s, E_star, dgamma) => {
+const _displacement_of_gaussian = (r, a, h, s, E_star, dgamma) => {
   let node, v119, v12, v135, v14, v144, v145, v146, v17, v19, v20, v21, v59, v6, v76, v85, v86, v90, v93, v94, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (h > 1e-30) && (h < 1e+30) && (s > 1e-30) && (s < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v6 = (r - a);
@@ -1017,14 +1016,14 @@ const _displacement_2 = (r, a, h, s, E_star, dgamma) => {
     }
     return (v146 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v144 ? (0.6366197723675814 * v12) : 1.0)));
   }
-  return _displacement_3(r, a, h, s, E_star, dgamma);
+  return _displacement_2(r, a, h, s, E_star, dgamma);
 };
 
 const displacement_of_gaussian = (r, a, h, s, E_star, dgamma) => {
   if ((!((0.0 < h && h < Infinity) && (0.0 < s && s < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, h, s, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_gaussian(r, a, h, s, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_1_of_gaussian = math.rule([[Infinity, 32]]);

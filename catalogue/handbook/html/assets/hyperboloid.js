@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -273,72 +275,36 @@ const pressure = (r, a, theta, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_sinh = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, scale, stop;
-  [scale, end] = [(b / Math.sqrt(((r * r) + (b * b)))), (a / difference_root(r, a))];
-  stop = Math.asinh((end / scale));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let secant, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    weight = (Math.sqrt(((scale * scale) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((slope(((r * tangent) / secant)) * Math.atan(tangent)) * weight);
-  };
-  return [integrand, stop, r, true, 0.0];
-});
-
-const _depth_of_hyperboloid = (a, theta, b) => {
-  let angle;
-  angle = Math.atan((a / b));
-  return ((Math.tan(theta) * a) * angle);
-};
-
-const _profile = (r, theta, b) => {
-  let root;
-  root = Math.sqrt((Math.pow(r, 2) + Math.pow(b, 2)));
-  return ((Math.tan(theta) * Math.pow(r, 2)) / (root + b));
-};
-
-const _displacement_of_hyperboloid = (r, a, theta, b) => {
-  let inside, outside, tip;
-  tip = displacement_integral_sinh(_slope, [theta, b], r, a, b);
-  outside = ((2 / Math.PI) * tip);
-  inside = (_depth_of_hyperboloid(a, theta, b) - _profile(r, theta, b));
-  return math.where((r > a), outside, inside);
-};
+const RULE_0_of_hyperboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, theta, b) => {
   let node, v15, v17, v22, v25, v26, v35, v36, v38, v39, v46, v49, v51, v55, v61, v62, v71, v8, v9, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
-    v49 = Math.tan(theta);
-    v55 = (b * b);
-    if ((r > a)) {
-      v8 = (b / Math.sqrt(((r * r) + (b * b))));
-      v9 = (r - a);
-      v15 = (a / Math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (r + a))));
-      v17 = Math.asinh((v15 / v8));
-      v22 = (0.0 - Math.expm1(((-2.0) * v17)));
-      v25 = ((v22 > 0.0) ? v22 : Infinity);
-      v39 = (v8 * v8);
-      v51 = (b * v49);
-      v62 = [];
-      for ([node, weight] of RULE_0((v17 / 1.0))) {
-        v26 = (node * v17);
-        v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
-        v36 = (v35 * v35);
-        v38 = Math.sqrt((1.0 + v36));
-        v46 = ((r * v35) / v38);
-        v61 = ((((v49 * Math.atan((v46 / b))) + ((v51 * v46) / ((v46 * v46) + v55))) * Math.atan(v35)) * (Math.sqrt((v39 + v36)) / ((v38 * v38) * v38)));
-        v62.push((weight * v61));
-      }
-      v62 = (math.fsum(v62) * v17);
-      return (0.6366197723675814 * (r * v62));
+  v49 = Math.tan(theta);
+  v55 = (b * b);
+  if ((r > a)) {
+    v8 = (b / math.sqrt(((r * r) + (b * b))));
+    v9 = (r - a);
+    v15 = (a / math.sqrt(((((v9 > 0.0) || (v9 !== v9)) ? v9 : 0.0) * (r + a))));
+    v17 = Math.asinh((v15 / v8));
+    v22 = (0.0 - Math.expm1(((-2.0) * v17)));
+    v25 = ((v22 > 0.0) ? v22 : Infinity);
+    v39 = (v8 * v8);
+    v51 = (b * v49);
+    v62 = [];
+    for ([node, weight] of RULE_0_of_hyperboloid((v17 / 1.0))) {
+      v26 = (node * v17);
+      v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
+      v36 = (v35 * v35);
+      v38 = math.sqrt((1.0 + v36));
+      v46 = ((r * v35) / v38);
+      v61 = ((((v49 * Math.atan((v46 / b))) + ((v51 * v46) / ((v46 * v46) + v55))) * Math.atan(v35)) * (math.sqrt((v39 + v36)) / ((v38 * v38) * v38)));
+      v62.push((weight * v61));
     }
-    v71 = (r * r);
-    return (((v49 * a) * Math.atan((a / b))) - ((v49 * v71) / (Math.sqrt((v71 + v55)) + b)));
+    v62 = (math.fsum(v62) * v17);
+    return (0.6366197723675814 * (r * v62));
   }
-  return _displacement_of_hyperboloid(r, a, theta, b);
+  v71 = (r * r);
+  return (((v49 * a) * Math.atan((a / b))) - ((v49 * v71) / (math.sqrt((v71 + v55)) + b)));
 };
 
 const displacement = (r, a, theta, b) => {
@@ -420,6 +386,12 @@ const mean_pressure = (a, theta, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _mean_pressure(a, theta, b, E_star) : NaN);
+};
+
+const _depth_of_hyperboloid = (a, theta, b) => {
+  let angle;
+  angle = Math.atan((a / b));
+  return ((Math.tan(theta) * a) * angle);
 };
 
 const falling_of_rules = (stop, even = 0.0) => {
@@ -765,7 +737,7 @@ const force_of_hyperboloid = (a, theta, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_hyperboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -800,7 +772,7 @@ const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
       v47 = (b * b);
       v52 = (v9 * v9);
       v56 = [];
-      for ([node, weight] of RULE_0_of_hyperboloid((v17 / 1.0))) {
+      for ([node, weight] of RULE_0_2((v17 / 1.0))) {
         v26 = (node * v17);
         v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v17 - v26))))) / v25));
         v36 = (v35 * v35);
@@ -831,6 +803,35 @@ const pressure_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_sinh = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, scale, stop;
+  [scale, end] = [(b / Math.sqrt(((r * r) + (b * b)))), (a / difference_root(r, a))];
+  stop = Math.asinh((end / scale));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let secant, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    weight = (Math.sqrt(((scale * scale) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((slope(((r * tangent) / secant)) * Math.atan(tangent)) * weight);
+  };
+  return [integrand, stop, r, true, 0.0];
+});
+
+const _profile = (r, theta, b) => {
+  let root;
+  root = Math.sqrt((Math.pow(r, 2) + Math.pow(b, 2)));
+  return ((Math.tan(theta) * Math.pow(r, 2)) / (root + b));
+};
+
+const _displacement_3 = (r, a, theta, b) => {
+  let inside, outside, tip;
+  tip = displacement_integral_sinh(_slope, [theta, b], r, a, b);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_hyperboloid(a, theta, b) - _profile(r, theta, b));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -842,11 +843,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
-  return (_displacement_of_hyperboloid(r, a, theta, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, theta, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+const _displacement_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
   let node, v10, v11, v16, v17, v19, v24, v27, v28, v37, v38, v40, v41, v48, v51, v53, v57, v63, v64, v73, v80, v81, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v11 = (r - a);
@@ -863,7 +864,7 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
       v41 = (v10 * v10);
       v53 = (b * v51);
       v64 = [];
-      for ([node, weight] of RULE_0_of_hyperboloid((v19 / 1.0))) {
+      for ([node, weight] of RULE_0_2((v19 / 1.0))) {
         v28 = (node * v19);
         v37 = (v17 * ((Math.exp((-v28)) * (0.0 - Math.expm1(((-2.0) * (v19 - v28))))) / v27));
         v38 = (v37 * v37);
@@ -880,17 +881,17 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
     }
     return (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, v16)) : 1.0)));
   }
-  return _displacement_3(r, a, theta, b, E_star, dgamma);
+  return _displacement_2(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_hyperboloid = (r, a, theta, b, E_star, dgamma) => {
   if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_hyperboloid(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -961,7 +962,7 @@ const _tangential_force = (a, c, theta, b, E_star, mu) => {
         }
         v141 = (b * v7);
         v148 = [];
-        for ([node, weight] of RULE_0_2((v131 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v131 / 1.0))) {
           v132 = (node * v131);
           v137 = ((c * Math.cosh(v132)) + (v113 * Math.sinh(v132)));
           v143 = (v137 * v137);
@@ -1018,7 +1019,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
       v23 = (0.0 - Math.expm1(((-2.0) * v18)));
       v26 = ((v23 > 0.0) ? v23 : Infinity);
       v57 = [];
-      for ([node, weight] of RULE_0_2((v18 / 1.0))) {
+      for ([node, weight] of RULE_0_3((v18 / 1.0))) {
         v27 = (node * v18);
         v36 = (v16 * ((Math.exp((-v27)) * (0.0 - Math.expm1(((-2.0) * (v18 - v27))))) / v26));
         v37 = (v36 * v36);
@@ -1039,7 +1040,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
       v73 = (0.0 - Math.expm1(((-2.0) * v70)));
       v75 = ((v73 > 0.0) ? v73 : Infinity);
       v101 = [];
-      for ([node, weight] of RULE_0_2((v70 / 1.0))) {
+      for ([node, weight] of RULE_0_3((v70 / 1.0))) {
         v76 = (node * v70);
         v85 = (v68 * ((Math.exp((-v76)) * (0.0 - Math.expm1(((-2.0) * (v70 - v76))))) / v75));
         v86 = (v85 * v85);
@@ -1064,7 +1065,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
           v121 = 0.0;
         }
         v138 = [];
-        for ([node, weight] of RULE_0_2((v121 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v121 / 1.0))) {
           v122 = (node * v121);
           v127 = ((c * Math.cosh(v122)) + (v68 * Math.sinh(v122)));
           v137 = (((v42 * Math.atan((v127 / b))) + ((v44 * v127) / ((v127 * v127) + v48))) * Math.pow(v127, 0.0));
@@ -1130,7 +1131,7 @@ const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
         v53 = (b * v9);
         v57 = (b * b);
         v63 = [];
-        for ([node, weight] of RULE_0_2((v42 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v42 / 1.0))) {
           v44 = (node * v42);
           v49 = ((c * Math.cosh(v44)) + (v24 * Math.sinh(v44)));
           v62 = (((v9 * Math.atan((v49 / b))) + ((v53 * v49) / ((v49 * v49) + v57))) * Math.pow(v49, 1.0));

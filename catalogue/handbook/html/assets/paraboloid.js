@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -204,61 +206,15 @@ const pressure = (r, a, R, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, E_star) : 0.0) : NaN);
 };
 
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth_of_paraboloid = (a, R) => {
-  return (Math.pow(a, 2) / R);
-};
-
-const _profile = (r, R) => {
-  return (Math.pow(r, 2) / (2 * R));
-};
-
-const _displacement_of_paraboloid = (r, a, R) => {
-  let inside, outside;
-  outside = (((2 * Math.pow(a, 2)) / (Math.PI * R)) * beside(r, a, OUTSIDE_2));
-  inside = (_depth_of_paraboloid(a, R) - _profile(r, R));
-  return math.where((r > a), outside, inside);
-};
-
 const _displacement = (r, a, R) => {
   let v14, v16, v4;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
-    v4 = (a * a);
-    if ((r > a)) {
-      v14 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-      v16 = (v14 * v14);
-      return (((2.0 * v4) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v16 * ((((((((((((((((((-0.7327347664453868) * v16) + (-32.15553480435792)) * v16) + (-332.23363563146734)) * v16) + (-1070.7082873491413)) * v16) + (-85.27694715374247)) * v16) + 5044.821368830373) * v16) + 8082.413158212496) * v16) + 3759.725330928701) * v16) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v16) + 32.12935731379798) * v16) + 746.8124983579742) * v16) + 6202.125133759036) * v16) + 23553.080984642995) * v16) + 44404.005348491315) * v16) + 40380.01430284195) * v16) + 14099.684276696918) * v16) + 1.0))))));
-    }
-    return ((v4 / R) - ((r * r) / (2.0 * R)));
+  v4 = (a * a);
+  if ((r > a)) {
+    v14 = (a / (r + math.sqrt(((r - a) * (r + a)))));
+    v16 = (v14 * v14);
+    return (((2.0 * v4) / (3.141592653589793 * R)) * ((a / r) * (0.6666666666666666 + (v16 * ((((((((((((((((((-0.7327347664453868) * v16) + (-32.15553480435792)) * v16) + (-332.23363563146734)) * v16) + (-1070.7082873491413)) * v16) + (-85.27694715374247)) * v16) + 5044.821368830373) * v16) + 8082.413158212496) * v16) + 3759.725330928701) * v16) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v16) + 32.12935731379798) * v16) + 746.8124983579742) * v16) + 6202.125133759036) * v16) + 23553.080984642995) * v16) + 44404.005348491315) * v16) + 40380.01430284195) * v16) + 14099.684276696918) * v16) + 1.0))))));
   }
-  return _displacement_of_paraboloid(r, a, R);
+  return ((v4 / R) - ((r * r) / (2.0 * R)));
 };
 
 const displacement = (r, a, R) => {
@@ -418,22 +374,26 @@ const retraction = (a, E_star, dgamma) => {
   return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
 };
 
-const _depth_3 = (a, R, E_star, dgamma) => {
-  return (_depth_of_paraboloid(a, R) - hess_retraction(a, E_star, dgamma));
+const _depth_3 = (a, R) => {
+  return (Math.pow(a, 2) / R);
 };
 
 const _depth_2 = (a, R, E_star, dgamma) => {
+  return (_depth_3(a, R) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_of_paraboloid = (a, R, E_star, dgamma) => {
   if (((a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     return (((a * a) / R) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
   }
-  return _depth_3(a, R, E_star, dgamma);
+  return _depth_2(a, R, E_star, dgamma);
 };
 
 const depth_of_paraboloid = (a, R, E_star, dgamma) => {
   if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return ((a >= 0.0) ? _depth_2(a, R, E_star, dgamma) : NaN);
+  return ((a >= 0.0) ? _depth_of_paraboloid(a, R, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -498,6 +458,45 @@ const pressure_of_paraboloid = (r, a, R, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, R) => {
+  return (Math.pow(r, 2) / (2 * R));
+};
+
+const _displacement_3 = (r, a, R) => {
+  let inside, outside;
+  outside = (((2 * Math.pow(a, 2)) / (Math.PI * R)) * beside(r, a, OUTSIDE_2));
+  inside = (_depth_3(a, R) - _profile(r, R));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -509,11 +508,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R, E_star, dgamma) => {
-  return (_displacement_of_paraboloid(r, a, R) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R, E_star, dgamma) => {
+  return (_displacement_3(r, a, R) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R, E_star, dgamma) => {
+const _displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
   let v11, v12, v16, v18, v6, v80, v81;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v6 = (a * a);
@@ -529,14 +528,14 @@ const _displacement_2 = (r, a, R, E_star, dgamma) => {
     }
     return (v81 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v80 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v12)))) : 1.0)));
   }
-  return _displacement_3(r, a, R, E_star, dgamma);
+  return _displacement_2(r, a, R, E_star, dgamma);
 };
 
 const displacement_of_paraboloid = (r, a, R, E_star, dgamma) => {
   if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_paraboloid(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
 const _pull_off_radius = (R, E_star, dgamma, control) => {
@@ -807,7 +806,7 @@ const traction = (r, a, c, R, E_star, mu) => {
 };
 
 const _tangential_displacement_of_paraboloid = (a, c, R, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth_of_paraboloid(a, R)) * gained_share(c, a, 2.0));
+  return (((mu * (E_star / G_star)) * _depth_3(a, R)) * gained_share(c, a, 2.0));
 };
 
 const _tangential_displacement = (a, c, R, E_star, G_star, mu) => {
@@ -871,7 +870,7 @@ const stick_radius = (F_x, a, R, E_star, mu) => {
 };
 
 const _full_slip_displacement_of_paraboloid = (a, R, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * _depth_of_paraboloid(a, R));
+  return ((mu * (E_star / G_star)) * _depth_3(a, R));
 };
 
 const _full_slip_displacement = (a, R, E_star, G_star, mu) => {

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -299,63 +301,41 @@ const pressure = (r, a, A, n, E_star) => {
 
 const RULE_0_of_power_law = math.rule([[Infinity, 64]]);
 
-const gamma_ratio = (x) => {
-  let v2, v21, v7;
-  v2 = (x + 1.75);
-  v7 = ((x + 0.5) * (x + 1.5));
-  v21 = (1.0 / (v2 * v2));
-  return ((((x < 1.0) ? ((x * (x + 1.0)) / v7) : (1.0 - ((x + 0.75) / v7))) * math.sqrt(v2)) * (1.0 + (v21 * (((((((((((((0.01524698625788054 * v21) + 0.5334320651111477) * v21) + 2.250488865813539) * v21) + 2.8612106440066865) * v21) + 1.3794681629043655) * v21) + 0.2596058532893223) * v21) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v21) + 49.328555418276075) * v21) + 167.28648538571198) * v21) + 195.37226190335065) * v21) + 90.69722535867314) * v21) + 16.763212110504565) * v21) + 1.0)))));
-};
-
-const _log_ratio = (x, y) => {
-  let v3;
-  v3 = ((x - y) / y);
-  if (Number.isFinite(v3)) {
-    return math.log1p(v3);
-  }
-  return (math.log(x) - math.log(y));
-};
-
-const _DECAY = 42.0;
-
-const _span = (r, a, n) => {
-  let fall, start;
-  start = Math.sqrt(_log_ratio(r, a));
-  fall = (_DECAY / (n + 1.0));
-  return [start, (fall / (Math.sqrt(((start * start) + fall)) + start))];
-};
-
-const NODES = 64;
-
-const power_displacement = (r, a, n) => {
-  let integrand, reach, start;
-  [start, reach] = _span(r, a, n);
-  integrand = (step) => {
-    let fall, ratio, s;
-    s = (start + step);
-    fall = (step * ((2.0 * start) + step));
-    ratio = ((a / r) * Math.exp((-fall)));
-    return (((Math.atan2(ratio, Math.sqrt((-Math.expm1((((-2.0) * s) * s))))) * Math.exp(((-n) * fall))) * 2.0) * s);
-  };
-  return ((a > 0.0) ? (n * math.integral(integrand, reach, NODES)) : 0.0);
-};
-
-const _depth_of_power_law = (a, A, n) => {
-  let kappa;
-  kappa = gamma_ratio(((n / 2) + (1 / 2)));
-  return (((Math.sqrt(Math.PI) * A) * Math.pow(a, n)) * kappa);
-};
-
-const _profile = (r, A, n) => {
-  return (A * Math.pow(r, n));
-};
+const RULE_1_of_power_law = math.rule([[Infinity, 64]]);
 
 const _displacement_of_power_law = (r, a, A, n) => {
-  let inside, kappa, outside;
-  kappa = gamma_ratio(((n / 2) + (1 / 2)));
-  outside = (((((2 * A) / Math.sqrt(Math.PI)) * Math.pow(a, n)) * power_displacement(r, a, n)) * kappa);
-  inside = (_depth_of_power_law(a, A, n) - _profile(r, A, n));
-  return math.where((r > a), outside, inside);
+  let node, v109, v114, v115, v117, v13, v27, v68, v7, v72, v75, v82, v85, v9, v90, v93, v94, v95, v97, v98, weight;
+  v7 = ((n / 2.0) + 0.5);
+  v9 = (v7 + 1.75);
+  v13 = ((v7 + 0.5) * (v7 + 1.5));
+  v27 = (1.0 / (v9 * v9));
+  v68 = ((((v7 < 1.0) ? ((v7 * (v7 + 1.0)) / v13) : (1.0 - ((v7 + 0.75) / v13))) * math.sqrt(v9)) * (1.0 + (v27 * (((((((((((((0.01524698625788054 * v27) + 0.5334320651111477) * v27) + 2.250488865813539) * v27) + 2.8612106440066865) * v27) + 1.3794681629043655) * v27) + 0.2596058532893223) * v27) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v27) + 49.328555418276075) * v27) + 167.28648538571198) * v27) + 195.37226190335065) * v27) + 90.69722535867314) * v27) + 16.763212110504565) * v27) + 1.0)))));
+  v72 = Math.pow(a, n);
+  if ((r > a)) {
+    if ((a > 0.0)) {
+      v75 = ((r - a) / a);
+      v82 = math.sqrt((Number.isFinite(v75) ? math.log1p(v75) : (math.log(r) - math.log(a))));
+      v85 = (42.0 / (n + 1.0));
+      v90 = (v85 / (math.sqrt(((v82 * v82) + v85)) + v82));
+      v95 = (2.0 * v82);
+      v98 = (a / r);
+      v109 = (-n);
+      v115 = [];
+      for ([node, weight] of RULE_1_of_power_law((v90 / 1.0))) {
+        v93 = (node * v90);
+        v94 = (v82 + v93);
+        v97 = (v93 * (v95 + v93));
+        v114 = (((Math.atan2((v98 * Math.exp((-v97))), math.sqrt((-Math.expm1((((-2.0) * v94) * v94))))) * Math.exp((v109 * v97))) * 2.0) * v94);
+        v115.push((weight * v114));
+      }
+      v115 = (math.fsum(v115) * v90);
+      v117 = (n * v115);
+    } else {
+      v117 = 0.0;
+    }
+    return (((((2.0 * A) / 1.7724538509055159) * v72) * v117) * v68);
+  }
+  return ((((1.7724538509055159 * A) * v72) * v68) - (A * Math.pow(r, n)));
 };
 
 const _displacement = (r, a, A, n) => {
@@ -421,6 +401,14 @@ const stiffness = (a, A, n, E_star) => {
   return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
 };
 
+const gamma_ratio = (x) => {
+  let v2, v21, v7;
+  v2 = (x + 1.75);
+  v7 = ((x + 0.5) * (x + 1.5));
+  v21 = (1.0 / (v2 * v2));
+  return ((((x < 1.0) ? ((x * (x + 1.0)) / v7) : (1.0 - ((x + 0.75) / v7))) * math.sqrt(v2)) * (1.0 + (v21 * (((((((((((((0.01524698625788054 * v21) + 0.5334320651111477) * v21) + 2.250488865813539) * v21) + 2.8612106440066865) * v21) + 1.3794681629043655) * v21) + 0.2596058532893223) * v21) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v21) + 49.328555418276075) * v21) + 167.28648538571198) * v21) + 195.37226190335065) * v21) + 90.69722535867314) * v21) + 16.763212110504565) * v21) + 1.0)))));
+};
+
 const lower_power = (x, n) => {
   return math.where((x > 0.0), (Math.pow(x, n) / x), Math.pow(x, (n - 1.0)));
 };
@@ -475,6 +463,15 @@ const energy = (a, A, n, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _energy(a, A, n, E_star) : NaN);
+};
+
+const _log_ratio = (x, y) => {
+  let v3;
+  v3 = ((x - y) / y);
+  if (Number.isFinite(v3)) {
+    return math.log1p(v3);
+  }
+  return (math.log(x) - math.log(y));
 };
 
 const RULE_0_of_powers = math.rule([[16.0, 64], [Infinity, 128]]);
@@ -715,11 +712,17 @@ const retraction = (a, E_star, dgamma) => {
   return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
 };
 
-const _depth_3 = (a, A, n, E_star, dgamma) => {
-  return (_depth_of_power_law(a, A, n) - hess_retraction(a, E_star, dgamma));
+const _depth_3 = (a, A, n) => {
+  let kappa;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  return (((Math.sqrt(Math.PI) * A) * Math.pow(a, n)) * kappa);
 };
 
 const _depth_2 = (a, A, n, E_star, dgamma) => {
+  return (_depth_3(a, A, n) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_of_power_law = (a, A, n, E_star, dgamma) => {
   let v10, v14, v28, v8;
   if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (n > 1e-30) && (n < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v8 = ((n / 2.0) + 0.5);
@@ -728,14 +731,14 @@ const _depth_2 = (a, A, n, E_star, dgamma) => {
     v28 = (1.0 / (v10 * v10));
     return ((((1.7724538509055159 * A) * Math.pow(a, n)) * ((((v8 < 1.0) ? ((v8 * (v8 + 1.0)) / v14) : (1.0 - ((v8 + 0.75) / v14))) * Math.sqrt(v10)) * (1.0 + (v28 * (((((((((((((0.01524698625788054 * v28) + 0.5334320651111477) * v28) + 2.250488865813539) * v28) + 2.8612106440066865) * v28) + 1.3794681629043655) * v28) + 0.2596058532893223) * v28) + 0.015624999999999823) / ((((((((((((3.278794792785737 * v28) + 49.328555418276075) * v28) + 167.28648538571198) * v28) + 195.37226190335065) * v28) + 90.69722535867314) * v28) + 16.763212110504565) * v28) + 1.0)))))) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
   }
-  return _depth_3(a, A, n, E_star, dgamma);
+  return _depth_2(a, A, n, E_star, dgamma);
 };
 
 const depth_of_power_law = (a, A, n, E_star, dgamma) => {
   if ((!((0.0 < A && A < Infinity) && (0.0 < n && n < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return ((a >= 0.0) ? _depth_2(a, A, n, E_star, dgamma) : NaN);
+  return ((a >= 0.0) ? _depth_of_power_law(a, A, n, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -765,7 +768,7 @@ const force_of_power_law = (a, A, n, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, A, n, E_star, dgamma) : NaN);
 };
 
-const RULE_1_of_power_law = math.rule([[16.0, 64], [Infinity, 128]]);
+const RULE_1_2 = math.rule([[16.0, 64], [Infinity, 128]]);
 
 const _pressure_4 = (r, a, A, n, E_star) => {
   let kappa, pressed;
@@ -814,7 +817,7 @@ const _pressure_2 = (r, a, A, n, E_star, dgamma) => {
           v116 = (2.0 * v108);
           v121 = (-v84);
           v136 = [];
-          for ([node, weight] of RULE_1_of_power_law((v113 / 1.0))) {
+          for ([node, weight] of RULE_1_2((v113 / 1.0))) {
             v115 = (node * v113);
             if (v83) {
               v124 = (v108 - v115);
@@ -858,6 +861,42 @@ const pressure_of_power_law = (r, a, A, n, E_star, dgamma) => {
 
 const RULE_0_2 = math.rule([[Infinity, 64]]);
 
+const _DECAY = 42.0;
+
+const _span = (r, a, n) => {
+  let fall, start;
+  start = Math.sqrt(_log_ratio(r, a));
+  fall = (_DECAY / (n + 1.0));
+  return [start, (fall / (Math.sqrt(((start * start) + fall)) + start))];
+};
+
+const NODES = 64;
+
+const power_displacement = (r, a, n) => {
+  let integrand, reach, start;
+  [start, reach] = _span(r, a, n);
+  integrand = (step) => {
+    let fall, ratio, s;
+    s = (start + step);
+    fall = (step * ((2.0 * start) + step));
+    ratio = ((a / r) * Math.exp((-fall)));
+    return (((Math.atan2(ratio, Math.sqrt((-Math.expm1((((-2.0) * s) * s))))) * Math.exp(((-n) * fall))) * 2.0) * s);
+  };
+  return ((a > 0.0) ? (n * math.integral(integrand, reach, NODES)) : 0.0);
+};
+
+const _profile = (r, A, n) => {
+  return (A * Math.pow(r, n));
+};
+
+const _displacement_4 = (r, a, A, n) => {
+  let inside, kappa, outside;
+  kappa = gamma_ratio(((n / 2) + (1 / 2)));
+  outside = (((((2 * A) / Math.sqrt(Math.PI)) * Math.pow(a, n)) * power_displacement(r, a, n)) * kappa);
+  inside = (_depth_3(a, A, n) - _profile(r, A, n));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -870,7 +909,7 @@ const lift = (r, a, E_star, dgamma) => {
 };
 
 const _displacement_3 = (r, a, A, n, E_star, dgamma) => {
-  return (_displacement_of_power_law(r, a, A, n) - lift(r, a, E_star, dgamma));
+  return (_displacement_4(r, a, A, n) - lift(r, a, E_star, dgamma));
 };
 
 const _displacement_2 = (r, a, A, n, E_star, dgamma) => {
@@ -1239,7 +1278,7 @@ const traction = (r, a, c, A, n, E_star, mu) => {
 };
 
 const _tangential_displacement_of_power_law = (a, c, A, n, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth_of_power_law(a, A, n)) * gained_share(c, a, n));
+  return (((mu * (E_star / G_star)) * _depth_3(a, A, n)) * gained_share(c, a, n));
 };
 
 const _tangential_displacement = (a, c, A, n, E_star, G_star, mu) => {
@@ -1321,7 +1360,7 @@ const stick_radius = (F_x, a, A, n, E_star, mu) => {
 };
 
 const _full_slip_displacement_of_power_law = (a, A, n, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * _depth_of_power_law(a, A, n));
+  return ((mu * (E_star / G_star)) * _depth_3(a, A, n));
 };
 
 const _full_slip_displacement = (a, A, n, E_star, G_star, mu) => {

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -206,63 +208,17 @@ const pressure = (r, a, A, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, A, E_star) : 0.0) : NaN);
 };
 
-const OUTSIDE_4 = [[0.3809523809520408, 2696.481329529376, 7450.127483097781, 6598.931700123421, 1123.6903304493044, (-1307.862063615897), (-683.6776777243583), (-106.53004831006083), (-4.320959889429597)], [1.0, 7078.863490014608, 23803.775464413437, 30703.596314182465, 18919.75045798054, 5580.132341984832, 655.5477291446655, 10.743349921788495, (-0.06548708381580395)], 0.8];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth_of_quartic = (a, A) => {
-  return (((8 * A) / 3) * Math.pow(a, 4));
-};
-
-const _profile = (r, A) => {
-  return (A * Math.pow(r, 4));
-};
-
-const _displacement_of_quartic = (r, a, A) => {
-  let inside, outside;
-  outside = ((((16 * A) / (3 * Math.PI)) * Math.pow(a, 4)) * beside(r, a, OUTSIDE_4));
-  inside = (_depth_of_quartic(a, A) - _profile(r, A));
-  return math.where((r > a), outside, inside);
-};
-
 const _displacement = (r, a, A) => {
   let v10, v17, v19, v81, v9;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
-    v9 = (a * a);
-    v10 = (v9 * v9);
-    if ((r > a)) {
-      v17 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-      v19 = (v17 * v17);
-      return ((((16.0 * A) / 9.42477796076938) * v10) * ((a / r) * (0.8 + (v19 * ((((((((((((((((((-4.320959889429597) * v19) + (-106.53004831006083)) * v19) + (-683.6776777243583)) * v19) + (-1307.862063615897)) * v19) + 1123.6903304493044) * v19) + 6598.931700123421) * v19) + 7450.127483097781) * v19) + 2696.481329529376) * v19) + 0.3809523809520408) / (((((((((((((((((-0.06548708381580395) * v19) + 10.743349921788495) * v19) + 655.5477291446655) * v19) + 5580.132341984832) * v19) + 18919.75045798054) * v19) + 30703.596314182465) * v19) + 23803.775464413437) * v19) + 7078.863490014608) * v19) + 1.0))))));
-    }
-    v81 = (r * r);
-    return ((((8.0 * A) / 3.0) * v10) - (A * (v81 * v81)));
+  v9 = (a * a);
+  v10 = (v9 * v9);
+  if ((r > a)) {
+    v17 = (a / (r + math.sqrt(((r - a) * (r + a)))));
+    v19 = (v17 * v17);
+    return ((((16.0 * A) / 9.42477796076938) * v10) * ((a / r) * (0.8 + (v19 * ((((((((((((((((((-4.320959889429597) * v19) + (-106.53004831006083)) * v19) + (-683.6776777243583)) * v19) + (-1307.862063615897)) * v19) + 1123.6903304493044) * v19) + 6598.931700123421) * v19) + 7450.127483097781) * v19) + 2696.481329529376) * v19) + 0.3809523809520408) / (((((((((((((((((-0.06548708381580395) * v19) + 10.743349921788495) * v19) + 655.5477291446655) * v19) + 5580.132341984832) * v19) + 18919.75045798054) * v19) + 30703.596314182465) * v19) + 23803.775464413437) * v19) + 7078.863490014608) * v19) + 1.0))))));
   }
-  return _displacement_of_quartic(r, a, A);
+  v81 = (r * r);
+  return ((((8.0 * A) / 3.0) * v10) - (A * (v81 * v81)));
 };
 
 const displacement = (r, a, A) => {
@@ -459,24 +415,28 @@ const retraction = (a, E_star, dgamma) => {
   return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
 };
 
-const _depth_3 = (a, A, E_star, dgamma) => {
-  return (_depth_of_quartic(a, A) - hess_retraction(a, E_star, dgamma));
+const _depth_3 = (a, A) => {
+  return (((8 * A) / 3) * Math.pow(a, 4));
 };
 
 const _depth_2 = (a, A, E_star, dgamma) => {
+  return (_depth_3(a, A) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_of_quartic = (a, A, E_star, dgamma) => {
   let v10;
   if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v10 = (a * a);
     return ((((8.0 * A) / 3.0) * (v10 * v10)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
   }
-  return _depth_3(a, A, E_star, dgamma);
+  return _depth_2(a, A, E_star, dgamma);
 };
 
 const depth_of_quartic = (a, A, E_star, dgamma) => {
   if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return ((a >= 0.0) ? _depth_2(a, A, E_star, dgamma) : NaN);
+  return ((a >= 0.0) ? _depth_of_quartic(a, A, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -541,6 +501,45 @@ const pressure_of_quartic = (r, a, A, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
+const OUTSIDE_4 = [[0.3809523809520408, 2696.481329529376, 7450.127483097781, 6598.931700123421, 1123.6903304493044, (-1307.862063615897), (-683.6776777243583), (-106.53004831006083), (-4.320959889429597)], [1.0, 7078.863490014608, 23803.775464413437, 30703.596314182465, 18919.75045798054, 5580.132341984832, 655.5477291446655, 10.743349921788495, (-0.06548708381580395)], 0.8];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, A) => {
+  return (A * Math.pow(r, 4));
+};
+
+const _displacement_3 = (r, a, A) => {
+  let inside, outside;
+  outside = ((((16 * A) / (3 * Math.PI)) * Math.pow(a, 4)) * beside(r, a, OUTSIDE_4));
+  inside = (_depth_3(a, A) - _profile(r, A));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -552,11 +551,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, A, E_star, dgamma) => {
-  return (_displacement_of_quartic(r, a, A) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, A, E_star, dgamma) => {
+  return (_displacement_3(r, a, A) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, A, E_star, dgamma) => {
+const _displacement_of_quartic = (r, a, A, E_star, dgamma) => {
   let v11, v12, v14, v15, v19, v21, v83, v87, v88;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v11 = (a * a);
@@ -574,14 +573,14 @@ const _displacement_2 = (r, a, A, E_star, dgamma) => {
     }
     return (v88 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v87 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * v15)))) : 1.0)));
   }
-  return _displacement_3(r, a, A, E_star, dgamma);
+  return _displacement_2(r, a, A, E_star, dgamma);
 };
 
 const displacement_of_quartic = (r, a, A, E_star, dgamma) => {
   if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_quartic(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
 const _pull_off_radius = (A, E_star, dgamma, control) => {
@@ -860,7 +859,7 @@ const traction = (r, a, c, A, E_star, mu) => {
 };
 
 const _tangential_displacement_of_quartic = (a, c, A, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth_of_quartic(a, A)) * gained_share(c, a, 4.0));
+  return (((mu * (E_star / G_star)) * _depth_3(a, A)) * gained_share(c, a, 4.0));
 };
 
 const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
@@ -930,7 +929,7 @@ const stick_radius = (F_x, a, A, E_star, mu) => {
 };
 
 const _full_slip_displacement_of_quartic = (a, A, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * _depth_of_quartic(a, A));
+  return ((mu * (E_star / G_star)) * _depth_3(a, A));
 };
 
 const _full_slip_displacement = (a, A, E_star, G_star, mu) => {

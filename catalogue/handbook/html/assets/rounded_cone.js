@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -295,123 +297,54 @@ const pressure = (r, a, theta, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth_of_rounded_cone = (a, theta, b) => {
-  let angle, beyond, root, tip;
-  tip = ((Math.tan(theta) / b) * Math.pow(a, 2));
-  root = Math.sqrt(((a - b) * (a + b)));
-  angle = Math.atan((root / b));
-  beyond = ((Math.tan(theta) * a) * (angle + (b / (root + a))));
-  return math.where((a < b), tip, beyond);
-};
-
-const _profile = (r, theta, b) => {
-  return math.where((r < b), ((Math.tan(theta) / (2 * b)) * Math.pow(r, 2)), (Math.tan(theta) * (r - (b / 2))));
-};
-
-const _displacement_of_rounded_cone = (r, a, theta, b) => {
-  let beyond, inner, inside, outside;
-  inner = math.minimum(a, b);
-  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
-  outside = (((((2 * Math.tan(theta)) / (Math.PI * b)) * Math.pow(inner, 2)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
-  inside = (_depth_of_rounded_cone(a, theta, b) - _profile(r, theta, b));
-  return math.where((r > a), outside, inside);
-};
+const RULE_0_of_rounded_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, theta, b) => {
   let node, v10, v11, v12, v14, v153, v162, v17, v22, v24, v29, v32, v34, v4, v43, v44, v46, v48, v49, v5, v52, v53, v61, v63, v73, v74, v76, v88, v90, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30))) {
-    v12 = (a - b);
-    v14 = (a + b);
-    v61 = Math.tan(theta);
-    v63 = (2.0 * b);
-    if ((r > a)) {
-      v4 = (((a < b) || (a !== a)) ? a : b);
-      if ((a > b)) {
-        v5 = (r - b);
-        v10 = Math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + b)));
-        v11 = (b / r);
-        v17 = (r - a);
-        v22 = (Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v14)) / Math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (r + a))));
-        v24 = Math.asinh((v22 / v11));
-        v29 = (0.0 - Math.expm1(((-2.0) * v24)));
-        v32 = ((v29 > 0.0) ? v29 : Infinity);
-        v49 = (b * b);
-        v53 = (v11 * v11);
-        v74 = [];
-        for ([node, weight] of RULE_0((v24 / 1.0))) {
-          v34 = (node * v24);
-          v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v32));
-          v44 = (v43 * v43);
-          v46 = Math.sqrt((1.0 + v44));
-          v48 = ((v10 * v43) / v46);
-          v52 = Math.sqrt((v49 + (v48 * v48)));
-          v73 = (((((v61 * (Math.atan((v48 / b)) + (v63 / (v48 + v52)))) * v48) / v52) * Math.atan2(v52, (v10 / v46))) * (Math.sqrt((v53 + v44)) / ((v46 * v46) * v46)));
-          v74.push((weight * v73));
-        }
-        v74 = (math.fsum(v74) * v24);
-        v76 = (v10 * v74);
-      } else {
-        v76 = 0.0;
+  v12 = (a - b);
+  v14 = (a + b);
+  v61 = Math.tan(theta);
+  v63 = (2.0 * b);
+  if ((r > a)) {
+    v4 = (((a < b) || (a !== a)) ? a : b);
+    if ((a > b)) {
+      v5 = (r - b);
+      v10 = math.sqrt(((((v5 > 0.0) || (v5 !== v5)) ? v5 : 0.0) * (r + b)));
+      v11 = (b / r);
+      v17 = (r - a);
+      v22 = (math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v14)) / math.sqrt(((((v17 > 0.0) || (v17 !== v17)) ? v17 : 0.0) * (r + a))));
+      v24 = Math.asinh((v22 / v11));
+      v29 = (0.0 - Math.expm1(((-2.0) * v24)));
+      v32 = ((v29 > 0.0) ? v29 : Infinity);
+      v49 = (b * b);
+      v53 = (v11 * v11);
+      v74 = [];
+      for ([node, weight] of RULE_0_of_rounded_cone((v24 / 1.0))) {
+        v34 = (node * v24);
+        v43 = (v22 * ((Math.exp((-v34)) * (0.0 - Math.expm1(((-2.0) * (v24 - v34))))) / v32));
+        v44 = (v43 * v43);
+        v46 = math.sqrt((1.0 + v44));
+        v48 = ((v10 * v43) / v46);
+        v52 = math.sqrt((v49 + (v48 * v48)));
+        v73 = (((((v61 * (Math.atan((v48 / b)) + (v63 / (v48 + v52)))) * v48) / v52) * Math.atan2(v52, (v10 / v46))) * (math.sqrt((v53 + v44)) / ((v46 * v46) * v46)));
+        v74.push((weight * v73));
       }
-      v88 = (v4 / (r + Math.sqrt(((r - v4) * (r + v4)))));
-      v90 = (v88 * v88);
-      return (((((2.0 * v61) / (3.141592653589793 * b)) * (v4 * v4)) * ((v4 / r) * (0.6666666666666666 + (v90 * ((((((((((((((((((-0.7327347664453868) * v90) + (-32.15553480435792)) * v90) + (-332.23363563146734)) * v90) + (-1070.7082873491413)) * v90) + (-85.27694715374247)) * v90) + 5044.821368830373) * v90) + 8082.413158212496) * v90) + 3759.725330928701) * v90) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v90) + 32.12935731379798) * v90) + 746.8124983579742) * v90) + 6202.125133759036) * v90) + 23553.080984642995) * v90) + 44404.005348491315) * v90) + 40380.01430284195) * v90) + 14099.684276696918) * v90) + 1.0)))))) + (0.6366197723675814 * v76));
-    }
-    if ((a < b)) {
-      v162 = ((v61 / b) * (a * a));
+      v74 = (math.fsum(v74) * v24);
+      v76 = (v10 * v74);
     } else {
-      v153 = Math.sqrt((v12 * v14));
-      v162 = ((v61 * a) * (Math.atan((v153 / b)) + (b / (v153 + a))));
+      v76 = 0.0;
     }
-    return (v162 - ((r < b) ? ((v61 / v63) * (r * r)) : (v61 * (r - (b / 2.0)))));
+    v88 = (v4 / (r + math.sqrt(((r - v4) * (r + v4)))));
+    v90 = (v88 * v88);
+    return (((((2.0 * v61) / (3.141592653589793 * b)) * (v4 * v4)) * ((v4 / r) * (0.6666666666666666 + (v90 * ((((((((((((((((((-0.7327347664453868) * v90) + (-32.15553480435792)) * v90) + (-332.23363563146734)) * v90) + (-1070.7082873491413)) * v90) + (-85.27694715374247)) * v90) + 5044.821368830373) * v90) + 8082.413158212496) * v90) + 3759.725330928701) * v90) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v90) + 32.12935731379798) * v90) + 746.8124983579742) * v90) + 6202.125133759036) * v90) + 23553.080984642995) * v90) + 44404.005348491315) * v90) + 40380.01430284195) * v90) + 14099.684276696918) * v90) + 1.0)))))) + (0.6366197723675814 * v76));
   }
-  return _displacement_of_rounded_cone(r, a, theta, b);
+  if ((a < b)) {
+    v162 = ((v61 / b) * (a * a));
+  } else {
+    v153 = math.sqrt((v12 * v14));
+    v162 = ((v61 * a) * (Math.atan((v153 / b)) + (b / (v153 + a))));
+  }
+  return (v162 - ((r < b) ? ((v61 / v63) * (r * r)) : (v61 * (r - (b / 2.0)))));
 };
 
 const displacement = (r, a, theta, b) => {
@@ -466,6 +399,15 @@ const mean_pressure = (a, theta, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _mean_pressure(a, theta, b, E_star) : NaN);
+};
+
+const _depth_of_rounded_cone = (a, theta, b) => {
+  let angle, beyond, root, tip;
+  tip = ((Math.tan(theta) / b) * Math.pow(a, 2));
+  root = Math.sqrt(((a - b) * (a + b)));
+  angle = Math.atan((root / b));
+  beyond = ((Math.tan(theta) * a) * (angle + (b / (root + a))));
+  return math.where((a < b), tip, beyond);
 };
 
 const falling_of_rules = (stop, even = 0.0) => {
@@ -1048,7 +990,7 @@ const force_of_rounded_cone = (a, theta, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_rounded_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -1092,7 +1034,7 @@ const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
         v69 = (b * b);
         v75 = (2.0 * b);
         v82 = [];
-        for ([node, weight] of RULE_0_of_rounded_cone((v46 / 1.0))) {
+        for ([node, weight] of RULE_0_2((v46 / 1.0))) {
           v58 = (node * v46);
           v68 = (v33 * ((Math.exp((-v58)) * (v47 - (v48 * Math.expm1(((-2.0) * (v46 - v58)))))) / v55));
           v72 = Math.sqrt((v69 + (v68 * v68)));
@@ -1132,6 +1074,65 @@ const pressure_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, theta, b) => {
+  return math.where((r < b), ((Math.tan(theta) / (2 * b)) * Math.pow(r, 2)), (Math.tan(theta) * (r - (b / 2))));
+};
+
+const _displacement_3 = (r, a, theta, b) => {
+  let beyond, inner, inside, outside;
+  inner = math.minimum(a, b);
+  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  outside = (((((2 * Math.tan(theta)) / (Math.PI * b)) * Math.pow(inner, 2)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
+  inside = (_depth_of_rounded_cone(a, theta, b) - _profile(r, theta, b));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -1143,11 +1144,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
-  return (_displacement_of_rounded_cone(r, a, theta, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, theta, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+const _displacement_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
   let node, v12, v13, v14, v155, v16, v164, v174, v175, v19, v23, v24, v26, v31, v34, v36, v45, v46, v48, v50, v51, v54, v55, v6, v63, v65, v7, v75, v76, v78, v90, v92, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v14 = (a - b);
@@ -1170,7 +1171,7 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
         v51 = (b * b);
         v55 = (v13 * v13);
         v76 = [];
-        for ([node, weight] of RULE_0_of_rounded_cone((v26 / 1.0))) {
+        for ([node, weight] of RULE_0_2((v26 / 1.0))) {
           v36 = (node * v26);
           v45 = (v24 * ((Math.exp((-v36)) * (0.0 - Math.expm1(((-2.0) * (v26 - v36))))) / v34));
           v46 = (v45 * v45);
@@ -1199,17 +1200,17 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
     }
     return (v175 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v174 ? (0.6366197723675814 * Math.atan2(a, v23)) : 1.0)));
   }
-  return _displacement_3(r, a, theta, b, E_star, dgamma);
+  return _displacement_2(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
   if ((!((0.0 < theta && theta < 1.5707963267948966) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_rounded_cone(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1300,7 +1301,7 @@ const _tangential_force = (a, c, theta, b, E_star, mu) => {
         }
         v93 = ((2.0 * v8) / b);
         v97 = [];
-        for ([node, weight] of RULE_0_2((v84 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v84 / 1.0))) {
           v86 = (node * v84);
           v91 = ((c * Math.cosh(v86)) + (v66 * Math.sinh(v86)));
           v96 = ((v93 * v91) * (v91 * v91));
@@ -1334,7 +1335,7 @@ const _tangential_force = (a, c, theta, b, E_star, mu) => {
         v140 = (b * b);
         v146 = (2.0 * b);
         v155 = [];
-        for ([node, weight] of RULE_0_2((v133 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v133 / 1.0))) {
           v134 = (node * v133);
           v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
           v143 = Math.sqrt((v140 + (v139 * v139)));
@@ -1407,7 +1408,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
         v54 = (v48 - (v49 * Math.expm1(((-2.0) * v47))));
         v56 = ((v54 > 0.0) ? v54 : Infinity);
         v83 = [];
-        for ([node, weight] of RULE_0_2((v47 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v47 / 1.0))) {
           v59 = (node * v47);
           v69 = (v34 * ((Math.exp((-v59)) * (v48 - (v49 * Math.expm1(((-2.0) * (v47 - v59)))))) / v56));
           v73 = Math.sqrt((v70 + (v69 * v69)));
@@ -1439,7 +1440,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
         v114 = (v48 - (v49 * Math.expm1(((-2.0) * v110))));
         v116 = ((v114 > 0.0) ? v114 : Infinity);
         v140 = [];
-        for ([node, weight] of RULE_0_2((v110 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v110 / 1.0))) {
           v118 = (node * v110);
           v128 = (v102 * ((Math.exp((-v118)) * (v48 - (v49 * Math.expm1(((-2.0) * (v110 - v118)))))) / v116));
           v131 = Math.sqrt((v70 + (v128 * v128)));
@@ -1470,7 +1471,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
         }
         v178 = ((2.0 * v15) / b);
         v182 = [];
-        for ([node, weight] of RULE_0_2((v170 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v170 / 1.0))) {
           v171 = (node * v170);
           v176 = ((c * Math.cosh(v171)) + (v154 * Math.sinh(v171)));
           v181 = ((v178 * v176) * Math.pow(v176, 0.0));
@@ -1502,7 +1503,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
           v215 = 0.0;
         }
         v235 = [];
-        for ([node, weight] of RULE_0_2((v215 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v215 / 1.0))) {
           v216 = (node * v215);
           v221 = ((v189 * Math.cosh(v216)) + (v194 * Math.sinh(v216)));
           v224 = Math.sqrt((v70 + (v221 * v221)));
@@ -1584,7 +1585,7 @@ const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
         }
         v76 = ((2.0 * v7) / b);
         v80 = [];
-        for ([node, weight] of RULE_0_2((v67 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v67 / 1.0))) {
           v69 = (node * v67);
           v74 = ((c * Math.cosh(v69)) + (v49 * Math.sinh(v69)));
           v79 = ((v76 * v74) * Math.pow(v74, 1.0));
@@ -1618,7 +1619,7 @@ const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
         v123 = (b * b);
         v129 = (2.0 * b);
         v138 = [];
-        for ([node, weight] of RULE_0_2((v116 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v116 / 1.0))) {
           v117 = (node * v116);
           v122 = ((v87 * Math.cosh(v117)) + (v92 * Math.sinh(v117)));
           v126 = Math.sqrt((v123 + (v122 * v122)));

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -310,138 +312,60 @@ const pressure = (r, a, R1, R2, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R1, R2, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _NEAR = 0.42;
-
-const ROOT_GAP = [[0.9428090415820634, 1.9979042349620892, 1.438682033198726, 0.4065213849117787, 0.038096760299703034, 0.0005288491342179178], [1.0, 2.569097449054519, 2.37401087025821, 0.9450913324352289, 0.15001504718401248, 0.006421883194715949]];
-
-const root_gap = (x, y) => {
-  let near, q, root;
-  q = ((x - y) / y);
-  [near, root] = [math.minimum(q, _NEAR), (Math.sqrt(((x - y) * (x + y))) / y)];
-  return math.where((q < _NEAR), ((near * Math.sqrt(near)) * rational(near, ...ROOT_GAP)), (root - Math.atan(root)));
-};
-
-const _depth_of_rounded_curved_punch = (a, R1, R2, b) => {
-  let beyond, tip;
-  tip = (Math.pow(a, 2) / R1);
-  beyond = (a * ((a / R1) + ((b / R2) * root_gap(a, b))));
-  return math.where((a < b), tip, beyond);
-};
-
-const _profile = (r, R1, R2, b) => {
-  return math.where((r < b), (Math.pow(r, 2) / (2 * R1)), ((Math.pow(r, 2) / (2 * R1)) + (Math.pow((r - b), 2) / (2 * R2))));
-};
-
-const _displacement_of_rounded_curved_punch = (r, a, R1, R2, b) => {
-  let beyond, inner, inside, outside;
-  inner = math.minimum(a, b);
-  beyond = displacement_integral_beyond(_slope_beyond, [R1, R2, b], r, a, b);
-  outside = ((((2 * Math.pow(inner, 2)) / (Math.PI * R1)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
-  inside = (_depth_of_rounded_curved_punch(a, R1, R2, b) - _profile(r, R1, R2, b));
-  return math.where((r > a), outside, inside);
-};
+const RULE_0_of_rounded_curved_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, R1, R2, b) => {
   let node, v11, v12, v13, v15, v153, v158, v18, v197, v202, v206, v23, v25, v30, v33, v35, v44, v45, v47, v49, v5, v50, v53, v54, v6, v67, v75, v76, v78, v89, v91, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R1 > 1e-30) && (R1 < 1e+30) && (R2 > 1e-30) && (R2 < 1e+30) && (b > 1e-30) && (b < 1e+30))) {
-    v6 = (r - b);
-    v13 = (a - b);
-    v15 = (a + b);
-    v67 = (b / R2);
-    if ((r > a)) {
-      v5 = (((a < b) || (a !== a)) ? a : b);
-      if ((a > b)) {
-        v11 = Math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
-        v12 = (b / r);
-        v18 = (r - a);
-        v23 = (Math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / Math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a))));
-        v25 = Math.asinh((v23 / v12));
-        v30 = (0.0 - Math.expm1(((-2.0) * v25)));
-        v33 = ((v30 > 0.0) ? v30 : Infinity);
-        v50 = (b * b);
-        v54 = (v12 * v12);
-        v76 = [];
-        for ([node, weight] of RULE_0((v25 / 1.0))) {
-          v35 = (node * v25);
-          v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
-          v45 = (v44 * v44);
-          v47 = Math.sqrt((1.0 + v45));
-          v49 = ((v11 * v44) / v47);
-          v53 = Math.sqrt((v50 + (v49 * v49)));
-          v75 = ((((((((2.0 * v53) / R1) + ((2.0 * v49) / R2)) - (v67 * Math.atan2(v49, b))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (Math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
-          v76.push((weight * v75));
-        }
-        v76 = (math.fsum(v76) * v25);
-        v78 = (v11 * v76);
-      } else {
-        v78 = 0.0;
+  v6 = (r - b);
+  v13 = (a - b);
+  v15 = (a + b);
+  v67 = (b / R2);
+  if ((r > a)) {
+    v5 = (((a < b) || (a !== a)) ? a : b);
+    if ((a > b)) {
+      v11 = math.sqrt(((((v6 > 0.0) || (v6 !== v6)) ? v6 : 0.0) * (r + b)));
+      v12 = (b / r);
+      v18 = (r - a);
+      v23 = (math.sqrt(((((v13 > 0.0) || (v13 !== v13)) ? v13 : 0.0) * v15)) / math.sqrt(((((v18 > 0.0) || (v18 !== v18)) ? v18 : 0.0) * (r + a))));
+      v25 = Math.asinh((v23 / v12));
+      v30 = (0.0 - Math.expm1(((-2.0) * v25)));
+      v33 = ((v30 > 0.0) ? v30 : Infinity);
+      v50 = (b * b);
+      v54 = (v12 * v12);
+      v76 = [];
+      for ([node, weight] of RULE_0_of_rounded_curved_punch((v25 / 1.0))) {
+        v35 = (node * v25);
+        v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
+        v45 = (v44 * v44);
+        v47 = math.sqrt((1.0 + v45));
+        v49 = ((v11 * v44) / v47);
+        v53 = math.sqrt((v50 + (v49 * v49)));
+        v75 = ((((((((2.0 * v53) / R1) + ((2.0 * v49) / R2)) - (v67 * Math.atan2(v49, b))) * v49) / v53) * Math.atan2(v53, (v11 / v47))) * (math.sqrt((v54 + v45)) / ((v47 * v47) * v47)));
+        v76.push((weight * v75));
       }
-      v89 = (v5 / (r + Math.sqrt(((r - v5) * (r + v5)))));
-      v91 = (v89 * v89);
-      return ((((2.0 * (v5 * v5)) / (3.141592653589793 * R1)) * ((v5 / r) * (0.6666666666666666 + (v91 * ((((((((((((((((((-0.7327347664453868) * v91) + (-32.15553480435792)) * v91) + (-332.23363563146734)) * v91) + (-1070.7082873491413)) * v91) + (-85.27694715374247)) * v91) + 5044.821368830373) * v91) + 8082.413158212496) * v91) + 3759.725330928701) * v91) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v91) + 32.12935731379798) * v91) + 746.8124983579742) * v91) + 6202.125133759036) * v91) + 23553.080984642995) * v91) + 44404.005348491315) * v91) + 40380.01430284195) * v91) + 14099.684276696918) * v91) + 1.0)))))) + (0.6366197723675814 * v78));
-    }
-    if ((a < b)) {
-      v202 = ((a * a) / R1);
+      v76 = (math.fsum(v76) * v25);
+      v78 = (v11 * v76);
     } else {
-      v153 = (v13 / b);
-      if ((v153 < 0.42)) {
-        v197 = ((v153 * Math.sqrt(v153)) * (((((((((((0.0005288491342179178 * v153) + 0.038096760299703034) * v153) + 0.4065213849117787) * v153) + 1.438682033198726) * v153) + 1.9979042349620892) * v153) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v153) + 0.15001504718401248) * v153) + 0.9450913324352289) * v153) + 2.37401087025821) * v153) + 2.569097449054519) * v153) + 1.0)));
-      } else {
-        v158 = (Math.sqrt((v13 * v15)) / b);
-        v197 = (v158 - Math.atan(v158));
-      }
-      v202 = (a * ((a / R1) + (v67 * v197)));
+      v78 = 0.0;
     }
-    v206 = ((r * r) / (2.0 * R1));
-    return (v202 - ((r < b) ? v206 : (v206 + ((v6 * v6) / (2.0 * R2)))));
+    v89 = (v5 / (r + math.sqrt(((r - v5) * (r + v5)))));
+    v91 = (v89 * v89);
+    return ((((2.0 * (v5 * v5)) / (3.141592653589793 * R1)) * ((v5 / r) * (0.6666666666666666 + (v91 * ((((((((((((((((((-0.7327347664453868) * v91) + (-32.15553480435792)) * v91) + (-332.23363563146734)) * v91) + (-1070.7082873491413)) * v91) + (-85.27694715374247)) * v91) + 5044.821368830373) * v91) + 8082.413158212496) * v91) + 3759.725330928701) * v91) + 0.26666666666720995) / ((((((((((((((((0.21387262524856868 * v91) + 32.12935731379798) * v91) + 746.8124983579742) * v91) + 6202.125133759036) * v91) + 23553.080984642995) * v91) + 44404.005348491315) * v91) + 40380.01430284195) * v91) + 14099.684276696918) * v91) + 1.0)))))) + (0.6366197723675814 * v78));
   }
-  return _displacement_of_rounded_curved_punch(r, a, R1, R2, b);
+  if ((a < b)) {
+    v202 = ((a * a) / R1);
+  } else {
+    v153 = (v13 / b);
+    if ((v153 < 0.42)) {
+      v197 = ((v153 * math.sqrt(v153)) * (((((((((((0.0005288491342179178 * v153) + 0.038096760299703034) * v153) + 0.4065213849117787) * v153) + 1.438682033198726) * v153) + 1.9979042349620892) * v153) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v153) + 0.15001504718401248) * v153) + 0.9450913324352289) * v153) + 2.37401087025821) * v153) + 2.569097449054519) * v153) + 1.0)));
+    } else {
+      v158 = (math.sqrt((v13 * v15)) / b);
+      v197 = (v158 - Math.atan(v158));
+    }
+    v202 = (a * ((a / R1) + (v67 * v197)));
+  }
+  v206 = ((r * r) / (2.0 * R1));
+  return (v202 - ((r < b) ? v206 : (v206 + ((v6 * v6) / (2.0 * R2)))));
 };
 
 const displacement = (r, a, R1, R2, b) => {
@@ -467,6 +391,29 @@ const stiffness = (a, R1, R2, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const _NEAR = 0.42;
+
+const ROOT_GAP = [[0.9428090415820634, 1.9979042349620892, 1.438682033198726, 0.4065213849117787, 0.038096760299703034, 0.0005288491342179178], [1.0, 2.569097449054519, 2.37401087025821, 0.9450913324352289, 0.15001504718401248, 0.006421883194715949]];
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const root_gap = (x, y) => {
+  let near, q, root;
+  q = ((x - y) / y);
+  [near, root] = [math.minimum(q, _NEAR), (Math.sqrt(((x - y) * (x + y))) / y)];
+  return math.where((q < _NEAR), ((near * Math.sqrt(near)) * rational(near, ...ROOT_GAP)), (root - Math.atan(root)));
 };
 
 const _mean_pressure_of_rounded_curved_punch = (a, R1, R2, b, E_star) => {
@@ -504,6 +451,13 @@ const mean_pressure = (a, R1, R2, b, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _mean_pressure(a, R1, R2, b, E_star) : NaN);
+};
+
+const _depth_of_rounded_curved_punch = (a, R1, R2, b) => {
+  let beyond, tip;
+  tip = (Math.pow(a, 2) / R1);
+  beyond = (a * ((a / R1) + ((b / R2) * root_gap(a, b))));
+  return math.where((a < b), tip, beyond);
 };
 
 const falling_of_rules = (stop, even = 0.0) => {
@@ -1151,7 +1105,7 @@ const force_of_rounded_curved_punch = (a, R1, R2, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, R1, R2, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_rounded_curved_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -1194,7 +1148,7 @@ const _pressure_2 = (r, a, R1, R2, b, E_star, dgamma) => {
         v68 = (b * b);
         v78 = (b / R2);
         v83 = [];
-        for ([node, weight] of RULE_0_of_rounded_curved_punch((v45 / 1.0))) {
+        for ([node, weight] of RULE_0_2((v45 / 1.0))) {
           v57 = (node * v45);
           v67 = (v32 * ((Math.exp((-v57)) * (v46 - (v47 * Math.expm1(((-2.0) * (v45 - v57)))))) / v54));
           v71 = Math.sqrt((v68 + (v67 * v67)));
@@ -1234,6 +1188,53 @@ const pressure_of_rounded_curved_punch = (r, a, R1, R2, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const OUTSIDE_2 = [[0.26666666666720995, 3759.725330928701, 8082.413158212496, 5044.821368830373, (-85.27694715374247), (-1070.7082873491413), (-332.23363563146734), (-32.15553480435792), (-0.7327347664453868)], [1.0, 14099.684276696918, 40380.01430284195, 44404.005348491315, 23553.080984642995, 6202.125133759036, 746.8124983579742, 32.12935731379798, 0.21387262524856868], 0.6666666666666666];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, R1, R2, b) => {
+  return math.where((r < b), (Math.pow(r, 2) / (2 * R1)), ((Math.pow(r, 2) / (2 * R1)) + (Math.pow((r - b), 2) / (2 * R2))));
+};
+
+const _displacement_3 = (r, a, R1, R2, b) => {
+  let beyond, inner, inside, outside;
+  inner = math.minimum(a, b);
+  beyond = displacement_integral_beyond(_slope_beyond, [R1, R2, b], r, a, b);
+  outside = ((((2 * Math.pow(inner, 2)) / (Math.PI * R1)) * beside(r, inner, OUTSIDE_2)) + ((2 / Math.PI) * beyond));
+  inside = (_depth_of_rounded_curved_punch(a, R1, R2, b) - _profile(r, R1, R2, b));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -1245,11 +1246,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R1, R2, b, E_star, dgamma) => {
-  return (_displacement_of_rounded_curved_punch(r, a, R1, R2, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, R1, R2, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
+const _displacement_of_rounded_curved_punch = (r, a, R1, R2, b, E_star, dgamma) => {
   let node, v13, v14, v15, v155, v160, v17, v199, v20, v204, v208, v215, v216, v24, v25, v27, v32, v35, v37, v46, v47, v49, v51, v52, v55, v56, v69, v7, v77, v78, v8, v80, v91, v93, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R1 > 1e-30) && (R1 < 1e+30) && (R2 > 1e-30) && (R2 < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v8 = (r - b);
@@ -1271,7 +1272,7 @@ const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
         v52 = (b * b);
         v56 = (v14 * v14);
         v78 = [];
-        for ([node, weight] of RULE_0_of_rounded_curved_punch((v27 / 1.0))) {
+        for ([node, weight] of RULE_0_2((v27 / 1.0))) {
           v37 = (node * v27);
           v46 = (v25 * ((Math.exp((-v37)) * (0.0 - Math.expm1(((-2.0) * (v27 - v37))))) / v35));
           v47 = (v46 * v46);
@@ -1307,17 +1308,17 @@ const _displacement_2 = (r, a, R1, R2, b, E_star, dgamma) => {
     }
     return (v216 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v215 ? (0.6366197723675814 * Math.atan2(a, v24)) : 1.0)));
   }
-  return _displacement_3(r, a, R1, R2, b, E_star, dgamma);
+  return _displacement_2(r, a, R1, R2, b, E_star, dgamma);
 };
 
 const displacement_of_rounded_curved_punch = (r, a, R1, R2, b, E_star, dgamma) => {
   if ((!((0.0 < R1 && R1 < Infinity) && (0.0 < R2 && R2 < Infinity) && (0.0 < b && b < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_rounded_curved_punch(r, a, R1, R2, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1425,7 +1426,7 @@ const _tangential_force = (a, c, R1, R2, b, E_star, mu) => {
           v153 = 0.0;
         }
         v164 = [];
-        for ([node, weight] of RULE_0_2((v153 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v153 / 1.0))) {
           v154 = (node * v153);
           v159 = ((c * Math.cosh(v154)) + (v135 * Math.sinh(v154)));
           v163 = (((2.0 * v159) / R1) * (v159 * v159));
@@ -1458,7 +1459,7 @@ const _tangential_force = (a, c, R1, R2, b, E_star, mu) => {
         }
         v207 = (b * b);
         v223 = [];
-        for ([node, weight] of RULE_0_2((v200 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v200 / 1.0))) {
           v201 = (node * v200);
           v206 = ((v171 * Math.cosh(v201)) + (v176 * Math.sinh(v201)));
           v210 = Math.sqrt((v207 + (v206 * v206)));
@@ -1530,7 +1531,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
         v53 = (v47 - (v48 * Math.expm1(((-2.0) * v46))));
         v55 = ((v53 > 0.0) ? v53 : Infinity);
         v84 = [];
-        for ([node, weight] of RULE_0_2((v46 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v46 / 1.0))) {
           v58 = (node * v46);
           v68 = (v33 * ((Math.exp((-v58)) * (v47 - (v48 * Math.expm1(((-2.0) * (v46 - v58)))))) / v55));
           v72 = Math.sqrt((v69 + (v68 * v68)));
@@ -1562,7 +1563,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
         v115 = (v47 - (v48 * Math.expm1(((-2.0) * v111))));
         v117 = ((v115 > 0.0) ? v115 : Infinity);
         v143 = [];
-        for ([node, weight] of RULE_0_2((v111 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v111 / 1.0))) {
           v119 = (node * v111);
           v129 = (v103 * ((Math.exp((-v119)) * (v47 - (v48 * Math.expm1(((-2.0) * (v111 - v119)))))) / v117));
           v132 = Math.sqrt((v69 + (v129 * v129)));
@@ -1592,7 +1593,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v173 = 0.0;
         }
         v184 = [];
-        for ([node, weight] of RULE_0_2((v173 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v173 / 1.0))) {
           v174 = (node * v173);
           v179 = ((c * Math.cosh(v174)) + (v157 * Math.sinh(v174)));
           v183 = (((2.0 * v179) / R1) * Math.pow(v179, 0.0));
@@ -1624,7 +1625,7 @@ const _traction = (r, a, c, R1, R2, b, E_star, mu) => {
           v217 = 0.0;
         }
         v239 = [];
-        for ([node, weight] of RULE_0_2((v217 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v217 / 1.0))) {
           v218 = (node * v217);
           v223 = ((v191 * Math.cosh(v218)) + (v196 * Math.sinh(v218)));
           v226 = Math.sqrt((v69 + (v223 * v223)));
@@ -1717,7 +1718,7 @@ const _tangential_displacement = (a, c, R1, R2, b, E_star, G_star, mu) => {
           v136 = 0.0;
         }
         v147 = [];
-        for ([node, weight] of RULE_0_2((v136 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v136 / 1.0))) {
           v137 = (node * v136);
           v142 = ((c * Math.cosh(v137)) + (v118 * Math.sinh(v137)));
           v146 = (((2.0 * v142) / R1) * Math.pow(v142, 1.0));
@@ -1750,7 +1751,7 @@ const _tangential_displacement = (a, c, R1, R2, b, E_star, G_star, mu) => {
         }
         v190 = (b * b);
         v206 = [];
-        for ([node, weight] of RULE_0_2((v183 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v183 / 1.0))) {
           v184 = (node * v183);
           v189 = ((v154 * Math.cosh(v184)) + (v159 * Math.sinh(v184)));
           v193 = Math.sqrt((v190 + (v189 * v189)));

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -339,85 +341,54 @@ const pressure = (r, a, R, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const _profile = (r, R, b) => {
-  return math.where((r < b), 0, (Math.pow((r - b), 2) / (2 * R)));
-};
-
-const _displacement_of_rounded_punch = (r, a, R, b) => {
-  let beyond, inside, outside;
-  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
-  outside = ((2 / Math.PI) * beyond);
-  inside = (_depth_of_rounded_punch(a, R, b) - _profile(r, R, b));
-  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
-};
+const RULE_0_of_rounded_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, R, b) => {
   let node, v10, v11, v121, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v62, v70, v71, v73, v77, v82, v9, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
-    if ((a >= b)) {
-      v4 = (r - b);
-      v11 = (a - b);
-      v13 = (a + b);
-      v62 = (b / R);
-      if ((r > a)) {
-        if ((a > b)) {
-          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
-          v10 = (b / r);
-          v16 = (r - a);
-          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-          v23 = Math.asinh((v21 / v10));
-          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-          v31 = ((v28 > 0.0) ? v28 : Infinity);
-          v48 = (b * b);
-          v52 = (v10 * v10);
-          v71 = [];
-          for ([node, weight] of RULE_0((v23 / 1.0))) {
-            v33 = (node * v23);
-            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-            v43 = (v42 * v42);
-            v45 = Math.sqrt((1.0 + v43));
-            v47 = ((v9 * v42) / v45);
-            v51 = Math.sqrt((v48 + (v47 * v47)));
-            v70 = (((((((2.0 * v47) / R) - (v62 * Math.atan2(v47, b))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-            v71.push((weight * v70));
-          }
-          v71 = (math.fsum(v71) * v23);
-          v73 = (v9 * v71);
-        } else {
-          v73 = 0.0;
+  if ((a >= b)) {
+    v4 = (r - b);
+    v11 = (a - b);
+    v13 = (a + b);
+    v62 = (b / R);
+    if ((r > a)) {
+      if ((a > b)) {
+        v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
+        v10 = (b / r);
+        v16 = (r - a);
+        v21 = (math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+        v23 = Math.asinh((v21 / v10));
+        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+        v31 = ((v28 > 0.0) ? v28 : Infinity);
+        v48 = (b * b);
+        v52 = (v10 * v10);
+        v71 = [];
+        for ([node, weight] of RULE_0_of_rounded_punch((v23 / 1.0))) {
+          v33 = (node * v23);
+          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+          v43 = (v42 * v42);
+          v45 = math.sqrt((1.0 + v43));
+          v47 = ((v9 * v42) / v45);
+          v51 = math.sqrt((v48 + (v47 * v47)));
+          v70 = (((((((2.0 * v47) / R) - (v62 * Math.atan2(v47, b))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+          v71.push((weight * v70));
         }
-        return (0.6366197723675814 * v73);
-      }
-      v77 = (v11 / b);
-      if ((v77 < 0.42)) {
-        v121 = ((v77 * Math.sqrt(v77)) * (((((((((((0.0005288491342179178 * v77) + 0.038096760299703034) * v77) + 0.4065213849117787) * v77) + 1.438682033198726) * v77) + 1.9979042349620892) * v77) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v77) + 0.15001504718401248) * v77) + 0.9450913324352289) * v77) + 2.37401087025821) * v77) + 2.569097449054519) * v77) + 1.0)));
+        v71 = (math.fsum(v71) * v23);
+        v73 = (v9 * v71);
       } else {
-        v82 = (Math.sqrt((v11 * v13)) / b);
-        v121 = (v82 - Math.atan(v82));
+        v73 = 0.0;
       }
-      return (((v62 * a) * v121) - ((r < b) ? 0.0 : ((v4 * v4) / (2.0 * R))));
+      return (0.6366197723675814 * v73);
     }
-    return NaN;
+    v77 = (v11 / b);
+    if ((v77 < 0.42)) {
+      v121 = ((v77 * math.sqrt(v77)) * (((((((((((0.0005288491342179178 * v77) + 0.038096760299703034) * v77) + 0.4065213849117787) * v77) + 1.438682033198726) * v77) + 1.9979042349620892) * v77) + 0.9428090415820634) / ((((((((((0.006421883194715949 * v77) + 0.15001504718401248) * v77) + 0.9450913324352289) * v77) + 2.37401087025821) * v77) + 2.569097449054519) * v77) + 1.0)));
+    } else {
+      v82 = (math.sqrt((v11 * v13)) / b);
+      v121 = (v82 - Math.atan(v82));
+    }
+    return (((v62 * a) * v121) - ((r < b) ? 0.0 : ((v4 * v4) / (2.0 * R))));
   }
-  return _displacement_of_rounded_punch(r, a, R, b);
+  return NaN;
 };
 
 const displacement = (r, a, R, b) => {
@@ -977,7 +948,7 @@ const force_of_rounded_punch = (a, R, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, R, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_rounded_punch = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -1020,7 +991,7 @@ const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
           v55 = (b * b);
           v62 = (b / R);
           v67 = [];
-          for ([node, weight] of RULE_0_of_rounded_punch((v31 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v31 / 1.0))) {
             v44 = (node * v31);
             v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
             v66 = (((((2.0 * v54) / R) - (v62 * Math.atan2(v54, b))) * v54) / Math.sqrt((v55 + (v54 * v54))));
@@ -1066,6 +1037,36 @@ const pressure_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, R, b) => {
+  return math.where((r < b), 0, (Math.pow((r - b), 2) / (2 * R)));
+};
+
+const _displacement_3 = (r, a, R, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_rounded_punch(a, R, b) - _profile(r, R, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -1077,11 +1078,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R, b, E_star, dgamma) => {
-  return (_displacement_of_rounded_punch(r, a, R, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, R, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+const _displacement_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
   let node, v11, v12, v123, v13, v132, v133, v135, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v64, v72, v73, v75, v79, v84, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
     v18 = (r - a);
@@ -1103,7 +1104,7 @@ const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
           v50 = (b * b);
           v54 = (v12 * v12);
           v73 = [];
-          for ([node, weight] of RULE_0_of_rounded_punch((v25 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v25 / 1.0))) {
             v35 = (node * v25);
             v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
             v45 = (v44 * v44);
@@ -1135,7 +1136,7 @@ const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
     }
     return (v135 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v132 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
   }
-  return _displacement_3(r, a, R, b, E_star, dgamma);
+  return _displacement_2(r, a, R, b, E_star, dgamma);
 };
 
 const displacement_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
@@ -1145,10 +1146,10 @@ const displacement_of_rounded_punch = (r, a, R, b, E_star, dgamma) => {
   if ((!(a >= b))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_rounded_punch(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1231,7 +1232,7 @@ const _tangential_force = (a, c, R, b, E_star, mu) => {
         v152 = (b * b);
         v159 = (b / R);
         v166 = [];
-        for ([node, weight] of RULE_0_2((v145 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v145 / 1.0))) {
           v146 = (node * v145);
           v151 = ((v116 * Math.cosh(v146)) + (v121 * Math.sinh(v146)));
           v155 = Math.sqrt((v152 + (v151 * v151)));
@@ -1301,7 +1302,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
           v42 = ((v40 > 0.0) ? v40 : Infinity);
           v68 = [];
-          for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+          for ([node, weight] of RULE_0_3((v32 / 1.0))) {
             v45 = (node * v32);
             v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
             v67 = (((((2.0 * v55) / R) - (v63 * Math.atan2(v55, b))) * v55) / Math.sqrt((v56 + (v55 * v55))));
@@ -1336,7 +1337,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           v94 = (v34 - (v35 * Math.expm1(((-2.0) * v90))));
           v96 = ((v94 > 0.0) ? v94 : Infinity);
           v119 = [];
-          for ([node, weight] of RULE_0_2((v90 / 1.0))) {
+          for ([node, weight] of RULE_0_3((v90 / 1.0))) {
             v98 = (node * v90);
             v108 = (v82 * ((Math.exp((-v98)) * (v34 - (v35 * Math.expm1(((-2.0) * (v90 - v98)))))) / v96));
             v118 = (((((2.0 * v108) / R) - (v63 * Math.atan2(v108, b))) * v108) / Math.sqrt((v56 + (v108 * v108))));
@@ -1378,7 +1379,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           v161 = 0.0;
         }
         v180 = [];
-        for ([node, weight] of RULE_0_2((v161 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v161 / 1.0))) {
           v162 = (node * v161);
           v167 = ((v135 * Math.cosh(v162)) + (v140 * Math.sinh(v162)));
           v170 = Math.sqrt((v56 + (v167 * v167)));
@@ -1467,7 +1468,7 @@ const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
         }
         v140 = (b * b);
         v154 = [];
-        for ([node, weight] of RULE_0_2((v133 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v133 / 1.0))) {
           v134 = (node * v133);
           v139 = ((v104 * Math.cosh(v134)) + (v109 * Math.sinh(v134)));
           v143 = Math.sqrt((v140 + (v139 * v139)));

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -207,61 +209,15 @@ const pressure = (r, a, A, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, A, E_star) : 0.0) : NaN);
 };
 
-const OUTSIDE_6 = [[0.44444444444468756, 2012.329045387071, 3992.6681072942106, 2098.825846649865, (-362.00165963521414), (-611.3425551498234), (-181.92316258227586), (-23.178809850601194), (-1.2774361052403345)], [1.0, 4528.267624848188, 11371.059137910102, 10373.373159937977, 4128.7190564480725, 657.0260884407312, 23.453299031698904, (-0.42336499735873506), 0.008653162919782199], 0.8571428571428571];
-
-const _half_tangent = (r, a) => {
-  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
-};
-
-const rational = (v, top, bottom) => {
-  let above, below, coefficient;
-  [above, below] = [top.at(-1), bottom.at(-1)];
-  for (coefficient of math.reversed(top).slice(2 - 1)) {
-    above = ((above * v) + coefficient);
-  }
-  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
-    below = ((below * v) + coefficient);
-  }
-  return (above / below);
-};
-
-const from_start = (v, top, bottom, start) => {
-  return (start + (v * rational(v, top, bottom)));
-};
-
-const beside = (r, a, kernel) => {
-  let tangent;
-  tangent = _half_tangent(r, a);
-  return ((a / r) * from_start((tangent * tangent), ...kernel));
-};
-
-const _depth_of_sextic = (a, A) => {
-  return (((16 * A) / 5) * Math.pow(a, 6));
-};
-
-const _profile = (r, A) => {
-  return (A * Math.pow(r, 6));
-};
-
-const _displacement_of_sextic = (r, a, A) => {
-  let inside, outside;
-  outside = ((((32 * A) / (5 * Math.PI)) * Math.pow(a, 6)) * beside(r, a, OUTSIDE_6));
-  inside = (_depth_of_sextic(a, A) - _profile(r, A));
-  return math.where((r > a), outside, inside);
-};
-
 const _displacement = (r, a, A) => {
   let v15, v17, v8;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30))) {
-    v8 = Math.pow(a, 6.0);
-    if ((r > a)) {
-      v15 = (a / (r + Math.sqrt(((r - a) * (r + a)))));
-      v17 = (v15 * v15);
-      return ((((32.0 * A) / 15.707963267948966) * v8) * ((a / r) * (0.8571428571428571 + (v17 * ((((((((((((((((((-1.2774361052403345) * v17) + (-23.178809850601194)) * v17) + (-181.92316258227586)) * v17) + (-611.3425551498234)) * v17) + (-362.00165963521414)) * v17) + 2098.825846649865) * v17) + 3992.6681072942106) * v17) + 2012.329045387071) * v17) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v17) + (-0.42336499735873506)) * v17) + 23.453299031698904) * v17) + 657.0260884407312) * v17) + 4128.7190564480725) * v17) + 10373.373159937977) * v17) + 11371.059137910102) * v17) + 4528.267624848188) * v17) + 1.0))))));
-    }
-    return ((((16.0 * A) / 5.0) * v8) - (A * Math.pow(r, 6.0)));
+  v8 = Math.pow(a, 6.0);
+  if ((r > a)) {
+    v15 = (a / (r + math.sqrt(((r - a) * (r + a)))));
+    v17 = (v15 * v15);
+    return ((((32.0 * A) / 15.707963267948966) * v8) * ((a / r) * (0.8571428571428571 + (v17 * ((((((((((((((((((-1.2774361052403345) * v17) + (-23.178809850601194)) * v17) + (-181.92316258227586)) * v17) + (-611.3425551498234)) * v17) + (-362.00165963521414)) * v17) + 2098.825846649865) * v17) + 3992.6681072942106) * v17) + 2012.329045387071) * v17) + 0.44444444444468756) / ((((((((((((((((0.008653162919782199 * v17) + (-0.42336499735873506)) * v17) + 23.453299031698904) * v17) + 657.0260884407312) * v17) + 4128.7190564480725) * v17) + 10373.373159937977) * v17) + 11371.059137910102) * v17) + 4528.267624848188) * v17) + 1.0))))));
   }
-  return _displacement_of_sextic(r, a, A);
+  return ((((16.0 * A) / 5.0) * v8) - (A * Math.pow(r, 6.0)));
 };
 
 const displacement = (r, a, A) => {
@@ -466,22 +422,26 @@ const retraction = (a, E_star, dgamma) => {
   return ((a >= 0.0) ? hess_retraction(a, E_star, dgamma) : NaN);
 };
 
-const _depth_3 = (a, A, E_star, dgamma) => {
-  return (_depth_of_sextic(a, A) - hess_retraction(a, E_star, dgamma));
+const _depth_3 = (a, A) => {
+  return (((16 * A) / 5) * Math.pow(a, 6));
 };
 
 const _depth_2 = (a, A, E_star, dgamma) => {
+  return (_depth_3(a, A) - hess_retraction(a, E_star, dgamma));
+};
+
+const _depth_of_sextic = (a, A, E_star, dgamma) => {
   if (((a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     return ((((16.0 * A) / 5.0) * Math.pow(a, 6.0)) - (Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))));
   }
-  return _depth_3(a, A, E_star, dgamma);
+  return _depth_2(a, A, E_star, dgamma);
 };
 
 const depth_of_sextic = (a, A, E_star, dgamma) => {
   if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return ((a >= 0.0) ? _depth_2(a, A, E_star, dgamma) : NaN);
+  return ((a >= 0.0) ? _depth_of_sextic(a, A, E_star, dgamma) : NaN);
 };
 
 const pull = (a, E_star, dgamma) => {
@@ -553,6 +513,45 @@ const pressure_of_sextic = (r, a, A, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
+const OUTSIDE_6 = [[0.44444444444468756, 2012.329045387071, 3992.6681072942106, 2098.825846649865, (-362.00165963521414), (-611.3425551498234), (-181.92316258227586), (-23.178809850601194), (-1.2774361052403345)], [1.0, 4528.267624848188, 11371.059137910102, 10373.373159937977, 4128.7190564480725, 657.0260884407312, 23.453299031698904, (-0.42336499735873506), 0.008653162919782199], 0.8571428571428571];
+
+const _half_tangent = (r, a) => {
+  return (a / (r + Math.sqrt(((r - a) * (r + a)))));
+};
+
+const rational = (v, top, bottom) => {
+  let above, below, coefficient;
+  [above, below] = [top.at(-1), bottom.at(-1)];
+  for (coefficient of math.reversed(top).slice(2 - 1)) {
+    above = ((above * v) + coefficient);
+  }
+  for (coefficient of math.reversed(bottom).slice(2 - 1)) {
+    below = ((below * v) + coefficient);
+  }
+  return (above / below);
+};
+
+const from_start = (v, top, bottom, start) => {
+  return (start + (v * rational(v, top, bottom)));
+};
+
+const beside = (r, a, kernel) => {
+  let tangent;
+  tangent = _half_tangent(r, a);
+  return ((a / r) * from_start((tangent * tangent), ...kernel));
+};
+
+const _profile = (r, A) => {
+  return (A * Math.pow(r, 6));
+};
+
+const _displacement_3 = (r, a, A) => {
+  let inside, outside;
+  outside = ((((32 * A) / (5 * Math.PI)) * Math.pow(a, 6)) * beside(r, a, OUTSIDE_6));
+  inside = (_depth_3(a, A) - _profile(r, A));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -564,11 +563,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, A, E_star, dgamma) => {
-  return (_displacement_of_sextic(r, a, A) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, A, E_star, dgamma) => {
+  return (_displacement_3(r, a, A) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, A, E_star, dgamma) => {
+const _displacement_of_sextic = (r, a, A, E_star, dgamma) => {
   let v10, v12, v13, v17, v19, v84, v85;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (A > 1e-30) && (A < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v10 = Math.pow(a, 6.0);
@@ -584,14 +583,14 @@ const _displacement_2 = (r, a, A, E_star, dgamma) => {
     }
     return (v85 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v84 ? (0.6366197723675814 * Math.atan2(a, Math.sqrt(((((v12 > 0.0) || (v12 !== v12)) ? v12 : 0.0) * v13)))) : 1.0)));
   }
-  return _displacement_3(r, a, A, E_star, dgamma);
+  return _displacement_2(r, a, A, E_star, dgamma);
 };
 
 const displacement_of_sextic = (r, a, A, E_star, dgamma) => {
   if ((!((0.0 < A && A < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, A, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_sextic(r, a, A, E_star, dgamma) : 0.0) : NaN);
 };
 
 const _pull_off_radius = (A, E_star, dgamma, control) => {
@@ -880,7 +879,7 @@ const traction = (r, a, c, A, E_star, mu) => {
 };
 
 const _tangential_displacement_of_sextic = (a, c, A, E_star, G_star, mu) => {
-  return (((mu * (E_star / G_star)) * _depth_of_sextic(a, A)) * gained_share(c, a, 6.0));
+  return (((mu * (E_star / G_star)) * _depth_3(a, A)) * gained_share(c, a, 6.0));
 };
 
 const _tangential_displacement = (a, c, A, E_star, G_star, mu) => {
@@ -948,7 +947,7 @@ const stick_radius = (F_x, a, A, E_star, mu) => {
 };
 
 const _full_slip_displacement_of_sextic = (a, A, E_star, G_star, mu) => {
-  return ((mu * (E_star / G_star)) * _depth_of_sextic(a, A));
+  return ((mu * (E_star / G_star)) * _depth_3(a, A));
 };
 
 const _full_slip_displacement = (a, A, E_star, G_star, mu) => {

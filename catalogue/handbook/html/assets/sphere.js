@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -324,98 +326,46 @@ const pressure = (r, a, R, E_star) => {
 
 const RULE_0 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
-const _slope = (t, root, R) => {
-  let angle;
-  angle = Math.asinh((t / root));
-  return (angle + ((R * t) / Math.pow(root, 2)));
-};
-
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
-};
-
-const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
-  let end, fallen, integrand, scale, stop;
-  scale = math.minimum(r, R);
-  end = (a / difference_root(scale, a));
-  stop = Math.asinh(end);
-  fallen = falling_of_rules(stop);
-  integrand = (v) => {
-    let beyond, part, root, secant, side, t;
-    side = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (side * side)));
-    [t, part] = [(scale * (side / secant)), (scale / secant)];
-    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
-    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
-    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
-  };
-  return [integrand, stop, 1.0, (a < scale), Infinity];
-});
-
-const _profile = (r, R) => {
-  let root_Rr;
-  root_Rr = Math.sqrt(((R - r) * (r + R)));
-  return (Math.pow(r, 2) / (root_Rr + R));
-};
-
-const _displacement_of_sphere = (r, a, R) => {
-  let inside, outside, tip;
-  tip = displacement_integral_tanh(_slope, [R], r, a, R);
-  outside = ((2 / Math.PI) * tip);
-  inside = (_depth_of_sphere(a, R) - _profile(r, R));
-  return math.where((a <= R), math.where((r > a), outside, inside), NaN);
-};
-
 const _displacement = (r, a, R) => {
   let node, v10, v11, v16, v19, v21, v3, v30, v33, v35, v36, v37, v39, v4, v41, v43, v44, v47, v51, v52, v54, v64, v65, v66, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30))) {
-    if ((a <= R)) {
-      v39 = (r + R);
-      v47 = (R - r);
-      if ((r > a)) {
-        v3 = (((r < R) || (r !== r)) ? r : R);
-        if ((a < v3)) {
-          v4 = (v3 - a);
-          v10 = (a / Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (v3 + a))));
-          v11 = Math.asinh(v10);
-          v16 = (0.0 - Math.expm1(((-2.0) * v11)));
-          v19 = ((v16 > 0.0) ? v16 : Infinity);
-          v37 = (r - R);
-          v41 = Math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * v39));
-          v43 = (v41 * v41);
-          v51 = Math.sqrt(((((v47 > 0.0) || (v47 !== v47)) ? v47 : 0.0) * (R + r)));
-          v52 = (v51 * v51);
-          v65 = [];
-          for ([node, weight] of RULE_0((v11 / 1.0))) {
-            v21 = (node * v11);
-            v30 = (v10 * ((Math.exp((-v21)) * (0.0 - Math.expm1(((-2.0) * (v11 - v21))))) / v19));
-            v33 = Math.sqrt((1.0 + (v30 * v30)));
-            v35 = (v3 * (v30 / v33));
-            v36 = (v3 / v33);
-            v44 = (v36 * v36);
-            v54 = Math.sqrt((v52 + v44));
-            v64 = (((Math.asinh((v35 / v54)) + ((R * v35) / (v54 * v54))) * Math.atan2(v35, Math.sqrt((v43 + v44)))) * (v36 / v33));
-            v65.push((weight * v64));
-          }
-          v65 = (math.fsum(v65) * v11);
-          v66 = v65;
-        } else {
-          v66 = Infinity;
+  if ((a <= R)) {
+    v39 = (r + R);
+    v47 = (R - r);
+    if ((r > a)) {
+      v3 = (((r < R) || (r !== r)) ? r : R);
+      if ((a < v3)) {
+        v4 = (v3 - a);
+        v10 = (a / math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (v3 + a))));
+        v11 = Math.asinh(v10);
+        v16 = (0.0 - Math.expm1(((-2.0) * v11)));
+        v19 = ((v16 > 0.0) ? v16 : Infinity);
+        v37 = (r - R);
+        v41 = math.sqrt(((((v37 > 0.0) || (v37 !== v37)) ? v37 : 0.0) * v39));
+        v43 = (v41 * v41);
+        v51 = math.sqrt(((((v47 > 0.0) || (v47 !== v47)) ? v47 : 0.0) * (R + r)));
+        v52 = (v51 * v51);
+        v65 = [];
+        for ([node, weight] of RULE_0((v11 / 1.0))) {
+          v21 = (node * v11);
+          v30 = (v10 * ((Math.exp((-v21)) * (0.0 - Math.expm1(((-2.0) * (v11 - v21))))) / v19));
+          v33 = math.sqrt((1.0 + (v30 * v30)));
+          v35 = (v3 * (v30 / v33));
+          v36 = (v3 / v33);
+          v44 = (v36 * v36);
+          v54 = math.sqrt((v52 + v44));
+          v64 = (((Math.asinh((v35 / v54)) + ((R * v35) / (v54 * v54))) * Math.atan2(v35, math.sqrt((v43 + v44)))) * (v36 / v33));
+          v65.push((weight * v64));
         }
-        return (0.6366197723675814 * v66);
+        v65 = (math.fsum(v65) * v11);
+        v66 = v65;
+      } else {
+        v66 = Infinity;
       }
-      return ((a * (Math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (Math.sqrt((v47 * v39)) + R)));
+      return (0.6366197723675814 * v66);
     }
-    return NaN;
+    return ((a * (math.log1p(((2.0 * a) / (R - a))) / 2.0)) - ((r * r) / (math.sqrt((v47 * v39)) + R)));
   }
-  return _displacement_of_sphere(r, a, R);
+  return NaN;
 };
 
 const displacement = (r, a, R) => {
@@ -500,6 +450,8 @@ const mean_pressure = (a, R, E_star) => {
   return ((a >= 0.0) ? _mean_pressure(a, R, E_star) : NaN);
 };
 
+const RULE_0_of_sphere = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
 const _depth_at = (a, root) => {
   let angle;
   angle = Math.asinh((a / root));
@@ -540,7 +492,7 @@ const _energy = (a, R, E_star) => {
         v21 = (0.0 - Math.expm1(((-2.0) * v16)));
         v24 = ((v21 > 0.0) ? v21 : Infinity);
         v49 = [];
-        for ([node, weight] of RULE_0((v16 / 1.0))) {
+        for ([node, weight] of RULE_0_of_sphere((v16 / 1.0))) {
           v26 = (node * v16);
           v35 = (v15 * ((Math.exp((-v26)) * (0.0 - Math.expm1(((-2.0) * (v16 - v26))))) / v24));
           v38 = Math.sqrt((1.0 + (v35 * v35)));
@@ -566,6 +518,12 @@ const energy = (a, R, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _energy(a, R, E_star) : NaN);
+};
+
+const _slope = (t, root, R) => {
+  let angle;
+  angle = Math.asinh((t / root));
+  return (angle + ((R * t) / Math.pow(root, 2)));
 };
 
 const load_within_integral_tanh = math.in_groups((slope, r, a, R) => {
@@ -610,7 +568,7 @@ const _load_within = (r, a, R, E_star) => {
         v32 = ((v29 > 0.0) ? v29 : Infinity);
         v33 = (v4 * v4);
         v75 = [];
-        for ([node, weight] of RULE_0((v24 / 1.0))) {
+        for ([node, weight] of RULE_0_of_sphere((v24 / 1.0))) {
           v38 = (node * v24);
           v47 = (v22 * ((Math.exp((-v38)) * (0.0 - Math.expm1(((-2.0) * (v24 - v38))))) / v32));
           v48 = (v47 * v47);
@@ -999,7 +957,50 @@ const pressure_of_sphere = (r, a, R, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_of_sphere = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
+const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
+  let end, fallen, integrand, scale, stop;
+  scale = math.minimum(r, R);
+  end = (a / difference_root(scale, a));
+  stop = Math.asinh(end);
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let beyond, part, root, secant, side, t;
+    side = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    [t, part] = [(scale * (side / secant)), (scale / secant)];
+    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
+    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
+    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
+  };
+  return [integrand, stop, 1.0, (a < scale), Infinity];
+});
+
+const _profile = (r, R) => {
+  let root_Rr;
+  root_Rr = Math.sqrt(((R - r) * (r + R)));
+  return (Math.pow(r, 2) / (root_Rr + R));
+};
+
+const _displacement_3 = (r, a, R) => {
+  let inside, outside, tip;
+  tip = displacement_integral_tanh(_slope, [R], r, a, R);
+  outside = ((2 / Math.PI) * tip);
+  inside = (_depth_of_sphere(a, R) - _profile(r, R));
+  return math.where((a <= R), math.where((r > a), outside, inside), NaN);
+};
 
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
@@ -1012,11 +1013,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R, E_star, dgamma) => {
-  return (_displacement_of_sphere(r, a, R) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R, E_star, dgamma) => {
+  return (_displacement_3(r, a, R) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R, E_star, dgamma) => {
+const _displacement_of_sphere = (r, a, R, E_star, dgamma) => {
   let node, v12, v13, v18, v21, v23, v32, v35, v37, v38, v39, v41, v43, v45, v46, v49, v5, v53, v54, v56, v6, v66, v67, v68, v84, v85, v87, v88, v95, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v84 = (r > a);
@@ -1037,7 +1038,7 @@ const _displacement_2 = (r, a, R, E_star, dgamma) => {
           v53 = Math.sqrt(((((v49 > 0.0) || (v49 !== v49)) ? v49 : 0.0) * (R + r)));
           v54 = (v53 * v53);
           v67 = [];
-          for ([node, weight] of RULE_0_of_sphere((v13 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v13 / 1.0))) {
             v23 = (node * v13);
             v32 = (v12 * ((Math.exp((-v23)) * (0.0 - Math.expm1(((-2.0) * (v13 - v23))))) / v21));
             v35 = Math.sqrt((1.0 + (v32 * v32)));
@@ -1069,17 +1070,17 @@ const _displacement_2 = (r, a, R, E_star, dgamma) => {
     }
     return (v87 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v95));
   }
-  return _displacement_3(r, a, R, E_star, dgamma);
+  return _displacement_2(r, a, R, E_star, dgamma);
 };
 
 const displacement_of_sphere = (r, a, R, E_star, dgamma) => {
   if ((!((0.0 < R && R < Infinity) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_sphere(r, a, R, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1158,7 +1159,7 @@ const _tangential_force = (a, c, R, E_star, mu) => {
         }
         v158 = (v108 * Math.sqrt(((((v60 > 0.0) || (v60 !== v60)) ? v60 : 0.0) * (R + c))));
         v175 = [];
-        for ([node, weight] of RULE_0_2((v146 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v146 / 1.0))) {
           v147 = (node * v146);
           v148 = Math.cosh(v147);
           v149 = Math.sinh(v147);
@@ -1248,7 +1249,7 @@ const _tangential_displacement = (a, c, R, E_star, G_star, mu) => {
         }
         v78 = (v27 * Math.sqrt(((((v14 > 0.0) || (v14 !== v14)) ? v14 : 0.0) * (R + c))));
         v95 = [];
-        for ([node, weight] of RULE_0_2((v65 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v65 / 1.0))) {
           v67 = (node * v65);
           v68 = Math.cosh(v67);
           v69 = Math.sinh(v67);

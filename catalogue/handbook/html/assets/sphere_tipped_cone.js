@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -430,177 +432,89 @@ const pressure = (r, a, R, theta, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, theta, E_star) : 0.0) : NaN);
 };
 
-const _slope = (t, root, R) => {
-  let angle;
-  angle = Math.asinh((t / root));
-  return (angle + ((R * t) / Math.pow(root, 2)));
-};
-
-const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
-  let end, fallen, integrand, scale, stop;
-  scale = math.minimum(r, R);
-  end = (a / difference_root(scale, a));
-  stop = Math.asinh(end);
-  fallen = falling_of_rules(stop);
-  integrand = (v) => {
-    let beyond, part, root, secant, side, t;
-    side = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (side * side)));
-    [t, part] = [(scale * (side / secant)), (scale / secant)];
-    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
-    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
-    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
-  };
-  return [integrand, stop, 1.0, (a < scale), Infinity];
-});
-
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling_of_rules(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const sine_root = (x, R, theta) => {
-  let v16, v4, v6;
-  v4 = (R * Math.sin(theta));
-  v6 = (R * Math.cos(theta));
-  v16 = ((v6 < v4) ? ((v6 * v6) - ((R - x) * (R + x))) : ((x - v4) * (x + v4)));
-  return math.sqrt((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0));
-};
-
-const _depth_at = (a, root, R, theta) => {
-  let angle, b, beyond, logarithm, root_Rb, tip;
-  b = (R * Math.sin(theta));
-  root_Rb = (R * Math.cos(theta));
-  angle = Math.atan2(root, b);
-  logarithm = Math.log1p((((Math.pow(b, 2) / (root + a)) + (Math.pow(b, 2) / (root_Rb + R))) / (root + root_Rb)));
-  beyond = (a * (logarithm + ((b * angle) / root_Rb)));
-  angle = (Math.log1p(((2 * a) / (R - a))) / 2);
-  tip = (a * angle);
-  return math.where((a < b), tip, beyond);
-};
-
-const _depth_of_sphere_tipped_cone = (a, R, theta) => {
-  return _depth_at(a, sine_root(a, R, theta), R, theta);
-};
-
-const _profile = (r, R, theta) => {
-  let b, root_Rb, root_Rr;
-  b = (R * Math.sin(theta));
-  root_Rr = Math.sqrt(((R - r) * (r + R)));
-  root_Rb = (R * Math.cos(theta));
-  return math.where((r < b), (Math.pow(r, 2) / (root_Rr + R)), (b * (((r - b) / root_Rb) + (b / (root_Rb + R)))));
-};
-
-const _displacement_of_sphere_tipped_cone = (r, a, R, theta) => {
-  let b, beyond, inner, inside, outside, tip;
-  b = (R * Math.sin(theta));
-  inner = math.minimum(a, b);
-  tip = displacement_integral_tanh(_slope, [R], r, inner, R);
-  beyond = displacement_integral_beyond(_slope_beyond, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
-  outside = ((2 / Math.PI) * (tip + beyond));
-  inside = (_depth_of_sphere_tipped_cone(a, R, theta) - _profile(r, R, theta));
-  return math.where((r > a), outside, inside);
-};
-
 const _displacement = (r, a, R, theta) => {
   let node, v100, v109, v110, v112, v114, v115, v118, v119, v126, v128, v131, v132, v14, v140, v141, v15, v153, v154, v156, v162, v167, v169, v187, v20, v23, v25, v34, v37, v39, v40, v41, v43, v45, v47, v48, v5, v51, v55, v56, v58, v6, v68, v69, v7, v70, v74, v75, v79, v8, v80, v81, v83, v86, v91, v93, v96, v98, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966))) {
-    v5 = (R * Math.sin(theta));
-    v43 = (r + R);
-    v51 = (R - r);
-    v75 = (r - v5);
-    v81 = (a - v5);
-    v83 = (a + v5);
-    v126 = (R * Math.cos(theta));
-    v128 = (v5 * v5);
-    v131 = (v126 + R);
-    v132 = (v128 / v131);
-    if ((r > a)) {
-      v6 = (((a < v5) || (a !== a)) ? a : v5);
-      v7 = (((r < R) || (r !== r)) ? r : R);
-      if ((v6 < v7)) {
-        v8 = (v7 - v6);
-        v14 = (v6 / Math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (v7 + v6))));
-        v15 = Math.asinh(v14);
-        v20 = (0.0 - Math.expm1(((-2.0) * v15)));
-        v23 = ((v20 > 0.0) ? v20 : Infinity);
-        v41 = (r - R);
-        v45 = Math.sqrt(((((v41 > 0.0) || (v41 !== v41)) ? v41 : 0.0) * v43));
-        v47 = (v45 * v45);
-        v55 = Math.sqrt(((((v51 > 0.0) || (v51 !== v51)) ? v51 : 0.0) * (R + r)));
-        v56 = (v55 * v55);
-        v69 = [];
-        for ([node, weight] of RULE_0_of_sphere_tipped_cone((v15 / 1.0))) {
-          v25 = (node * v15);
-          v34 = (v14 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v15 - v25))))) / v23));
-          v37 = Math.sqrt((1.0 + (v34 * v34)));
-          v39 = (v7 * (v34 / v37));
-          v40 = (v7 / v37);
-          v48 = (v40 * v40);
-          v58 = Math.sqrt((v56 + v48));
-          v68 = (((Math.asinh((v39 / v58)) + ((R * v39) / (v58 * v58))) * Math.atan2(v39, Math.sqrt((v47 + v48)))) * (v40 / v37));
-          v69.push((weight * v68));
-        }
-        v69 = (math.fsum(v69) * v15);
-        v70 = v69;
-      } else {
-        v70 = Infinity;
+  v5 = (R * Math.sin(theta));
+  v43 = (r + R);
+  v51 = (R - r);
+  v75 = (r - v5);
+  v81 = (a - v5);
+  v83 = (a + v5);
+  v126 = (R * Math.cos(theta));
+  v128 = (v5 * v5);
+  v131 = (v126 + R);
+  v132 = (v128 / v131);
+  if ((r > a)) {
+    v6 = (((a < v5) || (a !== a)) ? a : v5);
+    v7 = (((r < R) || (r !== r)) ? r : R);
+    if ((v6 < v7)) {
+      v8 = (v7 - v6);
+      v14 = (v6 / math.sqrt(((((v8 > 0.0) || (v8 !== v8)) ? v8 : 0.0) * (v7 + v6))));
+      v15 = Math.asinh(v14);
+      v20 = (0.0 - Math.expm1(((-2.0) * v15)));
+      v23 = ((v20 > 0.0) ? v20 : Infinity);
+      v41 = (r - R);
+      v45 = math.sqrt(((((v41 > 0.0) || (v41 !== v41)) ? v41 : 0.0) * v43));
+      v47 = (v45 * v45);
+      v55 = math.sqrt(((((v51 > 0.0) || (v51 !== v51)) ? v51 : 0.0) * (R + r)));
+      v56 = (v55 * v55);
+      v69 = [];
+      for ([node, weight] of RULE_0((v15 / 1.0))) {
+        v25 = (node * v15);
+        v34 = (v14 * ((Math.exp((-v25)) * (0.0 - Math.expm1(((-2.0) * (v15 - v25))))) / v23));
+        v37 = math.sqrt((1.0 + (v34 * v34)));
+        v39 = (v7 * (v34 / v37));
+        v40 = (v7 / v37);
+        v48 = (v40 * v40);
+        v58 = math.sqrt((v56 + v48));
+        v68 = (((Math.asinh((v39 / v58)) + ((R * v39) / (v58 * v58))) * Math.atan2(v39, math.sqrt((v47 + v48)))) * (v40 / v37));
+        v69.push((weight * v68));
       }
-      if ((a > v5)) {
-        v74 = (1.0 - ((2.0 * theta) / 3.141592653589793));
-        v79 = Math.sqrt(((((v75 > 0.0) || (v75 !== v75)) ? v75 : 0.0) * (r + v5)));
-        v80 = (v5 / r);
-        v86 = (r - a);
-        v91 = (Math.sqrt(((((v81 > 0.0) || (v81 !== v81)) ? v81 : 0.0) * v83)) / Math.sqrt(((((v86 > 0.0) || (v86 !== v86)) ? v86 : 0.0) * (r + a))));
-        v93 = Math.asinh((v91 / v80));
-        v96 = (0.0 - Math.expm1(((-2.0) * v93)));
-        v98 = ((v96 > 0.0) ? v96 : Infinity);
-        v115 = (v5 * v5);
-        v119 = (v80 * v80);
-        v140 = (v128 * R);
-        v141 = (v126 * v126);
-        v154 = [];
-        for ([node, weight] of RULE_0_of_sphere_tipped_cone((v93 / v74))) {
-          v100 = (node * v93);
-          v109 = (v91 * ((Math.exp((-v100)) * (0.0 - Math.expm1(((-2.0) * (v93 - v100))))) / v98));
-          v110 = (v109 * v109);
-          v112 = Math.sqrt((1.0 + v110));
-          v114 = ((v79 * v109) / v112);
-          v118 = Math.sqrt((v115 + (v114 * v114)));
-          v153 = ((((((Math.log1p((((v128 / (v114 + v118)) + v132) / (v114 + v126))) + ((v5 * Math.atan2(v114, v5)) / v126)) + (v140 / ((v118 * v141) + ((R * v114) * v126)))) * v114) / v118) * Math.atan2(v118, (v79 / v112))) * (Math.sqrt((v119 + v110)) / ((v112 * v112) * v112)));
-          v154.push((weight * v153));
-        }
-        v154 = (math.fsum(v154) * v93);
-        v156 = (v79 * v154);
-      } else {
-        v156 = 0.0;
-      }
-      return (0.6366197723675814 * (v70 + v156));
-    }
-    v162 = (R - a);
-    if ((a < v5)) {
-      v187 = (a * (Math.log1p(((2.0 * a) / v162)) / 2.0));
+      v69 = (math.fsum(v69) * v15);
+      v70 = v69;
     } else {
-      v167 = ((v126 < v5) ? ((v126 * v126) - (v162 * (R + a))) : (v81 * v83));
-      v169 = Math.sqrt((((v167 > 0.0) || (v167 !== v167)) ? v167 : 0.0));
-      v187 = (a * (Math.log1p((((v128 / (v169 + a)) + v132) / (v169 + v126))) + ((v5 * Math.atan2(v169, v5)) / v126)));
+      v70 = Infinity;
     }
-    return (v187 - ((r < v5) ? ((r * r) / (Math.sqrt((v51 * v43)) + R)) : (v5 * ((v75 / v126) + (v5 / v131)))));
+    if ((a > v5)) {
+      v74 = (1.0 - ((2.0 * theta) / 3.141592653589793));
+      v79 = math.sqrt(((((v75 > 0.0) || (v75 !== v75)) ? v75 : 0.0) * (r + v5)));
+      v80 = (v5 / r);
+      v86 = (r - a);
+      v91 = (math.sqrt(((((v81 > 0.0) || (v81 !== v81)) ? v81 : 0.0) * v83)) / math.sqrt(((((v86 > 0.0) || (v86 !== v86)) ? v86 : 0.0) * (r + a))));
+      v93 = Math.asinh((v91 / v80));
+      v96 = (0.0 - Math.expm1(((-2.0) * v93)));
+      v98 = ((v96 > 0.0) ? v96 : Infinity);
+      v115 = (v5 * v5);
+      v119 = (v80 * v80);
+      v140 = (v128 * R);
+      v141 = (v126 * v126);
+      v154 = [];
+      for ([node, weight] of RULE_0((v93 / v74))) {
+        v100 = (node * v93);
+        v109 = (v91 * ((Math.exp((-v100)) * (0.0 - Math.expm1(((-2.0) * (v93 - v100))))) / v98));
+        v110 = (v109 * v109);
+        v112 = math.sqrt((1.0 + v110));
+        v114 = ((v79 * v109) / v112);
+        v118 = math.sqrt((v115 + (v114 * v114)));
+        v153 = ((((((math.log1p((((v128 / (v114 + v118)) + v132) / (v114 + v126))) + ((v5 * Math.atan2(v114, v5)) / v126)) + (v140 / ((v118 * v141) + ((R * v114) * v126)))) * v114) / v118) * Math.atan2(v118, (v79 / v112))) * (math.sqrt((v119 + v110)) / ((v112 * v112) * v112)));
+        v154.push((weight * v153));
+      }
+      v154 = (math.fsum(v154) * v93);
+      v156 = (v79 * v154);
+    } else {
+      v156 = 0.0;
+    }
+    return (0.6366197723675814 * (v70 + v156));
   }
-  return _displacement_of_sphere_tipped_cone(r, a, R, theta);
+  v162 = (R - a);
+  if ((a < v5)) {
+    v187 = (a * (math.log1p(((2.0 * a) / v162)) / 2.0));
+  } else {
+    v167 = ((v126 < v5) ? ((v126 * v126) - (v162 * (R + a))) : (v81 * v83));
+    v169 = math.sqrt((((v167 > 0.0) || (v167 !== v167)) ? v167 : 0.0));
+    v187 = (a * (math.log1p((((v128 / (v169 + a)) + v132) / (v169 + v126))) + ((v5 * Math.atan2(v169, v5)) / v126)));
+  }
+  return (v187 - ((r < v5) ? ((r * r) / (math.sqrt((v51 * v43)) + R)) : (v5 * ((v75 / v126) + (v5 / v131)))));
 };
 
 const displacement = (r, a, R, theta) => {
@@ -626,6 +540,14 @@ const stiffness = (a, R, theta, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _stiffness(a, E_star) : NaN);
+};
+
+const sine_root = (x, R, theta) => {
+  let v16, v4, v6;
+  v4 = (R * Math.sin(theta));
+  v6 = (R * Math.cos(theta));
+  v16 = ((v6 < v4) ? ((v6 * v6) - ((R - x) * (R + x))) : ((x - v4) * (x + v4)));
+  return math.sqrt((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0));
 };
 
 const TANH_GAP = [[0.3333333333333333, 0.3073858328214721, 0.08608622548411103, 0.007076196047699156, 0.00019982814521087247, 1.0716932453474512e-06], [1.0, 0.32215749846441627, 0.03639274880225476, 0.001617010334189783, 2.0203143566039827e-05, 2.565078604208634e-08]];
@@ -727,6 +649,22 @@ const mean_pressure = (a, R, theta, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _mean_pressure(a, R, theta, E_star) : NaN);
+};
+
+const _depth_at = (a, root, R, theta) => {
+  let angle, b, beyond, logarithm, root_Rb, tip;
+  b = (R * Math.sin(theta));
+  root_Rb = (R * Math.cos(theta));
+  angle = Math.atan2(root, b);
+  logarithm = Math.log1p((((Math.pow(b, 2) / (root + a)) + (Math.pow(b, 2) / (root_Rb + R))) / (root + root_Rb)));
+  beyond = (a * (logarithm + ((b * angle) / root_Rb)));
+  angle = (Math.log1p(((2 * a) / (R - a))) / 2);
+  tip = (a * angle);
+  return math.where((a < b), tip, beyond);
+};
+
+const _depth_of_sphere_tipped_cone = (a, R, theta) => {
+  return _depth_at(a, sine_root(a, R, theta), R, theta);
 };
 
 const energy_integral = math.in_groups((depth, a, d, length) => {
@@ -838,6 +776,12 @@ const energy = (a, R, theta, E_star) => {
     return NaN;
   }
   return ((a >= 0.0) ? _energy(a, R, theta, E_star) : NaN);
+};
+
+const _slope = (t, root, R) => {
+  let angle;
+  angle = Math.asinh((t / root));
+  return (angle + ((R * t) / Math.pow(root, 2)));
 };
 
 const load_within_integral_tanh = math.in_groups((slope, r, a, R) => {
@@ -1544,6 +1488,61 @@ const pressure_of_sphere_tipped_cone = (r, a, R, theta, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, theta, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_tanh = math.in_groups((slope, r, a, R) => {
+  let end, fallen, integrand, scale, stop;
+  scale = math.minimum(r, R);
+  end = (a / difference_root(scale, a));
+  stop = Math.asinh(end);
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let beyond, part, root, secant, side, t;
+    side = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (side * side)));
+    [t, part] = [(scale * (side / secant)), (scale / secant)];
+    beyond = Math.sqrt((Math.pow(difference_root(r, R), 2) + (part * part)));
+    root = Math.sqrt((Math.pow(difference_root(R, r), 2) + (part * part)));
+    return ((slope(t, root) * Math.atan2(t, beyond)) * (part / secant));
+  };
+  return [integrand, stop, 1.0, (a < scale), Infinity];
+});
+
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling_of_rules(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, R, theta) => {
+  let b, root_Rb, root_Rr;
+  b = (R * Math.sin(theta));
+  root_Rr = Math.sqrt(((R - r) * (r + R)));
+  root_Rb = (R * Math.cos(theta));
+  return math.where((r < b), (Math.pow(r, 2) / (root_Rr + R)), (b * (((r - b) / root_Rb) + (b / (root_Rb + R)))));
+};
+
+const _displacement_3 = (r, a, R, theta) => {
+  let b, beyond, inner, inside, outside, tip;
+  b = (R * Math.sin(theta));
+  inner = math.minimum(a, b);
+  tip = displacement_integral_tanh(_slope, [R], r, inner, R);
+  beyond = displacement_integral_beyond(_slope_beyond, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  outside = ((2 / Math.PI) * (tip + beyond));
+  inside = (_depth_of_sphere_tipped_cone(a, R, theta) - _profile(r, R, theta));
+  return math.where((r > a), outside, inside);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -1555,11 +1554,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R, theta, E_star, dgamma) => {
-  return (_displacement_of_sphere_tipped_cone(r, a, R, theta) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R, theta, E_star, dgamma) => {
+  return (_displacement_3(r, a, R, theta) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R, theta, E_star, dgamma) => {
+const _displacement_of_sphere_tipped_cone = (r, a, R, theta, E_star, dgamma) => {
   let node, v10, v100, v102, v111, v112, v114, v116, v117, v120, v121, v128, v130, v133, v134, v142, v143, v155, v156, v158, v16, v164, v169, v17, v171, v189, v202, v203, v22, v25, v27, v36, v39, v41, v42, v43, v45, v47, v49, v50, v53, v57, v58, v60, v7, v70, v71, v72, v76, v77, v8, v81, v82, v83, v85, v88, v9, v92, v93, v95, v98, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30))) {
     v7 = (R * Math.sin(theta));
@@ -1648,14 +1647,14 @@ const _displacement_2 = (r, a, R, theta, E_star, dgamma) => {
     }
     return (v203 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v202 ? (0.6366197723675814 * Math.atan2(a, v92)) : 1.0)));
   }
-  return _displacement_3(r, a, R, theta, E_star, dgamma);
+  return _displacement_2(r, a, R, theta, E_star, dgamma);
 };
 
 const displacement_of_sphere_tipped_cone = (r, a, R, theta, E_star, dgamma) => {
   if ((!((0.0 < R && R < Infinity) && (0.0 < theta && theta < 1.5707963267948966) && (0.0 < E_star && E_star < Infinity) && (0.0 <= dgamma && dgamma < Infinity)))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, theta, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_sphere_tipped_cone(r, a, R, theta, E_star, dgamma) : 0.0) : NaN);
 };
 
 const RULE_0_4 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);

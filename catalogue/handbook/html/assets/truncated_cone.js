@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -312,79 +314,48 @@ const pressure = (r, a, theta, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const _profile = (r, theta, b) => {
-  return math.where((r < b), 0, (Math.tan(theta) * (r - b)));
-};
-
-const _displacement_of_truncated_cone = (r, a, theta, b) => {
-  let beyond, inside, outside;
-  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
-  outside = ((2 / Math.PI) * beyond);
-  inside = (_depth_of_truncated_cone(a, theta, b) - _profile(r, theta, b));
-  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
-};
+const RULE_0_of_truncated_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, theta, b) => {
   let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v60, v62, v70, v71, v73, v9, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
-    if ((a >= b)) {
-      v4 = (r - b);
-      v11 = (a - b);
-      v13 = (a + b);
-      v60 = Math.tan(theta);
-      if ((r > a)) {
-        if ((a > b)) {
-          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
-          v10 = (b / r);
-          v16 = (r - a);
-          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-          v23 = Math.asinh((v21 / v10));
-          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-          v31 = ((v28 > 0.0) ? v28 : Infinity);
-          v48 = (b * b);
-          v52 = (v10 * v10);
-          v62 = (b * v60);
-          v71 = [];
-          for ([node, weight] of RULE_0((v23 / 1.0))) {
-            v33 = (node * v23);
-            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-            v43 = (v42 * v42);
-            v45 = Math.sqrt((1.0 + v43));
-            v47 = ((v9 * v42) / v45);
-            v51 = Math.sqrt((v48 + (v47 * v47)));
-            v70 = ((((((v60 * Math.atan((v47 / b))) + (v62 / v47)) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-            v71.push((weight * v70));
-          }
-          v71 = (math.fsum(v71) * v23);
-          v73 = (v9 * v71);
-        } else {
-          v73 = 0.0;
+  if ((a >= b)) {
+    v4 = (r - b);
+    v11 = (a - b);
+    v13 = (a + b);
+    v60 = Math.tan(theta);
+    if ((r > a)) {
+      if ((a > b)) {
+        v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * (r + b)));
+        v10 = (b / r);
+        v16 = (r - a);
+        v21 = (math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+        v23 = Math.asinh((v21 / v10));
+        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+        v31 = ((v28 > 0.0) ? v28 : Infinity);
+        v48 = (b * b);
+        v52 = (v10 * v10);
+        v62 = (b * v60);
+        v71 = [];
+        for ([node, weight] of RULE_0_of_truncated_cone((v23 / 1.0))) {
+          v33 = (node * v23);
+          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+          v43 = (v42 * v42);
+          v45 = math.sqrt((1.0 + v43));
+          v47 = ((v9 * v42) / v45);
+          v51 = math.sqrt((v48 + (v47 * v47)));
+          v70 = ((((((v60 * Math.atan((v47 / b))) + (v62 / v47)) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+          v71.push((weight * v70));
         }
-        return (0.6366197723675814 * v73);
+        v71 = (math.fsum(v71) * v23);
+        v73 = (v9 * v71);
+      } else {
+        v73 = 0.0;
       }
-      return (((v60 * a) * Math.atan((Math.sqrt((v11 * v13)) / b))) - ((r < b) ? 0.0 : (v60 * v4)));
+      return (0.6366197723675814 * v73);
     }
-    return NaN;
+    return (((v60 * a) * Math.atan((math.sqrt((v11 * v13)) / b))) - ((r < b) ? 0.0 : (v60 * v4)));
   }
-  return _displacement_of_truncated_cone(r, a, theta, b);
+  return NaN;
 };
 
 const displacement = (r, a, theta, b) => {
@@ -876,7 +847,7 @@ const force_of_truncated_cone = (a, theta, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, theta, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_truncated_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -924,7 +895,7 @@ const _pressure_2 = (r, a, theta, b, E_star, dgamma) => {
             v61 = Math.tan(theta);
             v63 = (b * v61);
             v68 = [];
-            for ([node, weight] of RULE_0_of_truncated_cone((v31 / 1.0))) {
+            for ([node, weight] of RULE_0_2((v31 / 1.0))) {
               v44 = (node * v31);
               v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
               v67 = ((((v61 * Math.atan((v54 / b))) + (v63 / v54)) * v54) / Math.sqrt((v55 + (v54 * v54))));
@@ -972,6 +943,36 @@ const pressure_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, theta, b) => {
+  return math.where((r < b), 0, (Math.tan(theta) * (r - b)));
+};
+
+const _displacement_3 = (r, a, theta, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [theta, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_truncated_cone(a, theta, b) - _profile(r, theta, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -983,11 +984,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, theta, b, E_star, dgamma) => {
-  return (_displacement_of_truncated_cone(r, a, theta, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, theta, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
+const _displacement_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
   let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v62, v64, v72, v73, v75, v89, v90, v92, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (theta > 1e-30) && (theta < 1.5707963267948966) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
     v18 = (r - a);
@@ -1010,7 +1011,7 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
           v54 = (v12 * v12);
           v64 = (b * v62);
           v73 = [];
-          for ([node, weight] of RULE_0_of_truncated_cone((v25 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v25 / 1.0))) {
             v35 = (node * v25);
             v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
             v45 = (v44 * v44);
@@ -1035,7 +1036,7 @@ const _displacement_2 = (r, a, theta, b, E_star, dgamma) => {
     }
     return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
   }
-  return _displacement_3(r, a, theta, b, E_star, dgamma);
+  return _displacement_2(r, a, theta, b, E_star, dgamma);
 };
 
 const displacement_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
@@ -1045,10 +1046,10 @@ const displacement_of_truncated_cone = (r, a, theta, b, E_star, dgamma) => {
   if ((!(a >= b))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_truncated_cone(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1115,7 +1116,7 @@ const _tangential_force = (a, c, theta, b, E_star, mu) => {
         v78 = (b * b);
         v85 = (b * v12);
         v92 = [];
-        for ([node, weight] of RULE_0_2((v70 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v70 / 1.0))) {
           v72 = (node * v70);
           v77 = ((v41 * Math.cosh(v72)) + (v46 * Math.sinh(v72)));
           v81 = Math.sqrt((v78 + (v77 * v77)));
@@ -1190,7 +1191,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
             v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
             v42 = ((v40 > 0.0) ? v40 : Infinity);
             v69 = [];
-            for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+            for ([node, weight] of RULE_0_3((v32 / 1.0))) {
               v45 = (node * v32);
               v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
               v68 = ((((v62 * Math.atan((v55 / b))) + (v64 / v55)) * v55) / Math.sqrt((v56 + (v55 * v55))));
@@ -1230,7 +1231,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
             v98 = (v34 - (v35 * Math.expm1(((-2.0) * v94))));
             v100 = ((v98 > 0.0) ? v98 : Infinity);
             v123 = [];
-            for ([node, weight] of RULE_0_2((v94 / 1.0))) {
+            for ([node, weight] of RULE_0_3((v94 / 1.0))) {
               v102 = (node * v94);
               v112 = (v86 * ((Math.exp((-v102)) * (v34 - (v35 * Math.expm1(((-2.0) * (v94 - v102)))))) / v100));
               v122 = ((((v62 * Math.atan((v112 / b))) + (v64 / v112)) * v112) / Math.sqrt((v56 + (v112 * v112))));
@@ -1274,7 +1275,7 @@ const _traction = (r, a, c, theta, b, E_star, mu) => {
           v168 = 0.0;
         }
         v187 = [];
-        for ([node, weight] of RULE_0_2((v168 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v168 / 1.0))) {
           v169 = (node * v168);
           v174 = ((v142 * Math.cosh(v169)) + (v147 * Math.sinh(v169)));
           v177 = Math.sqrt((v56 + (v174 * v174)));
@@ -1349,7 +1350,7 @@ const _tangential_displacement = (a, c, theta, b, E_star, G_star, mu) => {
         v70 = (b * b);
         v77 = (b * v13);
         v84 = [];
-        for ([node, weight] of RULE_0_2((v62 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v62 / 1.0))) {
           v64 = (node * v62);
           v69 = ((v33 * Math.cosh(v64)) + (v38 * Math.sinh(v64)));
           v73 = Math.sqrt((v70 + (v69 * v69)));

@@ -87,6 +87,8 @@ const math = {
   // nodes and weights on (0, 1) for an interval of a length, in panels beyond the last one
   rule: (lengths) => (length) => {
     for (const [longest, count] of lengths) if (length <= longest) return pairs(count, 1);
+    // thousands of panels, within each of them again, for what is no number at the end
+    if (!Number.isFinite(length)) return [[NaN, NaN]];
     const [longest, count] = lengths.at(-1);
     return pairs(count, panelsOf(length / longest));
   },
@@ -305,79 +307,48 @@ const pressure = (r, a, R, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure(r, a, R, b, E_star) : 0.0) : NaN);
 };
 
-const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
-  let end, fallen, integrand, ratio, reach, stop;
-  [reach, ratio] = [difference_root(r, b), (b / r)];
-  end = (difference_root(a, b) / difference_root(r, a));
-  stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
-  integrand = (v) => {
-    let root, secant, t, tangent, weight;
-    tangent = (end * fallen(v));
-    secant = Math.sqrt((1.0 + (tangent * tangent)));
-    root = ((reach * tangent) / secant);
-    t = Math.sqrt(((b * b) + (root * root)));
-    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
-    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
-  };
-  return [integrand, stop, reach, (a > b), 0.0];
-});
-
-const _profile = (r, R, b) => {
-  return math.where((r < b), 0, (((r - b) * (r + b)) / (2 * R)));
-};
-
-const _displacement_of_truncated_paraboloid = (r, a, R, b) => {
-  let beyond, inside, outside;
-  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
-  outside = ((2 / Math.PI) * beyond);
-  inside = (_depth_of_truncated_paraboloid(a, R, b) - _profile(r, R, b));
-  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
-};
+const RULE_0_of_truncated_paraboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const _displacement = (r, a, R, b) => {
   let node, v10, v11, v13, v16, v21, v23, v28, v31, v33, v4, v42, v43, v45, v47, v48, v51, v52, v61, v7, v70, v71, v73, v9, weight;
-  if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (b <= a))) {
-    if ((a >= b)) {
-      v4 = (r - b);
-      v7 = (r + b);
-      v11 = (a - b);
-      v13 = (a + b);
-      if ((r > a)) {
-        if ((a > b)) {
-          v9 = Math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v7));
-          v10 = (b / r);
-          v16 = (r - a);
-          v21 = (Math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / Math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
-          v23 = Math.asinh((v21 / v10));
-          v28 = (0.0 - Math.expm1(((-2.0) * v23)));
-          v31 = ((v28 > 0.0) ? v28 : Infinity);
-          v48 = (b * b);
-          v52 = (v10 * v10);
-          v61 = (b * b);
-          v71 = [];
-          for ([node, weight] of RULE_0((v23 / 1.0))) {
-            v33 = (node * v23);
-            v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
-            v43 = (v42 * v42);
-            v45 = Math.sqrt((1.0 + v43));
-            v47 = ((v9 * v42) / v45);
-            v51 = Math.sqrt((v48 + (v47 * v47)));
-            v70 = (((((((2.0 * v47) / R) + (v61 / (R * v47))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (Math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
-            v71.push((weight * v70));
-          }
-          v71 = (math.fsum(v71) * v23);
-          v73 = (v9 * v71);
-        } else {
-          v73 = 0.0;
+  if ((a >= b)) {
+    v4 = (r - b);
+    v7 = (r + b);
+    v11 = (a - b);
+    v13 = (a + b);
+    if ((r > a)) {
+      if ((a > b)) {
+        v9 = math.sqrt(((((v4 > 0.0) || (v4 !== v4)) ? v4 : 0.0) * v7));
+        v10 = (b / r);
+        v16 = (r - a);
+        v21 = (math.sqrt(((((v11 > 0.0) || (v11 !== v11)) ? v11 : 0.0) * v13)) / math.sqrt(((((v16 > 0.0) || (v16 !== v16)) ? v16 : 0.0) * (r + a))));
+        v23 = Math.asinh((v21 / v10));
+        v28 = (0.0 - Math.expm1(((-2.0) * v23)));
+        v31 = ((v28 > 0.0) ? v28 : Infinity);
+        v48 = (b * b);
+        v52 = (v10 * v10);
+        v61 = (b * b);
+        v71 = [];
+        for ([node, weight] of RULE_0_of_truncated_paraboloid((v23 / 1.0))) {
+          v33 = (node * v23);
+          v42 = (v21 * ((Math.exp((-v33)) * (0.0 - Math.expm1(((-2.0) * (v23 - v33))))) / v31));
+          v43 = (v42 * v42);
+          v45 = math.sqrt((1.0 + v43));
+          v47 = ((v9 * v42) / v45);
+          v51 = math.sqrt((v48 + (v47 * v47)));
+          v70 = (((((((2.0 * v47) / R) + (v61 / (R * v47))) * v47) / v51) * Math.atan2(v51, (v9 / v45))) * (math.sqrt((v52 + v43)) / ((v45 * v45) * v45)));
+          v71.push((weight * v70));
         }
-        return (0.6366197723675814 * v73);
+        v71 = (math.fsum(v71) * v23);
+        v73 = (v9 * v71);
+      } else {
+        v73 = 0.0;
       }
-      return (((a * Math.sqrt((v11 * v13))) / R) - ((r < b) ? 0.0 : ((v4 * v7) / (2.0 * R))));
+      return (0.6366197723675814 * v73);
     }
-    return NaN;
+    return (((a * math.sqrt((v11 * v13))) / R) - ((r < b) ? 0.0 : ((v4 * v7) / (2.0 * R))));
   }
-  return _displacement_of_truncated_paraboloid(r, a, R, b);
+  return NaN;
 };
 
 const displacement = (r, a, R, b) => {
@@ -874,7 +845,7 @@ const force_of_truncated_paraboloid = (a, R, b, E_star, dgamma) => {
   return ((a >= 0.0) ? _force_2(a, R, b, E_star, dgamma) : NaN);
 };
 
-const RULE_0_of_truncated_paraboloid = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
@@ -921,7 +892,7 @@ const _pressure_2 = (r, a, R, b, E_star, dgamma) => {
             v55 = (b * b);
             v61 = (b * b);
             v67 = [];
-            for ([node, weight] of RULE_0_of_truncated_paraboloid((v31 / 1.0))) {
+            for ([node, weight] of RULE_0_2((v31 / 1.0))) {
               v44 = (node * v31);
               v54 = (v18 * ((Math.exp((-v44)) * (v33 - (v34 * Math.expm1(((-2.0) * (v31 - v44)))))) / v41));
               v66 = (((((2.0 * v54) / R) + (v61 / (R * v54))) * v54) / Math.sqrt((v55 + (v54 * v54))));
@@ -969,6 +940,36 @@ const pressure_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
+  let end, fallen, integrand, ratio, reach, stop;
+  [reach, ratio] = [difference_root(r, b), (b / r)];
+  end = (difference_root(a, b) / difference_root(r, a));
+  stop = Math.asinh((end / ratio));
+  fallen = falling(stop);
+  integrand = (v) => {
+    let root, secant, t, tangent, weight;
+    tangent = (end * fallen(v));
+    secant = Math.sqrt((1.0 + (tangent * tangent)));
+    root = ((reach * tangent) / secant);
+    t = Math.sqrt(((b * b) + (root * root)));
+    weight = (Math.sqrt(((ratio * ratio) + (tangent * tangent))) / ((secant * secant) * secant));
+    return ((((slope(t, root) * root) / t) * Math.atan2(t, (reach / secant))) * weight);
+  };
+  return [integrand, stop, reach, (a > b), 0.0];
+});
+
+const _profile = (r, R, b) => {
+  return math.where((r < b), 0, (((r - b) * (r + b)) / (2 * R)));
+};
+
+const _displacement_3 = (r, a, R, b) => {
+  let beyond, inside, outside;
+  beyond = displacement_integral_beyond(_slope_beyond, [R, b], r, a, b);
+  outside = ((2 / Math.PI) * beyond);
+  inside = (_depth_of_truncated_paraboloid(a, R, b) - _profile(r, R, b));
+  return math.where((a >= b), math.where((r > a), outside, inside), NaN);
+};
+
 const lift = (r, a, E_star, dgamma) => {
   let v15, v5;
   if ((r > a)) {
@@ -980,11 +981,11 @@ const lift = (r, a, E_star, dgamma) => {
   return ((math.sqrt(a) * math.sqrt(((6.283185307179586 * dgamma) / E_star))) * v15);
 };
 
-const _displacement_3 = (r, a, R, b, E_star, dgamma) => {
-  return (_displacement_of_truncated_paraboloid(r, a, R, b) - lift(r, a, E_star, dgamma));
+const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+  return (_displacement_3(r, a, R, b) - lift(r, a, E_star, dgamma));
 };
 
-const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
+const _displacement_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
   let node, v11, v12, v13, v15, v18, v22, v23, v25, v30, v33, v35, v44, v45, v47, v49, v50, v53, v54, v6, v63, v72, v73, v75, v89, v9, v90, v92, weight;
   if (((r > 1e-30) && (r < 1e+30) && (a > 1e-30) && (a < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30) && (E_star > 1e-30) && (E_star < 1e+30) && (dgamma > 1e-30) && (dgamma < 1e+30) && (b <= a))) {
     v18 = (r - a);
@@ -1007,7 +1008,7 @@ const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
           v54 = (v12 * v12);
           v63 = (b * b);
           v73 = [];
-          for ([node, weight] of RULE_0_of_truncated_paraboloid((v25 / 1.0))) {
+          for ([node, weight] of RULE_0_2((v25 / 1.0))) {
             v35 = (node * v25);
             v44 = (v23 * ((Math.exp((-v35)) * (0.0 - Math.expm1(((-2.0) * (v25 - v35))))) / v33));
             v45 = (v44 * v44);
@@ -1032,7 +1033,7 @@ const _displacement_2 = (r, a, R, b, E_star, dgamma) => {
     }
     return (v92 - ((Math.sqrt(a) * Math.sqrt(((6.283185307179586 * dgamma) / E_star))) * (v89 ? (0.6366197723675814 * Math.atan2(a, v22)) : 1.0)));
   }
-  return _displacement_3(r, a, R, b, E_star, dgamma);
+  return _displacement_2(r, a, R, b, E_star, dgamma);
 };
 
 const displacement_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
@@ -1042,10 +1043,10 @@ const displacement_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
   if ((!(a >= b))) {
     return NaN;
   }
-  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
+  return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _displacement_of_truncated_paraboloid(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
-const RULE_0_2 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
+const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
 const CLOSE = 0.25;
 
@@ -1110,7 +1111,7 @@ const _tangential_force = (a, c, R, b, E_star, mu) => {
         }
         v76 = (b * b);
         v89 = [];
-        for ([node, weight] of RULE_0_2((v68 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v68 / 1.0))) {
           v70 = (node * v68);
           v75 = ((v39 * Math.cosh(v70)) + (v44 * Math.sinh(v70)));
           v79 = Math.sqrt((v76 + (v75 * v75)));
@@ -1184,7 +1185,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
             v40 = (v34 - (v35 * Math.expm1(((-2.0) * v32))));
             v42 = ((v40 > 0.0) ? v40 : Infinity);
             v68 = [];
-            for ([node, weight] of RULE_0_2((v32 / 1.0))) {
+            for ([node, weight] of RULE_0_3((v32 / 1.0))) {
               v45 = (node * v32);
               v55 = (v19 * ((Math.exp((-v45)) * (v34 - (v35 * Math.expm1(((-2.0) * (v32 - v45)))))) / v42));
               v67 = (((((2.0 * v55) / R) + (v62 / (R * v55))) * v55) / Math.sqrt((v56 + (v55 * v55))));
@@ -1224,7 +1225,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
             v97 = (v34 - (v35 * Math.expm1(((-2.0) * v93))));
             v99 = ((v97 > 0.0) ? v97 : Infinity);
             v122 = [];
-            for ([node, weight] of RULE_0_2((v93 / 1.0))) {
+            for ([node, weight] of RULE_0_3((v93 / 1.0))) {
               v101 = (node * v93);
               v111 = (v85 * ((Math.exp((-v101)) * (v34 - (v35 * Math.expm1(((-2.0) * (v93 - v101)))))) / v99));
               v121 = (((((2.0 * v111) / R) + (v62 / (R * v111))) * v111) / Math.sqrt((v56 + (v111 * v111))));
@@ -1268,7 +1269,7 @@ const _traction = (r, a, c, R, b, E_star, mu) => {
           v167 = 0.0;
         }
         v186 = [];
-        for ([node, weight] of RULE_0_2((v167 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v167 / 1.0))) {
           v168 = (node * v167);
           v173 = ((v141 * Math.cosh(v168)) + (v146 * Math.sinh(v168)));
           v176 = Math.sqrt((v56 + (v173 * v173)));
@@ -1342,7 +1343,7 @@ const _tangential_displacement = (a, c, R, b, E_star, G_star, mu) => {
         v65 = (b * b);
         v72 = (b * b);
         v80 = [];
-        for ([node, weight] of RULE_0_2((v57 / 1.0))) {
+        for ([node, weight] of RULE_0_3((v57 / 1.0))) {
           v59 = (node * v57);
           v64 = ((v28 * Math.cosh(v59)) + (v33 * Math.sinh(v59)));
           v68 = Math.sqrt((v65 + (v64 * v64)));

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from math import tan
+from math import atan, tan
 
 from ...._runtime.plain import sqrt
+
+
+def _slope(t, theta):
+    return 3.141592653589793 * tan(theta) / 2.0
 
 
 def _depth(a, theta):
@@ -13,6 +17,14 @@ def _depth(a, theta):
 
 def _force(a, theta, E_star):
     return 3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0
+
+
+def _displacement(r, a, theta):
+    v3 = tan(theta)
+    if r > a:
+        v10 = a / (r + sqrt((r - a) * (r + a)))
+        return v3 * a * (2.0 * atan(v10) - v10)
+    return 3.141592653589793 * v3 * a / 2.0 - v3 * r
 
 
 def _radius_from_depth(d, theta):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from math import asinh, tanh
+from math import asinh, atan2, exp, expm1, fsum, inf, nan, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.shapes.arcs import arc_strips
-from ...._runtime.plain import log1p, MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _slope(t, root, h, b):
@@ -46,6 +48,44 @@ def _pressure(r, a, h, b, E_star):
     pressed = E_star * h / np.pi * (np.arcsinh(root / root_ba) / root_br + arc_strips(r, a, b) / b)
     inside = pressed if r < a else 0.0
     return inside if a <= b else np.nan
+
+
+def _displacement(r, a, h, b):
+    if a <= b:
+        v58 = h / b
+        if r > a:
+            v4 = r if r < b or r != r else b
+            if a < v4:
+                v5 = v4 - a
+                v11 = a / sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (v4 + a))
+                v12 = asinh(v11)
+                v17 = 0.0 - expm1(-2.0 * v12)
+                v20 = v17 if v17 > 0.0 else inf
+                v38 = r - b
+                v42 = sqrt((v38 if v38 > 0.0 or v38 != v38 else 0.0) * (r + b))
+                v44 = v42 * v42
+                v48 = b - r
+                v52 = sqrt((v48 if v48 > 0.0 or v48 != v48 else 0.0) * (b + r))
+                v53 = v52 * v52
+                v68 = []
+                for node, weight in RULE_0(v12 / 1.0):
+                    v22 = node * v12
+                    v31 = v11 * (exp(-v22) * (0.0 - expm1(-2.0 * (v12 - v22))) / v20)
+                    v34 = sqrt(1.0 + v31 * v31)
+                    v36 = v4 * (v31 / v34)
+                    v37 = v4 / v34
+                    v45 = v37 * v37
+                    v55 = sqrt(v53 + v45)
+                    v67 = (v58 * asinh(v36 / v55) + h * v36 / (v55 * v55)) * atan2(v36, sqrt(v44 + v45)) * (v37 / v34)
+                    v68.append(weight * v67)
+                v68 = fsum(v68) * v12
+                v69 = v68
+            else:
+                v69 = inf
+            return 0.6366197723675814 * v69
+        v79 = r / b
+        return v58 * a * (log1p(2.0 * a / (b - a)) / 2.0) - h * (r * r) / (b * b * (sqrt((1.0 - v79) * (v79 + 1.0)) + 1.0))
+    return nan
 
 
 def _contact_from_depth(d, h, b):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, tan
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, tan
 
 from ...._programs.bodies._runtime.inverse import inverse
-from ...._runtime.plain import MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _slope(t, theta, b):
@@ -25,6 +27,33 @@ def _force(a, theta, b, E_star):
     else:
         v58 = v11 - atan(v11)
     return E_star * tan(theta) * (a * a * atan2(a, b) + b * b * v58)
+
+
+def _displacement(r, a, theta, b):
+    v49 = tan(theta)
+    v55 = b * b
+    if r > a:
+        v8 = b / sqrt(r * r + b * b)
+        v9 = r - a
+        v15 = a / sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (r + a))
+        v17 = asinh(v15 / v8)
+        v22 = 0.0 - expm1(-2.0 * v17)
+        v25 = v22 if v22 > 0.0 else inf
+        v39 = v8 * v8
+        v51 = b * v49
+        v62 = []
+        for node, weight in RULE_0(v17 / 1.0):
+            v26 = node * v17
+            v35 = v15 * (exp(-v26) * (0.0 - expm1(-2.0 * (v17 - v26))) / v25)
+            v36 = v35 * v35
+            v38 = sqrt(1.0 + v36)
+            v46 = r * v35 / v38
+            v61 = (v49 * atan(v46 / b) + v51 * v46 / (v46 * v46 + v55)) * atan(v35) * (sqrt(v39 + v36) / (v38 * v38 * v38))
+            v62.append(weight * v61)
+        v62 = fsum(v62) * v17
+        return 0.6366197723675814 * (r * v62)
+    v71 = r * r
+    return v49 * a * atan(a / b) - v49 * v71 / (sqrt(v71 + v55) + b)
 
 
 def _radius_from_depth(d, theta, b):

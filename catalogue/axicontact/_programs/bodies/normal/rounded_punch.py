@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from math import atan, atan2
+from math import asinh, atan, atan2, exp, expm1, fsum, inf, nan
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _slope_beyond(t, root, R, b):
@@ -43,6 +45,48 @@ def _force(a, R, b, E_star):
         v15 = v7 / b
         v55 = v15 - atan(v15)
     return E_star / R * (b * (a * a) * v55 + v6 * v7 / 3.0)
+
+
+def _displacement(r, a, R, b):
+    if a >= b:
+        v4 = r - b
+        v11 = a - b
+        v13 = a + b
+        v62 = b / R
+        if r > a:
+            if a > b:
+                v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (r + b))
+                v10 = b / r
+                v16 = r - a
+                v21 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * v13) / sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (r + a))
+                v23 = asinh(v21 / v10)
+                v28 = 0.0 - expm1(-2.0 * v23)
+                v31 = v28 if v28 > 0.0 else inf
+                v48 = b * b
+                v52 = v10 * v10
+                v71 = []
+                for node, weight in RULE_0(v23 / 1.0):
+                    v33 = node * v23
+                    v42 = v21 * (exp(-v33) * (0.0 - expm1(-2.0 * (v23 - v33))) / v31)
+                    v43 = v42 * v42
+                    v45 = sqrt(1.0 + v43)
+                    v47 = v9 * v42 / v45
+                    v51 = sqrt(v48 + v47 * v47)
+                    v70 = (2.0 * v47 / R - v62 * atan2(v47, b)) * v47 / v51 * atan2(v51, v9 / v45) * (sqrt(v52 + v43) / (v45 * v45 * v45))
+                    v71.append(weight * v70)
+                v71 = fsum(v71) * v23
+                v73 = v9 * v71
+            else:
+                v73 = 0.0
+            return 0.6366197723675814 * v73
+        v77 = v11 / b
+        if v77 < 0.42:
+            v121 = v77 * sqrt(v77) * ((((((0.0005288491342179178 * v77 + 0.038096760299703034) * v77 + 0.4065213849117787) * v77 + 1.438682033198726) * v77 + 1.9979042349620892) * v77 + 0.9428090415820634) / (((((0.006421883194715949 * v77 + 0.15001504718401248) * v77 + 0.9450913324352289) * v77 + 2.37401087025821) * v77 + 2.569097449054519) * v77 + 1.0))
+        else:
+            v82 = sqrt(v11 * v13) / b
+            v121 = v82 - atan(v82)
+        return v62 * a * v121 - (0.0 if r < b else v4 * v4 / (2.0 * R))
+    return nan
 
 
 def _contact_from_depth(d, R, b):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from math import asinh, tanh
+from math import asinh, atan2, exp, expm1, fsum, inf, nan, tanh
 
 from ...._programs.bodies._runtime.inverse import between, inverse
 from ...._programs.bodies._runtime.shapes.arcs import arc_strips
-from ...._runtime.plain import log1p, MATH as np
+from ...._runtime.plain import log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _slope(t, root, R):
@@ -46,6 +48,43 @@ def _pressure(r, a, R, E_star):
     pressed = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, a, R))
     inside = pressed if r < a else 0.0
     return inside if a <= R else np.nan
+
+
+def _displacement(r, a, R):
+    if a <= R:
+        v39 = r + R
+        v47 = R - r
+        if r > a:
+            v3 = r if r < R or r != r else R
+            if a < v3:
+                v4 = v3 - a
+                v10 = a / sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * (v3 + a))
+                v11 = asinh(v10)
+                v16 = 0.0 - expm1(-2.0 * v11)
+                v19 = v16 if v16 > 0.0 else inf
+                v37 = r - R
+                v41 = sqrt((v37 if v37 > 0.0 or v37 != v37 else 0.0) * v39)
+                v43 = v41 * v41
+                v51 = sqrt((v47 if v47 > 0.0 or v47 != v47 else 0.0) * (R + r))
+                v52 = v51 * v51
+                v65 = []
+                for node, weight in RULE_0(v11 / 1.0):
+                    v21 = node * v11
+                    v30 = v10 * (exp(-v21) * (0.0 - expm1(-2.0 * (v11 - v21))) / v19)
+                    v33 = sqrt(1.0 + v30 * v30)
+                    v35 = v3 * (v30 / v33)
+                    v36 = v3 / v33
+                    v44 = v36 * v36
+                    v54 = sqrt(v52 + v44)
+                    v64 = (asinh(v35 / v54) + R * v35 / (v54 * v54)) * atan2(v35, sqrt(v43 + v44)) * (v36 / v33)
+                    v65.append(weight * v64)
+                v65 = fsum(v65) * v11
+                v66 = v65
+            else:
+                v66 = inf
+            return 0.6366197723675814 * v66
+        return a * (log1p(2.0 * a / (R - a)) / 2.0) - r * r / (sqrt(v47 * v39) + R)
+    return nan
 
 
 def _contact_from_depth(d, R):

@@ -10,6 +10,17 @@ from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
+def _slope(t, root, R):
+    return asinh(t / root) + R * t / (root * root)
+
+
+def _slope_beyond(t, root, R, theta):
+    v5 = R * sin(theta)
+    v7 = R * cos(theta)
+    v10 = v5 * v5
+    return log1p((v10 / (root + t) + v10 / (v7 + R)) / (root + v7)) + v5 * atan2(root, v5) / v7 + v10 * R / (t * (v7 * v7) + R * root * v7)
+
+
 def _depth_at(a, root, R, theta):
     v5 = R * sin(theta)
     if a < v5:
@@ -93,6 +104,84 @@ def _force(a, R, theta, E_star):
         v130.append(weight * v129)
     v130 = fsum(v130) * v85
     return E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
+
+
+def _displacement(r, a, R, theta):
+    v5 = R * sin(theta)
+    v43 = r + R
+    v51 = R - r
+    v75 = r - v5
+    v81 = a - v5
+    v83 = a + v5
+    v126 = R * cos(theta)
+    v128 = v5 * v5
+    v131 = v126 + R
+    v132 = v128 / v131
+    if r > a:
+        v6 = a if a < v5 or a != a else v5
+        v7 = r if r < R or r != r else R
+        if v6 < v7:
+            v8 = v7 - v6
+            v14 = v6 / sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (v7 + v6))
+            v15 = asinh(v14)
+            v20 = 0.0 - expm1(-2.0 * v15)
+            v23 = v20 if v20 > 0.0 else inf
+            v41 = r - R
+            v45 = sqrt((v41 if v41 > 0.0 or v41 != v41 else 0.0) * v43)
+            v47 = v45 * v45
+            v55 = sqrt((v51 if v51 > 0.0 or v51 != v51 else 0.0) * (R + r))
+            v56 = v55 * v55
+            v69 = []
+            for node, weight in RULE_0(v15 / 1.0):
+                v25 = node * v15
+                v34 = v14 * (exp(-v25) * (0.0 - expm1(-2.0 * (v15 - v25))) / v23)
+                v37 = sqrt(1.0 + v34 * v34)
+                v39 = v7 * (v34 / v37)
+                v40 = v7 / v37
+                v48 = v40 * v40
+                v58 = sqrt(v56 + v48)
+                v68 = (asinh(v39 / v58) + R * v39 / (v58 * v58)) * atan2(v39, sqrt(v47 + v48)) * (v40 / v37)
+                v69.append(weight * v68)
+            v69 = fsum(v69) * v15
+            v70 = v69
+        else:
+            v70 = inf
+        if a > v5:
+            v74 = 1.0 - 2.0 * theta / 3.141592653589793
+            v79 = sqrt((v75 if v75 > 0.0 or v75 != v75 else 0.0) * (r + v5))
+            v80 = v5 / r
+            v86 = r - a
+            v91 = sqrt((v81 if v81 > 0.0 or v81 != v81 else 0.0) * v83) / sqrt((v86 if v86 > 0.0 or v86 != v86 else 0.0) * (r + a))
+            v93 = asinh(v91 / v80)
+            v96 = 0.0 - expm1(-2.0 * v93)
+            v98 = v96 if v96 > 0.0 else inf
+            v115 = v5 * v5
+            v119 = v80 * v80
+            v140 = v128 * R
+            v141 = v126 * v126
+            v154 = []
+            for node, weight in RULE_0(v93 / v74):
+                v100 = node * v93
+                v109 = v91 * (exp(-v100) * (0.0 - expm1(-2.0 * (v93 - v100))) / v98)
+                v110 = v109 * v109
+                v112 = sqrt(1.0 + v110)
+                v114 = v79 * v109 / v112
+                v118 = sqrt(v115 + v114 * v114)
+                v153 = (log1p((v128 / (v114 + v118) + v132) / (v114 + v126)) + v5 * atan2(v114, v5) / v126 + v140 / (v118 * v141 + R * v114 * v126)) * v114 / v118 * atan2(v118, v79 / v112) * (sqrt(v119 + v110) / (v112 * v112 * v112))
+                v154.append(weight * v153)
+            v154 = fsum(v154) * v93
+            v156 = v79 * v154
+        else:
+            v156 = 0.0
+        return 0.6366197723675814 * (v70 + v156)
+    v162 = R - a
+    if a < v5:
+        v187 = a * (log1p(2.0 * a / v162) / 2.0)
+    else:
+        v167 = v126 * v126 - v162 * (R + a) if v126 < v5 else v81 * v83
+        v169 = sqrt(v167 if v167 > 0.0 or v167 != v167 else 0.0)
+        v187 = a * (log1p((v128 / (v169 + a) + v132) / (v169 + v126)) + v5 * atan2(v169, v5) / v126)
+    return v187 - (r * r / (sqrt(v51 * v43) + R) if r < v5 else v5 * (v75 / v126 + v5 / v131))
 
 
 def _slope_at(a, root, R, theta):

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from math import asinh, atan2, exp, expm1, fsum, inf, nan
 
 from ...._programs.bodies._runtime.inverse import between, inverse
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _slope_beyond(t, root, R, b):
@@ -21,6 +24,43 @@ def _force_at(a, root, R, b, E_star):
 
 def _force(a, R, b, E_star):
     return 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b))
+
+
+def _displacement(r, a, R, b):
+    if a >= b:
+        v4 = r - b
+        v7 = r + b
+        v11 = a - b
+        v13 = a + b
+        if r > a:
+            if a > b:
+                v9 = sqrt((v4 if v4 > 0.0 or v4 != v4 else 0.0) * v7)
+                v10 = b / r
+                v16 = r - a
+                v21 = sqrt((v11 if v11 > 0.0 or v11 != v11 else 0.0) * v13) / sqrt((v16 if v16 > 0.0 or v16 != v16 else 0.0) * (r + a))
+                v23 = asinh(v21 / v10)
+                v28 = 0.0 - expm1(-2.0 * v23)
+                v31 = v28 if v28 > 0.0 else inf
+                v48 = b * b
+                v52 = v10 * v10
+                v61 = b * b
+                v71 = []
+                for node, weight in RULE_0(v23 / 1.0):
+                    v33 = node * v23
+                    v42 = v21 * (exp(-v33) * (0.0 - expm1(-2.0 * (v23 - v33))) / v31)
+                    v43 = v42 * v42
+                    v45 = sqrt(1.0 + v43)
+                    v47 = v9 * v42 / v45
+                    v51 = sqrt(v48 + v47 * v47)
+                    v70 = (2.0 * v47 / R + v61 / (R * v47)) * v47 / v51 * atan2(v51, v9 / v45) * (sqrt(v52 + v43) / (v45 * v45 * v45))
+                    v71.append(weight * v70)
+                v71 = fsum(v71) * v23
+                v73 = v9 * v71
+            else:
+                v73 = 0.0
+            return 0.6366197723675814 * v73
+        return a * sqrt(v11 * v13) / R - (0.0 if r < b else v4 * v7 / (2.0 * R))
+    return nan
 
 
 def _contact_from_force(F, R, b, E_star):

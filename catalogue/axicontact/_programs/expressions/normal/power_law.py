@@ -46,6 +46,10 @@ def radius_from_force(xp, F, A, n, E_star):
     return xp.where((v10 > 0.0) & (v10 < xp.inf), v23, v15)
 
 
+def slope(xp, t, A, n):
+    return 1.7724538509055159 * n * A * gamma_ratio(xp, n / 2.0 + 0.5) * t ** n / t
+
+
 def profile(xp, r, A, n):
     return A * r ** n
 
@@ -95,7 +99,3 @@ def load_within(xp, r, a, A, n, E_star):
     v29 = xp.where(v1, 2.0 * a, r)
     v28 = xp.where(v3, v23 * gamma_ratio(xp, n / 2.0 + 0.5), 0.0)
     return xp.where(v1, v28, force(xp, a, A, n, E_star))
-
-
-def slope(xp, t, A, n):
-    return 1.7724538509055159 * n * A * gamma_ratio(xp, n / 2.0 + 0.5) * t ** n / t

@@ -46,6 +46,10 @@ def radius_from_force(xp, F, A, E_star):
     return xp.where((v4 > 0.0) & (v4 < xp.inf), v16, v8)
 
 
+def slope(xp, t, A):
+    return 32.0 * A / 3.0 * (t * t ** 2.0)
+
+
 def profile(xp, r, A):
     return A * (r ** 2.0) ** 2.0
 
@@ -89,7 +93,3 @@ def load_within(xp, r, a, A, E_star):
     v26 = xp.where(v1, 2.0 * a, r)
     v25 = xp.where(v3, 64.0 * E_star * A / 45.0 * v8 * v23, 0.0)
     return xp.where(v1, v25, force(xp, a, A, E_star))
-
-
-def slope(xp, t, A):
-    return 32.0 * A / 3.0 * (t * t ** 2.0)

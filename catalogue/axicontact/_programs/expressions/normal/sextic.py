@@ -51,6 +51,10 @@ def radius_from_force(xp, F, A, E_star):
     return xp.where((v4 > 0.0) & (v4 < xp.inf), v16, v8)
 
 
+def slope(xp, t, A):
+    return 96.0 * A / 5.0 * t ** 5.0
+
+
 def profile(xp, r, A):
     return A * r ** 6.0
 
@@ -97,7 +101,3 @@ def load_within(xp, r, a, A, E_star):
     v33 = xp.where(v1, 2.0 * a, r)
     v32 = xp.where(v3, 64.0 * E_star * A / 175.0 * v8 * (v26 + 8.0 * v8 ** 2.0 * v15), 0.0)
     return xp.where(v1, v32, force(xp, a, A, E_star))
-
-
-def slope(xp, t, A):
-    return 96.0 * A / 5.0 * t ** 5.0

@@ -64,7 +64,7 @@ def pull_off_radius(R1, R2, b, H, k, dgamma, control):
             value = bodies._pull_off_radius(R1, R2, b, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R1, R2, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(R1, R2, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,7 +77,7 @@ def radius_from_depth(d, R1, R2, b, H, k, dgamma):
             value = bodies._radius_from_depth(d, R1, R2, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R1, R2, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R1, R2, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -90,7 +90,7 @@ def radius_from_force(F, R1, R2, b, H, k, dgamma):
             value = bodies._radius_from_force(F, R1, R2, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R1, R2, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R1, R2, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -51,7 +51,7 @@ def pull_off_radius(h, b, H, k, dgamma, control):
             value = bodies._pull_off_radius(h, b, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(h, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(h, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,7 +64,7 @@ def radius_from_depth(d, h, b, H, k, dgamma):
             value = bodies._radius_from_depth(d, h, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, h, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, h, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,7 +77,7 @@ def radius_from_force(F, h, b, H, k, dgamma):
             value = bodies._radius_from_force(F, h, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, h, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, h, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -64,7 +64,7 @@ def pull_off_depth(a, R, H, k, dgamma, control):
             value = bodies._pull_off_depth(a, R, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, R, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,7 +77,7 @@ def pull_off_force(a, R, H, k, dgamma, control):
             value = bodies._pull_off_force(a, R, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, R, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -90,7 +90,7 @@ def pull_off_radius(R, H, k, dgamma, control):
             value = bodies._pull_off_radius(R, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(R, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -103,7 +103,7 @@ def radius_from_depth(d, R, H, k, dgamma):
             value = bodies._radius_from_depth(d, R, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -116,7 +116,7 @@ def radius_from_force(F, R, H, k, dgamma):
             value = bodies._radius_from_force(F, R, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -12,7 +12,7 @@ def depth(a, H, k, dgamma, A):
             value = bodies._depth(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -25,7 +25,7 @@ def displacement(r, a, H, k, dgamma, A):
             value = bodies._displacement(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, H, k, dgamma):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -38,7 +38,7 @@ def force(a, H, k, dgamma, A):
             value = bodies._force(a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(a, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -51,7 +51,7 @@ def pressure(r, a, H, k, dgamma, A):
             value = bodies._pressure(r, a, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, H, k, dgamma):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,7 +64,7 @@ def pull_off_radius(H, k, dgamma, A, control):
             value = bodies._pull_off_radius(A, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -77,7 +77,7 @@ def radius_from_depth(d, H, k, dgamma, A):
             value = bodies._radius_from_depth(d, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -90,7 +90,7 @@ def radius_from_force(F, H, k, dgamma, A):
             value = bodies._radius_from_force(F, A, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -332,7 +332,7 @@ def pull_off_radius(R, b, H, k, dgamma, control):
             value = bodies._pull_off_radius(R, b, H, k, dgamma, control)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(R, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(R, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -345,7 +345,7 @@ def radius_from_depth(d, R, b, H, k, dgamma):
             value = bodies._radius_from_depth(d, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, R, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(d, R, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -358,7 +358,7 @@ def radius_from_force(F, R, b, H, k, dgamma):
             value = bodies._radius_from_force(F, R, b, H, k, dgamma)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, R, b, H, k, dgamma):
+            if (value != value or value == 0.0) and ordinary(F, R, b, H, k, dgamma):
                 return value
         except (ArithmeticError, ValueError):
             pass

@@ -20,7 +20,7 @@ def depth(a, k, A):
             value = bodies._depth(a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, k):
+            if (value != value or value == 0.0) and ordinary(a, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -33,7 +33,7 @@ def depth_from_force(F, H, k, A):
             value = bodies._depth_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, H, k):
+            if (value != value or value == 0.0) and ordinary(F, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -46,7 +46,7 @@ def displacement(r, a, k, A):
             value = bodies._displacement(r, a, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, k):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -59,7 +59,7 @@ def force(a, H, k, A):
             value = bodies._force(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, H, k):
+            if (value != value or value == 0.0) and ordinary(a, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -72,7 +72,7 @@ def force_from_depth(d, H, k, A):
             value = bodies._force_from_depth(d, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, H, k):
+            if (value != value or value == 0.0) and ordinary(d, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -85,7 +85,7 @@ def mean_pressure(a, H, k, A):
             value = bodies._mean_pressure(a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, H, k):
+            if (value != value or value == 0.0) and ordinary(a, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -98,7 +98,7 @@ def pressure(r, a, H, k, A):
             value = bodies._pressure(r, a, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, H, k):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -111,7 +111,7 @@ def radius_from_depth(d, k, A):
             value = bodies._radius_from_depth(d, A, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(d, k):
+            if (value != value or value == 0.0) and ordinary(d, k):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -124,7 +124,7 @@ def radius_from_force(F, H, k, A):
             value = bodies._radius_from_force(F, A, H, k)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F, H, k):
+            if (value != value or value == 0.0) and ordinary(F, H, k):
                 return value
         except (ArithmeticError, ValueError):
             pass

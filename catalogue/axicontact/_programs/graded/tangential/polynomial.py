@@ -12,7 +12,7 @@ def full_slip_displacement(a, H, H_x, k, mu, A):
             value = bodies._full_slip_displacement(a, A, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, H, H_x, k, mu):
+            if (value != value or value == 0.0) and ordinary(a, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -25,7 +25,7 @@ def stick_radius(F_x, a, H, k, mu, A):
             value = bodies._stick_radius(F_x, a, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(F_x, a, H, k, mu):
+            if (value != value or value == 0.0) and ordinary(F_x, a, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -38,7 +38,7 @@ def tangential_displacement(a, c, H, H_x, k, mu, A):
             value = bodies._tangential_displacement(a, c, A, H, H_x, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, c, H, H_x, k, mu):
+            if (value != value or value == 0.0) and ordinary(a, c, H, H_x, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -51,7 +51,7 @@ def tangential_force(a, c, H, k, mu, A):
             value = bodies._tangential_force(a, c, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, c, H, k, mu):
+            if (value != value or value == 0.0) and ordinary(a, c, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -64,7 +64,7 @@ def traction(r, a, c, H, k, mu, A):
             value = bodies._traction(r, a, c, A, H, k, mu)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, H, k, mu):
+            if (value != value or (value == 0.0 and r > a) or value == 0.0) and ordinary(r, a, c, H, k, mu):
                 return value
         except (ArithmeticError, ValueError):
             pass
