@@ -30,7 +30,7 @@ lint: $(VENV)/.lint
 	$(PY) -m ruff format --no-cache --check . </dev/null
 	$(PY) -m mypy </dev/null
 
-PAGE := 14
+PAGE := 16
 picture:
 	pdftoppm -r 92 -png -singlefile -f $(PAGE) -l $(PAGE) catalogue/handbook/handbook.pdf docs/page
 

@@ -159,6 +159,57 @@ const pairs = (count, panels) => {
   return kept.get(key);
 };
 
+const _sign = (x) => {
+  return math.copysign(1.0, x);
+};
+
+const turned = (x, e) => {
+  return (_sign(x) * e);
+};
+
+const _pressure_of_eccentric_punch = (x, P, a, e) => {
+  let along, apart, beyond, end, far, near, pressed, reach, root, short, side, touching;
+  root = Math.sqrt(((a - x) * (a + x)));
+  touching = ((P * ((x * ((2 * e) + a)) + (a * (a - x)))) / ((Math.PI * Math.pow(a, 2)) * root));
+  [short, side] = [(a - Math.abs(e)), math.copysign(1.0, e)];
+  [beyond, along] = [((2 * Math.abs(e)) - a), (side * x)];
+  [near, far, end] = [(a - along), (a + along), ((2 * beyond) - a)];
+  reach = math.maximum(math.where((end < ((-a) / 2)), (far - (2 * beyond)), (along - end)), 0.0);
+  apart = ((P * Math.sqrt((reach / near))) / ((2 * Math.PI) * short));
+  pressed = math.where((Math.abs(e) < (a / 2)), touching, apart);
+  return math.where(((x <= a) & (P > 0.0)), pressed, 0.0);
+};
+
+const _pressure = (x, P, a, e) => {
+  let v20, v26, v29, v30, v36, v4;
+  if (((x > 1e-30) && (x < 1e+30) && (P > 1e-30) && (P < 1e+30) && (a > 1e-30) && (a < 1e+30) && (e > 1e-30) && (e < 1e+30))) {
+    if (((x <= a) && (P > 0.0))) {
+      v20 = Math.abs(e);
+      if ((v20 < (a / 2.0))) {
+        v4 = (a - x);
+        return ((P * ((x * ((2.0 * e) + a)) + (a * v4))) / ((3.141592653589793 * (a * a)) * Math.sqrt((v4 * (a + x)))));
+      }
+      v26 = (math.copysign(1.0, e) * x);
+      v29 = (2.0 * ((2.0 * v20) - a));
+      v30 = (v29 - a);
+      v36 = ((v30 < ((-a) / 2.0)) ? ((a + v26) - v29) : (v26 - v30));
+      return ((P * Math.sqrt(((((v36 > 0.0) || (v36 !== v36)) ? v36 : 0.0) / (a - v26)))) / (6.283185307179586 * (a - v20)));
+    }
+    return 0.0;
+  }
+  return _pressure_of_eccentric_punch(x, P, a, e);
+};
+
+const pressure = (x, P, a, e) => {
+  if ((!(0.0 < a && a < Infinity))) {
+    return NaN;
+  }
+  if ((!(Math.abs(e) < a))) {
+    return NaN;
+  }
+  return (((Math.abs(x) >= 0.0) && (P >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), P, a, turned(x, e)) : 0.0) : NaN);
+};
+
 const _tilt_of_eccentric_punch = (P, a, e, E_star) => {
   let short, side;
   short = (a - Math.abs(e));
@@ -218,6 +269,7 @@ const contact_width = (a, e) => {
 };
 
 const formulas = {
+  "p": (v) => pressure(v.x, v.P, v.a, v.e),
   "phi": (v) => tilt(v.P, v.a, v.e, v.E_star),
   "cw": (v) => contact_width(v.a, v.e),
 };
@@ -277,6 +329,17 @@ window.calculator = { ...{
    "high": 0.5,
    "closed": "high",
    "value": ""
+  },
+  {
+   "name": "x",
+   "tex": "x",
+   "meaning": "distance from the middle of a plane contact; lower limit of a primitive",
+   "unit": "m",
+   "rule": "",
+   "low": null,
+   "high": null,
+   "closed": "",
+   "value": ""
   }
  ],
  "state": [
@@ -293,6 +356,18 @@ window.calculator = { ...{
   }
  ],
  "formulas": {
+  "p": {
+   "gives": "p",
+   "needs": [
+    "x",
+    "P",
+    "a",
+    "e"
+   ],
+   "unit": "Pa",
+   "place": "inside",
+   "suffix": "p"
+  },
   "phi": {
    "gives": "tilt",
    "needs": [

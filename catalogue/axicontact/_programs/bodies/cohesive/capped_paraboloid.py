@@ -1,0 +1,107 @@
+"""Bodies of axicontact.cohesive.capped_paraboloid over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, hypot
+
+from ...._programs.bodies.normal import capped_paraboloid as normal
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_of_zone, still
+from ...._runtime.physics.cohesive_single import parted, radii_by, radius_of_pull_off, radius_under
+from ....cohesive.capped_paraboloid import partial
+from ...._runtime.plain import sqrt, MATH as np
+
+SHORT = 16
+
+
+def _opened(q, a, R1, R2, b):
+    """Gap of the normal contact at c, and its rate with c."""
+    tip, tip_rate = opening_tip(lambda t: normal._slope(t, R1), q, a, b, SHORT)
+    beyond, rate = opening_beyond(lambda t, root: normal._slope_beyond(t, root, R1, R2, b), q, a, b)
+    return (tip + beyond, tip_rate + rate)
+
+
+def _zone(a, R1, R2, b, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_of_zone(partial(_opened, R1=R1, R2=R2, b=b), a, E_star, dgamma, sigma_0)
+
+
+def _cohesive_radius(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, R1, R2, b, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    return (a * a / R1 if a < b else a * (a + (R1 - R2) / R2 * sqrt((a - b) * (a + b))) / R1) - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    v11 = 3.0 * R1
+    v14 = a * a
+    v15 = a * v14
+    v35 = hypot(a, q)
+    return (4.0 * E_star / v11 * v15 if a < b else 2.0 * E_star / v11 * (2.0 * v15 + (R1 - R2) / R2 * (2.0 * v14 + b * b) * sqrt((a - b) * (a + b)))) - 2.0 * sigma_0 * (v35 * v35 * atan2(q, a) + a * q)
+
+
+def _force(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, R1, R2, b) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, R1, R2, b, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
+
+
+def _radii(R1, R2, b, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), R1, R2, b, E_star, dgamma, sigma_0)
+    return radii_by(first, b)
+
+
+def _state(a, R1, R2, b, E_star, dgamma, sigma_0, control):
+    q = _zone(a, R1, R2, b, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, R1=R1, R2=R2, b=b), a, q, control, E_star, sigma_0), load(a, q, R1, R2, b, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, control), _radii(R1, R2, b, E_star, dgamma, sigma_0))
+
+
+def _parted(R1, R2, b, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), R1, R2, b, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, R1=R1, R2=R2, b=b), first, E_star, sigma_0)
+
+
+def _parted_depth(R1, R2, b, E_star, dgamma, sigma_0):
+    c = _parted(R1, R2, b, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, R1=R1, R2=R2, b=b), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, R1, R2, b, E_star, dgamma, sigma_0), lambda: _parted_depth(R1, R2, b, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return _force(a, R1, R2, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(R1, R2, b, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), R1, R2, b, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, R1, R2, b, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    return _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, R1, R2, b, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, 'force'), F, _radii(R1, R2, b, E_star, dgamma, sigma_0))

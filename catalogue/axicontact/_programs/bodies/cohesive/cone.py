@@ -1,0 +1,113 @@
+"""Bodies of axicontact.cohesive.cone over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, hypot, tan
+
+from ...._programs.bodies.normal import cone as normal
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_of_zone, still
+from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ....cohesive.cone import partial
+from ...._runtime.plain import log1p, sqrt, MATH as np
+
+SHORT = 16
+
+
+def _opened(q, a, theta):
+    """Gap of the normal contact at c, and its rate with c."""
+    return opening(lambda t: normal._slope(t, theta), q, a, SHORT)
+
+
+def _zone(a, theta, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_of_zone(partial(_opened, theta=theta), a, E_star, dgamma, sigma_0)
+
+
+def _cohesive_radius(a, theta, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, theta, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, theta, E_star, dgamma, sigma_0):
+    return 3.141592653589793 * tan(theta) * a / 2.0 - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, theta, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, theta, E_star, dgamma, sigma_0):
+    v14 = hypot(a, q)
+    return 3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0 - 2.0 * sigma_0 * (v14 * v14 * atan2(q, a) + a * q)
+
+
+def _force(a, theta, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
+
+
+def _pressure_of(r, a, q, theta, E_star, dgamma, sigma_0):
+    v7 = a - r
+    v8 = a + r
+    v11 = r < a
+    return (E_star * tan(theta) * log1p((v7 + sqrt(v7 * v8)) / r) / 2.0 if v11 else 0.0) - sigma_0 * (0.6366197723675814 * atan2(q, sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * v8)) if v11 else 1.0 if r < hypot(a, q) else 0.0)
+
+
+def _pressure(r, a, theta, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, theta, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, theta) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, theta, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
+
+
+def _radii(theta, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), theta, E_star, dgamma, sigma_0)
+    return radii(first)
+
+
+def _state(a, theta, E_star, dgamma, sigma_0, control):
+    q = _zone(a, theta, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, theta=theta), a, q, control, E_star, sigma_0), load(a, q, theta, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(theta, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, theta, E_star, dgamma, sigma_0, control), _radii(theta, E_star, dgamma, sigma_0))
+
+
+def _parted(theta, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), theta, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, theta=theta), first, E_star, sigma_0)
+
+
+def _parted_depth(theta, E_star, dgamma, sigma_0):
+    c = _parted(theta, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, theta=theta), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, theta, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, theta, E_star, dgamma, sigma_0), lambda: _parted_depth(theta, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, theta, E_star, dgamma, sigma_0):
+    return _force(a, theta, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(theta, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, theta, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(theta, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, theta, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, E_star, dgamma, sigma_0))
+    return _held_apart(d, theta, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, theta, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, E_star, dgamma, sigma_0))

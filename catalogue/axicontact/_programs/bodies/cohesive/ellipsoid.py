@@ -1,0 +1,116 @@
+"""Bodies of axicontact.cohesive.ellipsoid over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, hypot
+
+from ...._programs.bodies.normal import ellipsoid as normal
+from ...._programs.bodies._runtime.integrals import difference_root
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_within, still, tension_of_zone
+from ...._runtime.physics.cohesive_single import parted, radii_up_to, radius_of_pull_off, radius_under
+from ....cohesive.ellipsoid import partial
+from ...._runtime.plain import log1p, MATH as np
+
+
+def _opened(q, a, h, b):
+    """Gap of the normal contact at c, and its rate with c."""
+    return opening_below(lambda t, root: normal._slope(t, root, h, b), q, a, b)
+
+
+def _zone(a, h, b, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a))
+
+
+def _cohesive_radius(a, h, b, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, h, b, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, h, b, E_star, dgamma, sigma_0):
+    return h / b * a * (log1p(2.0 * a / (b - a)) / 2.0) - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, h, b, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, h, b, E_star, dgamma, sigma_0):
+    v12 = log1p(2.0 * a / (b - a)) / 2.0
+    v17 = a / b
+    if v12 < 1.0:
+        v23 = v12 * v12
+        v58 = v17 * (v17 * v17) * ((((((1.0716932453474512e-06 * v23 + 0.00019982814521087247) * v23 + 0.007076196047699156) * v23 + 0.08608622548411103) * v23 + 0.3073858328214721) * v23 + 0.3333333333333333) / (((((2.565078604208634e-08 * v23 + 2.0203143566039827e-05) * v23 + 0.001617010334189783) * v23 + 0.03639274880225476) * v23 + 0.32215749846441627) * v23 + 1.0))
+    else:
+        v58 = v12 - v17
+    v62 = hypot(a, q)
+    return E_star * h * (a * a * v12 / b + b * v58) - 2.0 * sigma_0 * (v62 * v62 * atan2(q, a) + a * q)
+
+
+def _force(a, h, b, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
+
+
+def _pressure_of(r, a, q, h, b, E_star, dgamma, sigma_0):
+    return normal._pressure(r, a, h, b, E_star) - tension_of_zone(r, q, a, sigma_0)
+
+
+def _pressure(r, a, h, b, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, h, b, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, h, b) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, h, b, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
+
+
+def _radii(h, b, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
+    return radii_up_to(first, b)
+
+
+def _state(a, h, b, E_star, dgamma, sigma_0, control):
+    q = _zone(a, h, b, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, h=h, b=b), a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(h, b, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0))
+
+
+def _parted(h, b, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, h=h, b=b), first, E_star, sigma_0)
+
+
+def _parted_depth(h, b, E_star, dgamma, sigma_0):
+    c = _parted(h, b, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, h=h, b=b), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, h, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, h, b, E_star, dgamma, sigma_0), lambda: _parted_depth(h, b, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, h, b, E_star, dgamma, sigma_0):
+    return _force(a, h, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(h, b, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, h, b, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(h, b, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), h, b, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, h, b, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, b, E_star, dgamma, sigma_0))
+    return _held_apart(d, h, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, h, b, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, 'force'), F, _radii(h, b, E_star, dgamma, sigma_0))

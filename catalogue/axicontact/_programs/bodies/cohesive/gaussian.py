@@ -1,0 +1,158 @@
+"""Bodies of axicontact.cohesive.gaussian over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, fsum, hypot, inf, nan
+
+from ...._programs.bodies.normal import gaussian as normal
+from ...._programs.bodies._runtime.integrals import difference_root
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_within, still
+from ...._runtime.physics.cohesive_single import parted, radii_on_bump, radius_of_pull_off, radius_under
+from ....cohesive.gaussian import partial
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+NODES = 32
+RULE_0 = rule(((inf, 32),))
+
+
+def _opened(q, a, h, s):
+    """Gap of the normal contact at c, and its rate with c."""
+    return opening(lambda t: normal._slope(t, h, s), q, a, NODES)
+
+
+def _zone(a, h, s, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
+
+
+def _cohesive_radius(a, h, s, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, h, s, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, h, s, E_star, dgamma, sigma_0):
+    if a <= 1.5019752682686114 * s:
+        v7 = a / s
+        v13 = v7 * v7
+        v51 = ((((((((((((1.567077144036674e-13 * v13 + -3.840375691006307e-12) * v13 + 3.8015754128174666e-11) * v13 + -1.8423006918213799e-10) * v13 + 4.472469827763728e-10) * v13 + -1.1927516362741588e-09) * v13 + 6.225892246861416e-09) * v13 + 3.4413148480148793e-09) * v13 + -9.933344851449817e-08) * v13 + -5.127541706569233e-07) * v13 + 1.8119768160503268e-06) * v13 + 2.151585040783394e-05) * v13 + 4.61098799999374e-06) * v13
+        v73 = 2.0 * h * (v7 / ((((((v51 + -0.000684089638073553) * v13 + -0.002257495580553435) * v13 + 0.016931216930225715) * v13 + 0.17777777777782838) * v13 + 0.6666666666666656) * v13 + 1.0)) * v7
+    else:
+        v73 = nan
+    return v73 - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, h, s, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, h, s, E_star, dgamma, sigma_0):
+    if a <= 1.5019752682686114 * s:
+        v13 = 2.0 * h / s
+        v77 = []
+        for node, weight in RULE_0(a / 1.0):
+            v10 = node * a
+            v11 = v10 / s
+            v14 = v11 * v11
+            v52 = ((((((((((((1.567077144036674e-13 * v14 + -3.840375691006307e-12) * v14 + 3.8015754128174666e-11) * v14 + -1.8423006918213799e-10) * v14 + 4.472469827763728e-10) * v14 + -1.1927516362741588e-09) * v14 + 6.225892246861416e-09) * v14 + 3.4413148480148793e-09) * v14 + -9.933344851449817e-08) * v14 + -5.127541706569233e-07) * v14 + 1.8119768160503268e-06) * v14 + 2.151585040783394e-05) * v14 + 4.61098799999374e-06) * v14
+            v69 = v11 / ((((((v52 + -0.000684089638073553) * v14 + -0.002257495580553435) * v14 + 0.016931216930225715) * v14 + 0.17777777777782838) * v14 + 0.6666666666666656) * v14 + 1.0)
+            v76 = v10 * (v13 * (v69 + (1.0 - 2.0 * v69 * v11) * v11))
+            v77.append(weight * v76)
+        v77 = fsum(v77) * a
+        v83 = 2.0 * E_star * v77
+    else:
+        v83 = nan
+    v84 = hypot(a, q)
+    return v83 - 2.0 * sigma_0 * (v84 * v84 * atan2(q, a) + a * q)
+
+
+def _force(a, h, s, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
+
+
+def _pressure_of(r, a, q, h, s, E_star, dgamma, sigma_0):
+    v8 = a - r
+    v13 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (a + r))
+    v88 = r < a
+    if a <= 1.5019752682686114 * s:
+        if v88:
+            v16 = r * r
+            v23 = 2.0 * h / s
+            v87 = []
+            for node, weight in RULE_0(v13 / 1.0):
+                v15 = node * v13
+                v19 = sqrt(v16 + v15 * v15)
+                v20 = v19 / s
+                v24 = v20 * v20
+                v62 = ((((((((((((1.567077144036674e-13 * v24 + -3.840375691006307e-12) * v24 + 3.8015754128174666e-11) * v24 + -1.8423006918213799e-10) * v24 + 4.472469827763728e-10) * v24 + -1.1927516362741588e-09) * v24 + 6.225892246861416e-09) * v24 + 3.4413148480148793e-09) * v24 + -9.933344851449817e-08) * v24 + -5.127541706569233e-07) * v24 + 1.8119768160503268e-06) * v24 + 2.151585040783394e-05) * v24 + 4.61098799999374e-06) * v24
+                v79 = v20 / ((((((v62 + -0.000684089638073553) * v24 + -0.002257495580553435) * v24 + 0.016931216930225715) * v24 + 0.17777777777782838) * v24 + 0.6666666666666656) * v24 + 1.0)
+                v86 = v23 * (v79 + (1.0 - 2.0 * v79 * v20) * v20) / v19
+                v87.append(weight * v86)
+            v87 = fsum(v87) * v13
+            v92 = E_star / 3.141592653589793 * v87
+        else:
+            v92 = 0.0
+        v97 = v92
+    else:
+        v97 = nan
+    return v97 - sigma_0 * (0.6366197723675814 * atan2(q, v13) if v88 else 1.0 if r < hypot(a, q) else 0.0)
+
+
+def _pressure(r, a, h, s, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, h, s, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, h, s) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, h, s, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, h, s, E_star, dgamma, sigma_0), h, s, E_star, dgamma, sigma_0)
+
+
+def _radii(h, s, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), h, s, E_star, dgamma, sigma_0)
+    return radii_on_bump(first, 1.5019752682686114 * s)
+
+
+def _state(a, h, s, E_star, dgamma, sigma_0, control):
+    q = _zone(a, h, s, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, h=h, s=s), a, q, control, E_star, sigma_0), load(a, q, h, s, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(h, s, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, control), _radii(h, s, E_star, dgamma, sigma_0))
+
+
+def _parted(h, s, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), h, s, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, h=h, s=s), first, E_star, sigma_0)
+
+
+def _parted_depth(h, s, E_star, dgamma, sigma_0):
+    c = _parted(h, s, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, h=h, s=s), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, h, s, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, h, s, E_star, dgamma, sigma_0), lambda: _parted_depth(h, s, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, h, s, E_star, dgamma, sigma_0):
+    return _force(a, h, s, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(h, s, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, h, s, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(h, s, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), h, s, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, h, s, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, s, E_star, dgamma, sigma_0))
+    return _held_apart(d, h, s, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, h, s, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, 'force'), F, _radii(h, s, E_star, dgamma, sigma_0))

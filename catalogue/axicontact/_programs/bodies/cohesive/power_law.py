@@ -1,0 +1,158 @@
+"""Bodies of axicontact.cohesive.power_law over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, exp, expm1, fsum, hypot, inf, isfinite, pow
+
+from ...._programs.bodies.normal import power_law as normal
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_power, outer_radius, root_of_zone, still
+from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ....cohesive.power_law import partial
+from ...._runtime.plain import log, log1p, sqrt, rule, MATH as np
+
+RULE_0 = rule(((16.0, 64), (inf, 128)))
+
+
+def _opened(q, a, A, n):
+    """Gap of the normal contact at c, and its rate with c."""
+    return opening_power(lambda t: normal._slope(t, A, n), q, a, n)
+
+
+def _zone(a, A, n, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_of_zone(partial(_opened, A=A, n=n), a, E_star, dgamma, sigma_0)
+
+
+def _cohesive_radius(a, A, n, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, A, n, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, A, n, E_star, dgamma, sigma_0):
+    v10 = n / 2.0 + 0.5
+    v12 = v10 + 1.75
+    v16 = (v10 + 0.5) * (v10 + 1.5)
+    v30 = 1.0 / (v12 * v12)
+    return 1.7724538509055159 * A * pow(a, n) * ((v10 * (v10 + 1.0) / v16 if v10 < 1.0 else 1.0 - (v10 + 0.75) / v16) * sqrt(v12) * (1.0 + v30 * (((((((0.01524698625788054 * v30 + 0.5334320651111477) * v30 + 2.250488865813539) * v30 + 2.8612106440066865) * v30 + 1.3794681629043655) * v30 + 0.2596058532893223) * v30 + 0.015624999999999823) / ((((((3.278794792785737 * v30 + 49.328555418276075) * v30 + 167.28648538571198) * v30 + 195.37226190335065) * v30 + 90.69722535867314) * v30 + 16.763212110504565) * v30 + 1.0)))) - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, A, n, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, A, n, E_star, dgamma, sigma_0):
+    v10 = n / 2.0 + 0.5
+    v12 = v10 + 1.75
+    v16 = (v10 + 0.5) * (v10 + 1.5)
+    v30 = 1.0 / (v12 * v12)
+    v82 = hypot(a, q)
+    return 3.5449077018110318 * E_star * n * A / (n + 1.0) * a * pow(a, n) * ((v10 * (v10 + 1.0) / v16 if v10 < 1.0 else 1.0 - (v10 + 0.75) / v16) * sqrt(v12) * (1.0 + v30 * (((((((0.01524698625788054 * v30 + 0.5334320651111477) * v30 + 2.250488865813539) * v30 + 2.8612106440066865) * v30 + 1.3794681629043655) * v30 + 0.2596058532893223) * v30 + 0.015624999999999823) / ((((((3.278794792785737 * v30 + 49.328555418276075) * v30 + 167.28648538571198) * v30 + 195.37226190335065) * v30 + 90.69722535867314) * v30 + 16.763212110504565) * v30 + 1.0)))) - 2.0 * sigma_0 * (v82 * v82 * atan2(q, a) + a * q)
+
+
+def _force(a, A, n, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
+
+
+def _pressure_of(r, a, q, A, n, E_star, dgamma, sigma_0):
+    v96 = a - r
+    v144 = r < a
+    if v144:
+        v11 = n / 2.0 + 0.5
+        v13 = v11 + 1.75
+        v17 = (v11 + 0.5) * (v11 + 1.5)
+        v31 = 1.0 / (v13 * v13)
+        v81 = n - 1.0
+        v85 = n > 1.0
+        v86 = abs(v81)
+        if r > 0.0:
+            v97 = v96 / r
+            v103 = log1p(v97) if isfinite(v97) else log(a) - log(r)
+            if v103 > 0.0:
+                v108 = v103 - 42.0 / (v86 if v86 > 0.001 or v86 != v86 else 0.001)
+                v109 = v108 if v108 > 0.0 or v108 != v108 else 0.0
+                v110 = sqrt(v103)
+                v115 = v110 - sqrt(v109) if v85 else sqrt(v103 - v109)
+                v118 = 2.0 * v110
+                v123 = -v86
+                v138 = []
+                for node, weight in RULE_0(v115 / 1.0):
+                    v117 = node * v115
+                    if v85:
+                        v126 = v110 - v117
+                        v128 = v126 if v126 > 0.0 or v126 != v126 else 0.0
+                    else:
+                        v128 = v117
+                    v137 = exp(v123 * (v117 * (v118 - v117) if v85 else v117 * v117)) * (2.0 * v128 / sqrt(-expm1(-2.0 * v128 * v128)))
+                    v138.append(weight * v137)
+                v138 = fsum(v138) * v115
+                v139 = v138
+            else:
+                v139 = 0.0
+            v141 = (1.0 if v85 else pow(r / a, n) * (a / r)) * v139
+        else:
+            v141 = 1.0 / v86 if v85 else inf
+        v145 = E_star * n * A / 1.7724538509055159 * (pow(a, n) / a if a > 0.0 else pow(a, v81)) * v141 * ((v11 * (v11 + 1.0) / v17 if v11 < 1.0 else 1.0 - (v11 + 0.75) / v17) * sqrt(v13) * (1.0 + v31 * (((((((0.01524698625788054 * v31 + 0.5334320651111477) * v31 + 2.250488865813539) * v31 + 2.8612106440066865) * v31 + 1.3794681629043655) * v31 + 0.2596058532893223) * v31 + 0.015624999999999823) / ((((((3.278794792785737 * v31 + 49.328555418276075) * v31 + 167.28648538571198) * v31 + 195.37226190335065) * v31 + 90.69722535867314) * v31 + 16.763212110504565) * v31 + 1.0))))
+    else:
+        v145 = 0.0
+    return v145 - sigma_0 * (0.6366197723675814 * atan2(q, sqrt((v96 if v96 > 0.0 or v96 != v96 else 0.0) * (a + r))) if v144 else 1.0 if r < hypot(a, q) else 0.0)
+
+
+def _pressure(r, a, A, n, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, A, n, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, A, n) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, A, n, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
+
+
+def _radii(A, n, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+    return radii(first)
+
+
+def _state(a, A, n, E_star, dgamma, sigma_0, control):
+    q = _zone(a, A, n, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, A=A, n=n), a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(A, n, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0))
+
+
+def _parted(A, n, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, A=A, n=n), first, E_star, sigma_0)
+
+
+def _parted_depth(A, n, E_star, dgamma, sigma_0):
+    c = _parted(A, n, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, A=A, n=n), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, A, n, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, A, n, E_star, dgamma, sigma_0), lambda: _parted_depth(A, n, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, A, n, E_star, dgamma, sigma_0):
+    return _force(a, A, n, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(A, n, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, A, n, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(A, n, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), A, n, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, A, n, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, n, E_star, dgamma, sigma_0))
+    return _held_apart(d, A, n, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, A, n, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, 'force'), F, _radii(A, n, E_star, dgamma, sigma_0))

@@ -1,0 +1,119 @@
+"""Bodies of axicontact.cohesive.sextic over plain numbers: the same with `math` for NumPy."""
+
+from __future__ import annotations
+
+from math import atan2, hypot, pow
+
+from ...._programs.bodies.normal import sextic as normal
+from ...._programs.bodies._runtime.interface import either
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_of_zone, still
+from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ....cohesive.sextic import partial
+from ...._runtime.plain import sqrt, MATH as np
+
+SHORT = 16
+
+
+def _opened(q, a, A):
+    """Gap of the normal contact at c, and its rate with c."""
+    return opening(lambda t: normal._slope(t, A), q, a, SHORT)
+
+
+def _zone(a, A, E_star, dgamma, sigma_0):
+    """sqrt(c**2 - a**2) of the zone."""
+    return root_of_zone(partial(_opened, A=A), a, E_star, dgamma, sigma_0)
+
+
+def _cohesive_radius(a, A, E_star, dgamma, sigma_0):
+    return outer_radius(_zone(a, A, E_star, dgamma, sigma_0), a)
+
+
+def _depth_of(a, q, A, E_star, dgamma, sigma_0):
+    return 16.0 * A / 5.0 * pow(a, 6.0) - 2.0 * (sigma_0 / E_star) * q
+
+
+def _depth(a, A, E_star, dgamma, sigma_0):
+    return _depth_of(a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
+
+
+def _force_of(a, q, A, E_star, dgamma, sigma_0):
+    v14 = hypot(a, q)
+    return 192.0 * E_star * A / 35.0 * pow(a, 7.0) - 2.0 * sigma_0 * (v14 * v14 * atan2(q, a) + a * q)
+
+
+def _force(a, A, E_star, dgamma, sigma_0):
+    return _force_of(a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
+
+
+def _pressure_of(r, a, q, A, E_star, dgamma, sigma_0):
+    v7 = a - r
+    v8 = a + r
+    v11 = r < a
+    if v11:
+        v19 = a * a
+        v24 = r * r
+        v34 = 32.0 * E_star * A / 78.53981633974483 * (3.0 * (v19 * v19) + 4.0 * v19 * v24 + 8.0 * (v24 * v24)) * sqrt(v7 * v8)
+    else:
+        v34 = 0.0
+    return v34 - sigma_0 * (0.6366197723675814 * atan2(q, sqrt((v7 if v7 > 0.0 or v7 != v7 else 0.0) * v8)) if v11 else 1.0 if r < hypot(a, q) else 0.0)
+
+
+def _pressure(r, a, A, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
+
+
+def _displacement_of(r, a, q, A, E_star, dgamma, sigma_0):
+    return normal._displacement(r, a, A) - lift_of_zone(r, q, a, E_star, sigma_0)
+
+
+def _displacement(r, a, A, E_star, dgamma, sigma_0):
+    return _displacement_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
+
+
+def _radii(A, E_star, dgamma, sigma_0):
+    """Radii that separate the minima of the load."""
+    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+    return radii(first)
+
+
+def _state(a, A, E_star, dgamma, sigma_0, control):
+    q = _zone(a, A, E_star, dgamma, sigma_0)
+    load = _force_of if control == 'force' else _depth_of
+    return (still(partial(_opened, A=A), a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
+
+
+def _pull_off_radius(A, E_star, dgamma, sigma_0, control):
+    return radius_of_pull_off(lambda a: _state(a, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0))
+
+
+def _parted(A, E_star, dgamma, sigma_0):
+    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+    return parted(partial(_opened, A=A), first, E_star, sigma_0)
+
+
+def _parted_depth(A, E_star, dgamma, sigma_0):
+    c = _parted(A, E_star, dgamma, sigma_0)
+    return alone(partial(_opened, A=A), c, E_star, dgamma, sigma_0)
+
+
+def _pull_off_depth(a, A, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth(a, A, E_star, dgamma, sigma_0), lambda: _parted_depth(A, E_star, dgamma, sigma_0))
+
+
+def _pull_off_force(a, A, E_star, dgamma, sigma_0):
+    return _force(a, A, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(A, E_star, dgamma, sigma_0) ** 2
+
+
+def _held_apart(d, A, E_star, dgamma, sigma_0):
+    apart = _pull_off_radius(A, E_star, dgamma, sigma_0, 'depth') == 0.0
+    deeper = d >= _pull_off_depth(np.zeros_like(d), A, E_star, dgamma, sigma_0)
+    return 0.0 if apart & deeper else np.nan
+
+
+def _radius_from_depth(d, A, E_star, dgamma, sigma_0):
+    a = radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, E_star, dgamma, sigma_0))
+    return _held_apart(d, A, E_star, dgamma, sigma_0) if np.isnan(a) else a
+
+
+def _radius_from_force(F, A, E_star, dgamma, sigma_0):
+    return radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, 'force'), F, _radii(A, E_star, dgamma, sigma_0))

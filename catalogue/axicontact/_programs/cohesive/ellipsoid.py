@@ -1,0 +1,275 @@
+"""Programs of axicontact.cohesive.ellipsoid."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, cos, cosh, fsum, hypot, inf, nan, sin, sinh, sqrt
+
+from ..._runtime.interface import ordinary
+from ..._runtime.plain import rule
+from ..._programs.bodies.cohesive import ellipsoid as bodies
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+
+
+def cohesive_radius(a, h, b, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._cohesive_radius(a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth(a, h, b, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._depth(a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, h, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._displacement(r, a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, h, b, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._force(a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, h, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_depth(a, h, b, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_depth(a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_force(a, h, b, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_force(a, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(h, b, E_star, dgamma, sigma_0, control):
+    if h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and h > 1e-30 and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_radius(h, b, E_star, dgamma, sigma_0, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, h, b, E_star, dgamma, sigma_0):
+    if d.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and d > -1e+30 and (d < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(d, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, h, b, E_star, dgamma, sigma_0):
+    if F.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and F > -1e+30 and (F < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, h, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, h, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_depth(c, h, b, E_star, dgamma, sigma_0):
+    if c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v7 = hypot(0.0, c)
+            v9 = b - 0.0
+            v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (b + 0.0))
+            v14 = v13 - c
+            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
+            v20 = asinh(v18 / v7)
+            v21 = v20 > 0.0
+            if v21:
+                v23 = v20 if v21 else 1.0
+                v25 = asinh(atan2(c, 0.0) / v23)
+                v37 = h / b
+                v50 = []
+                for node, weight in RULE_0(v25 / 0.7):
+                    v27 = node * v25
+                    v29 = v23 * sinh(v27)
+                    v30 = sin(v29)
+                    v32 = v7 * cos(v29)
+                    v34 = hypot(v18, v7 * v30)
+                    v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                    v50.append(weight * v48)
+                v50 = fsum(v50) * v25
+                v77 = 0.6366197723675814 * v7 * v50
+            else:
+                v77 = inf
+            v82 = sigma_0 / E_star
+            v86 = v77 - dgamma / sigma_0 - 1.2732395447351628 * v82 * c
+            if v86 <= -(2.0 * v82 * c):
+                value = v86
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_force(c, h, b, E_star, dgamma, sigma_0):
+    if c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v7 = hypot(0.0, c)
+            v9 = b - 0.0
+            v13 = sqrt((v9 if v9 > 0.0 or v9 != v9 else 0.0) * (b + 0.0))
+            v14 = v13 - c
+            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (v13 + c))
+            v20 = asinh(v18 / v7)
+            v21 = v20 > 0.0
+            if v21:
+                v23 = v20 if v21 else 1.0
+                v25 = asinh(atan2(c, 0.0) / v23)
+                v37 = h / b
+                v50 = []
+                for node, weight in RULE_0(v25 / 0.7):
+                    v27 = node * v25
+                    v29 = v23 * sinh(v27)
+                    v30 = sin(v29)
+                    v32 = v7 * cos(v29)
+                    v34 = hypot(v18, v7 * v30)
+                    v48 = (v37 * asinh(v32 / v34) + h * v32 / (v34 * v34)) * v23 * cosh(v27) * v29 * v30
+                    v50.append(weight * v48)
+                v50 = fsum(v50) * v25
+                v77 = 0.6366197723675814 * v7 * v50
+            else:
+                v77 = inf
+            v82 = sigma_0 / E_star
+            if v77 - dgamma / sigma_0 - 1.2732395447351628 * v82 * c <= -(2.0 * v82 * c):
+                value = -3.141592653589793 * sigma_0 * c * c
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, h, b, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def work_of_separation(a, c, h, b, E_star, sigma_0):
+    if a.__class__ is c.__class__ is h.__class__ is b.__class__ is E_star.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (h > 1e-30) and (h < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v6 = c - a
+            v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
+            v12 = hypot(a, v11)
+            v13 = atan2(v11, a)
+            v14 = b - a
+            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (b + a))
+            v19 = v18 - v11
+            v23 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (v18 + v11))
+            v25 = asinh(v23 / v12)
+            v26 = v25 > 0.0
+            if v26:
+                v28 = v25 if v26 else 1.0
+                v30 = asinh(v13 / v28)
+                v42 = h / b
+                v55 = []
+                for node, weight in RULE_0(v30 / 0.7):
+                    v32 = node * v30
+                    v34 = v28 * sinh(v32)
+                    v35 = sin(v34)
+                    v37 = v12 * cos(v34)
+                    v39 = hypot(v23, v12 * v35)
+                    v53 = (v42 * asinh(v37 / v39) + h * v37 / (v39 * v39)) * v28 * cosh(v32) * v34 * v35
+                    v55.append(weight * v53)
+                v55 = fsum(v55) * v30
+                v82 = 0.6366197723675814 * v12 * v55
+            else:
+                v82 = inf
+            value = sigma_0 * (v82 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, c, h, b, E_star, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -1,0 +1,232 @@
+"""Programs of axicontact.cohesive.quartic."""
+
+from __future__ import annotations
+
+from math import atan2, cos, fsum, hypot, inf, nan, sin, sqrt
+
+from ..._runtime.interface import ordinary
+from ..._runtime.plain import rule
+from ..._programs.bodies.cohesive import quartic as bodies
+
+RULE_0 = rule(((inf, 16),))
+
+
+def cohesive_radius(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._cohesive_radius(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._depth(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, A, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._displacement(r, a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._force(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, A, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_depth(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_depth(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_force(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_force(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(A, E_star, dgamma, sigma_0, control):
+    if A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and A > 1e-30 and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_radius(A, E_star, dgamma, sigma_0, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, A, E_star, dgamma, sigma_0):
+    if d.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and d > -1e+30 and (d < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(d, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, A, E_star, dgamma, sigma_0):
+    if F.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and F > -1e+30 and (F < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_depth(c, A, E_star, dgamma, sigma_0):
+    if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v6 = hypot(0.0, c)
+            v7 = atan2(c, 0.0)
+            v15 = 32.0 * A / 3.0
+            v24 = []
+            for node, weight in RULE_0(v7 / 1.0):
+                v9 = node * v7
+                v11 = v6 * cos(v9)
+                v22 = v15 * (v11 * (v11 * v11)) * v9 * sin(v9)
+                v24.append(weight * v22)
+            v24 = fsum(v24) * v7
+            v42 = sigma_0 / E_star
+            v46 = 0.6366197723675814 * v6 * v24 - dgamma / sigma_0 - 1.2732395447351628 * v42 * c
+            if v46 <= -(2.0 * v42 * c):
+                value = v46
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_force(c, A, E_star, dgamma, sigma_0):
+    if c.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v6 = hypot(0.0, c)
+            v7 = atan2(c, 0.0)
+            v15 = 32.0 * A / 3.0
+            v24 = []
+            for node, weight in RULE_0(v7 / 1.0):
+                v9 = node * v7
+                v11 = v6 * cos(v9)
+                v22 = v15 * (v11 * (v11 * v11)) * v9 * sin(v9)
+                v24.append(weight * v22)
+            v24 = fsum(v24) * v7
+            v42 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v24 - dgamma / sigma_0 - 1.2732395447351628 * v42 * c <= -(2.0 * v42 * c):
+                value = -3.141592653589793 * sigma_0 * c * c
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def work_of_separation(a, c, A, E_star, sigma_0):
+    if a.__class__ is c.__class__ is A.__class__ is E_star.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v5 = c - a
+            v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (c + a))
+            v11 = hypot(a, v10)
+            v12 = atan2(v10, a)
+            v20 = 32.0 * A / 3.0
+            v29 = []
+            for node, weight in RULE_0(v12 / 1.0):
+                v14 = node * v12
+                v16 = v11 * cos(v14)
+                v27 = v20 * (v16 * (v16 * v16)) * v14 * sin(v14)
+                v29.append(weight * v27)
+            v29 = fsum(v29) * v12
+            value = sigma_0 * (0.6366197723675814 * v11 * v29 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, c, A, E_star, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None

@@ -1,0 +1,300 @@
+"""Programs of axicontact.cohesive.truncated_paraboloid."""
+
+from __future__ import annotations
+
+from math import asinh, atan2, cos, cosh, fsum, hypot, nan, sin, sinh, sqrt
+
+from ..._runtime.interface import ordinary
+from ..._runtime.plain import rule
+from ..._programs.bodies.cohesive import truncated_paraboloid as bodies
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+
+
+def cohesive_radius(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._cohesive_radius(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def depth(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._depth(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def displacement(r, a, R, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._displacement(r, a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def force(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._force(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_depth(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_depth(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_force(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_force(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
+    if R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and R > 1e-30 and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_radius(R, b, E_star, dgamma, sigma_0, control)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_depth(d, R, b, E_star, dgamma, sigma_0):
+    if d.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and d > -1e+30 and (d < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_depth(d, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(d, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def radius_from_force(F, R, b, E_star, dgamma, sigma_0):
+    if F.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and F > -1e+30 and (F < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._radius_from_force(F, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(F, R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
+    if c.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v8 = 0.0 - b
+            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (0.0 + b))
+            v18 = 0.0 < b
+            if v18:
+                v13 = b - 0.0
+                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (b + 0.0))
+                v19 = c - v17
+                v25 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (c + v17))
+            else:
+                v25 = hypot(v12, c)
+            v26 = v25 if v18 else c
+            v27 = v26 > 0.0
+            if v27:
+                v28 = v25 if v27 else b
+                v29 = v26 if v27 else b
+                v31 = asinh(b / v28)
+                v34 = 1.5707963267948966 / v31
+                v36 = atan2(v12, v29) / v31
+                v37 = asinh(v34)
+                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v55 = 2.0 * v31
+                v67 = b * b
+                v73 = b * b
+                v87 = []
+                for node, weight in RULE_0(v52 / 1.0):
+                    v53 = node * v52
+                    v57 = 0.5 * v53
+                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
+                    v64 = v28 * cos(v62)
+                    v66 = v28 * sin(v62)
+                    v70 = sqrt(v67 + v64 * v64)
+                    v85 = (2.0 * v64 / R + v73 / (R * v64)) * v64 * v31 * cosh(v37 - v53) * atan2(v66, v70) * (v66 / v70)
+                    v87.append(weight * v85)
+                v87 = fsum(v87) * v52
+                v120 = 0.6366197723675814 * v87
+            else:
+                v120 = 0.0
+            v125 = sigma_0 / E_star
+            v129 = v120 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c
+            if v129 <= -(2.0 * v125 * c):
+                value = v129
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def without_contact_force(c, R, b, E_star, dgamma, sigma_0):
+    if c.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v8 = 0.0 - b
+            v12 = sqrt((v8 if v8 > 0.0 or v8 != v8 else 0.0) * (0.0 + b))
+            v18 = 0.0 < b
+            if v18:
+                v13 = b - 0.0
+                v17 = sqrt((v13 if v13 > 0.0 or v13 != v13 else 0.0) * (b + 0.0))
+                v19 = c - v17
+                v25 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (c + v17))
+            else:
+                v25 = hypot(v12, c)
+            v26 = v25 if v18 else c
+            v27 = v26 > 0.0
+            if v27:
+                v28 = v25 if v27 else b
+                v29 = v26 if v27 else b
+                v31 = asinh(b / v28)
+                v34 = 1.5707963267948966 / v31
+                v36 = atan2(v12, v29) / v31
+                v37 = asinh(v34)
+                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v55 = 2.0 * v31
+                v67 = b * b
+                v73 = b * b
+                v87 = []
+                for node, weight in RULE_0(v52 / 1.0):
+                    v53 = node * v52
+                    v57 = 0.5 * v53
+                    v62 = v55 * cosh(v37 - v57) * sinh(v57)
+                    v64 = v28 * cos(v62)
+                    v66 = v28 * sin(v62)
+                    v70 = sqrt(v67 + v64 * v64)
+                    v85 = (2.0 * v64 / R + v73 / (R * v64)) * v64 * v31 * cosh(v37 - v53) * atan2(v66, v70) * (v66 / v70)
+                    v87.append(weight * v85)
+                v87 = fsum(v87) * v52
+                v120 = 0.6366197723675814 * v87
+            else:
+                v120 = 0.0
+            v125 = sigma_0 / E_star
+            if v120 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c <= -(2.0 * v125 * c):
+                value = -3.141592653589793 * sigma_0 * c * c
+                if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                    return value
+                if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
+                    return value
+                return None
+            value = nan
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(c, R, b, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def work_of_separation(a, c, R, b, E_star, sigma_0):
+    if a.__class__ is c.__class__ is R.__class__ is b.__class__ is E_star.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v6 = c - a
+            v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
+            v14 = a - b
+            v18 = sqrt((v14 if v14 > 0.0 or v14 != v14 else 0.0) * (a + b))
+            v24 = a < b
+            if v24:
+                v19 = b - a
+                v23 = sqrt((v19 if v19 > 0.0 or v19 != v19 else 0.0) * (b + a))
+                v25 = v11 - v23
+                v31 = sqrt((v25 if v25 > 0.0 or v25 != v25 else 0.0) * (v11 + v23))
+            else:
+                v31 = hypot(v18, v11)
+            v32 = v31 if v24 else v11
+            v33 = v32 > 0.0
+            if v33:
+                v34 = v31 if v33 else b
+                v35 = v32 if v33 else b
+                v37 = asinh(b / v34)
+                v40 = 1.5707963267948966 / v37
+                v42 = atan2(v18, v35) / v37
+                v43 = asinh(v40)
+                v58 = asinh(atan2(v35, v18) / v37 * (v40 + v42) / (v40 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v40 * v40)))
+                v61 = 2.0 * v37
+                v73 = b * b
+                v79 = b * b
+                v93 = []
+                for node, weight in RULE_0(v58 / 1.0):
+                    v59 = node * v58
+                    v63 = 0.5 * v59
+                    v68 = v61 * cosh(v43 - v63) * sinh(v63)
+                    v70 = v34 * cos(v68)
+                    v72 = v34 * sin(v68)
+                    v76 = sqrt(v73 + v70 * v70)
+                    v91 = (2.0 * v70 / R + v79 / (R * v70)) * v70 * v37 * cosh(v43 - v59) * atan2(v72, v76) * (v72 / v76)
+                    v93.append(weight * v91)
+                v93 = fsum(v93) * v58
+                v126 = 0.6366197723675814 * v93
+            else:
+                v126 = 0.0
+            value = sigma_0 * (v126 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (hypot(a, v11) + a)))
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, c, R, b, E_star, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None

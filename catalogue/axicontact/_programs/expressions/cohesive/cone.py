@@ -1,0 +1,73 @@
+"""Formulas of axicontact.cohesive.cone over an array library `xp`."""
+
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
+from ...._programs.expressions.normal.cone import depth as normal_depth
+from ...._programs.expressions.normal.cone import displacement as normal_displacement
+from ...._programs.expressions.normal.cone import force as normal_force
+from ...._programs.expressions.normal.cone import pressure as normal_pressure
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
+
+
+def work_of_separation(xp, a, c, theta, E_star, sigma_0):
+    v5, v6 = nodes_along(xp, 1, a, c, theta, E_star, sigma_0)
+    v1 = difference_root(xp, c, a)
+    v2 = xp.hypot(a, v1)
+    v4 = xp.arctan2(v1, a)
+    v7 = v5 * v4
+    v14 = v4 * xp.sum(v6 * (3.141592653589793 * xp.tan(theta) / 2.0 * v7 * xp.sin(v7)), axis=0)
+    v22 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v14 + v22)
+
+
+def zone(xp, a, theta, E_star, dgamma, sigma_0):
+    v18, v19 = nodes_along(xp, 1, a, theta, E_star, dgamma, sigma_0)
+    v1 = dgamma / sigma_0
+    v3 = 1.2732395447351628 * (sigma_0 / E_star)
+    v4 = v1 / v3
+    v6 = 0.5 * v4 / 0.5707963267948966
+
+    def f13(v14):
+        v15 = xp.hypot(a, v14)
+        v17 = xp.arctan2(v14, a)
+        v20 = v18 * v17
+        v27 = v17 * xp.sum(v19 * (3.141592653589793 * xp.tan(theta) / 2.0 * v20 * xp.sin(v20)), axis=0)
+        v31 = v14 / (v15 + a)
+        v34 = 0.6366197723675814 * v15 * v27 + v3 * v14 * (v17 - v31)
+        v36 = v14 / v15
+        v44 = v17 * xp.sum(v19 * (3.141592653589793 * xp.tan(theta) / 2.0 * xp.cos(v18 * v17)), axis=0)
+        v51 = v14 / v34 * v36 * (0.6366197723675814 * v44 + v3 * (v17 / v36 - v36 * v31))
+        return (v34, v51)
+    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
+    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+
+
+def cohesive_radius(xp, a, theta, E_star, dgamma, sigma_0):
+    return xp.hypot(a, zone(xp, a, theta, E_star, dgamma, sigma_0))
+
+
+def depth_of(xp, a, q, theta, E_star, dgamma, sigma_0):
+    return normal_depth(xp, a, theta) - 2.0 * (sigma_0 / E_star) * q
+
+
+def depth(xp, a, theta, E_star, dgamma, sigma_0):
+    v2 = depth_of(xp, a, zone(xp, a, theta, E_star, dgamma, sigma_0), theta, E_star, dgamma, sigma_0)
+    return v2
+
+
+def force(xp, a, theta, E_star, dgamma, sigma_0):
+    v3 = pull_of_zone(xp, zone(xp, a, theta, E_star, dgamma, sigma_0), a, sigma_0)
+    return normal_force(xp, a, theta, E_star) - v3
+
+
+def pressure(xp, r, a, theta, E_star, dgamma, sigma_0):
+    v3 = tension_of_zone(xp, r, zone(xp, a, theta, E_star, dgamma, sigma_0), a, sigma_0)
+    return normal_pressure(xp, r, a, theta, E_star) - v3
+
+
+def displacement(xp, r, a, theta, E_star, dgamma, sigma_0):
+    v3 = lift_of_zone(xp, r, zone(xp, a, theta, E_star, dgamma, sigma_0), a, E_star, sigma_0)
+    return normal_displacement(xp, r, a, theta) - v3

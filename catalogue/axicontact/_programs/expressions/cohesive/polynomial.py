@@ -1,0 +1,73 @@
+"""Formulas of axicontact.cohesive.polynomial over an array library `xp`."""
+
+from ...._programs.expressions._runtime.integrals import difference_root
+from ...._programs.expressions._runtime.physics.cohesive import lift_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import pull_of_zone
+from ...._programs.expressions._runtime.physics.cohesive import tension_of_zone
+from ...._programs.expressions.normal.polynomial import depth as normal_depth
+from ...._programs.expressions.normal.polynomial import displacement as normal_displacement
+from ...._programs.expressions.normal.polynomial import force as normal_force
+from ...._programs.expressions.normal.polynomial import pressure as normal_pressure
+from ...._programs.expressions.normal.polynomial import slope as normal_slope
+from ...._runtime.steps import newton
+from ...._runtime.steps import nodes_along
+
+
+def work_of_separation(xp, a, c, A, E_star, sigma_0):
+    v5, v6 = nodes_along(xp, 1, a, c, E_star, sigma_0)
+    v1 = difference_root(xp, c, a)
+    v2 = xp.hypot(a, v1)
+    v4 = xp.arctan2(v1, a)
+    v7 = v5 * v4
+    v14 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v7), A) * v7 * xp.sin(v7)), axis=0)
+    v22 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v14 + v22)
+
+
+def zone(xp, a, A, E_star, dgamma, sigma_0):
+    v18, v19 = nodes_along(xp, 1, a, E_star, dgamma, sigma_0)
+    v1 = dgamma / sigma_0
+    v3 = 1.2732395447351628 * (sigma_0 / E_star)
+    v4 = v1 / v3
+    v6 = 0.5 * v4 / 0.5707963267948966
+
+    def f13(v14):
+        v15 = xp.hypot(a, v14)
+        v17 = xp.arctan2(v14, a)
+        v20 = v18 * v17
+        v27 = v17 * xp.sum(v19 * (normal_slope(xp, v15 * xp.cos(v20), A) * v20 * xp.sin(v20)), axis=0)
+        v31 = v14 / (v15 + a)
+        v34 = 0.6366197723675814 * v15 * v27 + v3 * v14 * (v17 - v31)
+        v36 = v14 / v15
+        v39 = xp.cos(v18 * v17)
+        v44 = 0.6366197723675814 * (v17 * xp.sum(v19 * (normal_slope(xp, v15 * v39, A) * v39), axis=0))
+        return (v34, v14 / v34 * v36 * (v44 + v3 * (v17 / v36 - v36 * v31)))
+    v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
+    return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
+
+
+def cohesive_radius(xp, a, A, E_star, dgamma, sigma_0):
+    return xp.hypot(a, zone(xp, a, A, E_star, dgamma, sigma_0))
+
+
+def depth_of(xp, a, q, A, E_star, dgamma, sigma_0):
+    return normal_depth(xp, a, A) - 2.0 * (sigma_0 / E_star) * q
+
+
+def depth(xp, a, A, E_star, dgamma, sigma_0):
+    return depth_of(xp, a, zone(xp, a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
+
+
+def force(xp, a, A, E_star, dgamma, sigma_0):
+    v3 = pull_of_zone(xp, zone(xp, a, A, E_star, dgamma, sigma_0), a, sigma_0)
+    return normal_force(xp, a, A, E_star) - v3
+
+
+def pressure(xp, r, a, A, E_star, dgamma, sigma_0):
+    v3 = tension_of_zone(xp, r, zone(xp, a, A, E_star, dgamma, sigma_0), a, sigma_0)
+    return normal_pressure(xp, r, a, A, E_star) - v3
+
+
+def displacement(xp, r, a, A, E_star, dgamma, sigma_0):
+    v3 = lift_of_zone(xp, r, zone(xp, a, A, E_star, dgamma, sigma_0), a, E_star, sigma_0)
+    return normal_displacement(xp, r, a, A) - v3
