@@ -26,7 +26,7 @@ thickness = define("thickness", "h_0", LENGTH, "m", "thickness > 0", "thickness 
 define("q", "q", LENGTH, "m", "", "how far the spring of a radius is pressed in, on a layer")
 define("K", "K", Dimension.of(-1, 0), "1/m", "", "what one spring of a layer takes off another")
 L = define("sinking", "L", NUMBER, "1", "", "how far a wave moves the surface of a layer, over a half-space")
-m_0 = define("m_0", "m_0", NUMBER, "1", "", "integral of 1 - L over the wave numbers of a layer")
+m_0 = define("m_0", "m_0", NUMBER, "1", "", "sum over the waves of a layer")
 m_2 = define("m_2", "m_2", NUMBER, "1", "", "the same, weighted by the squares of the wave numbers")
 SPRING, KERNEL = sp.Function("q"), sp.Function("K")
 """The solution of the equation, of a radius, and its kernel, of two."""
