@@ -37,7 +37,7 @@ def test_every_picture_says_what_is_seen(site: dict[str, str]) -> None:
         assert site[path].count('<svg viewBox="') == site[path].count('aria-hidden="true"'), path
         found += seen
     assert len(found) > 12
-    assert "Plot of p/p\N{COMBINING MACRON} over r/a; curves: sphere, flat punch, p/p\N{COMBINING MACRON}" in found
+    assert "Plot of p/p\N{COMBINING MACRON} over r/a; curves: Hertz, flat punch, p/p\N{COMBINING MACRON}" in found
     assert any(one.startswith("Section through the contact:") and "marked are d, a, θ, w" in one for one in found)
 
 

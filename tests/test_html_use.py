@@ -245,7 +245,7 @@ def test_a_figure_gives_its_curves_in_the_units_of_its_axes(opened: tuple[Chromi
     assert name == "cone.pressure.csv"
     head, *rows = unquote(address.removeprefix("data:text/csv;charset=utf-8,")).split("\r\n")
     assert head == '"curve","r/a","p/p\N{COMBINING MACRON}"'
-    assert '"sphere",0,1.5' in rows
+    assert '"Hertz",0,1.5' in rows
     middle = [float(row.split(",")[2]) for row in rows if row.startswith('"p/p\N{COMBINING MACRON}",0.5,')]
     assert middle == pytest.approx([math.acosh(2)], rel=1e-4)
     browser.value("document.querySelector('#plot\\\\.pressure').dataset.logy = ''")

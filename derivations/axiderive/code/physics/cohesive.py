@@ -246,7 +246,7 @@ def _inverses(writer: Writer) -> None:
         (field,) = map(name_of, quantity.arguments)
         doc = docstring.document(
             quantity.summary,
-            docstring.wrapped(f"a from {field} = {COMPACT[quantity.inverts].function}(a), where it grows with a."),
+            docstring.wrapped(f"a from {field} = {field}(a), where it grows with a."),
             docstring.parameters(quantity.arguments, _symbols(writer)),
             (docstring.NUMBERS, f"Contact radius [m]. {docstring.SHAPE}"),
             f"Valid for {writer.profile.validity}. NaN below pull-off.",
