@@ -251,8 +251,8 @@ def test_a_figure_gives_its_curves_in_the_units_of_its_axes(opened: tuple[Chromi
     browser.value("document.querySelector('#plot\\\\.pressure').dataset.logy = ''")
     browser.value("document.querySelector('.window polyline').setAttribute('points', '1,2 2,-0.69897')")
     assert browser.value("table(document.querySelector('#plot\\\\.pressure'))").split("\r\n")[1:][:2] == [
-        '"sphere",1,100',
-        '"sphere",2,0.2',
+        '"Hertz",1,100',
+        '"Hertz",2,0.2',
     ]
 
 

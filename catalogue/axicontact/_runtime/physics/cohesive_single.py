@@ -35,7 +35,10 @@ def both(
     """The integrals of both members from 0 to `stop`, from the same nodes."""
     if stop != stop:
         return stop, stop
-    nodes = rule(lengths)(stop / width)
+    # as many panels as it takes, where `rule` leaves more than a few to the arrays
+    panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
+    panel = rule(lengths)(stop / width / panels)
+    nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in panel]
     values = [integrand(node * stop) for node, _ in nodes]
     gap, rate = ([weight * value[i] for (_, weight), value in zip(nodes, values, strict=True)] for i in (0, 1))
     return math.fsum(gap) * stop, math.fsum(rate) * stop
@@ -122,7 +125,12 @@ def _samples(state: State, sampled: Radii, value: float = -math.inf) -> list[Sam
 
 
 def _minimum(state: State, low: Sample, high: Sample) -> float:
-    return _between(lambda a: math.log(state(a)[0]), *((own[0], math.log(own[1])) for own in (low, high)))
+    return _between(lambda a: _log(state(a)[0]), *((own[0], _log(own[1])) for own in (low, high)))
+
+
+def _log(ratio: float) -> float:
+    """Of the ratio of a state, which is nothing within a flat face."""
+    return math.log(ratio) if ratio > 0.0 else -math.inf
 
 
 def _between(missed: Load, low: Point, high: Point) -> float:
