@@ -474,7 +474,7 @@ def radius_from_depth(
 ) -> Result:
     """Contact radius at indentation depth d, on the branch that is stable under a given depth.
 
-    a from d = depth(a), where it grows with a.
+    a from d = d(a), where it grows with a.
 
     Parameters
     ----------
@@ -516,7 +516,7 @@ def radius_from_force(
 ) -> Result:
     """Contact radius under the normal force F, on the branch that is stable under a given force.
 
-    a from F = force(a), where it grows with a.
+    a from F = F(a), where it grows with a.
 
     Parameters
     ----------

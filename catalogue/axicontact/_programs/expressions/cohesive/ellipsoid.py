@@ -59,44 +59,47 @@ def zone(xp, a, h, b, E_star, dgamma, sigma_0):
     v51 = sigma_0 * (xp.where(v14, v40, xp.inf) + v43 * v2 * (xp.arctan2(v2, a) - v2 / (v11 + a)))
     v52 = v51 >= dgamma
     v53 = xp.where(v52, v51, 2.0 * dgamma)
-    v54 = xp.where(v52, 0.5 * dgamma, v51)
-    v56 = xp.where(v52, dgamma, xp.nan) / sigma_0
-    v57 = v56 / v43
-    v59 = 0.5 * v57 / 0.5707963267948966
+    v54 = v53 >= dgamma
+    v55 = xp.where(v54, v53, 2.0 * dgamma)
+    v56 = xp.where(v54, 0.5 * dgamma, v53)
+    v58 = xp.where(v54, dgamma, xp.nan) / sigma_0
+    v59 = v58 / v43
+    v61 = 0.5 * v59 / 0.5707963267948966
 
-    def f65(v68):
-        v72 = xp.maximum(v1 - v68, 0.0) * (v1 + v68)
-        v73 = v72 > 0.0
-        v76 = xp.where(v73, xp.sqrt(xp.where(v73, v72, 1.0)), 0.0)
-        v77 = xp.hypot(a, v68)
-        v79 = xp.arcsinh(v76 / v77)
-        v80 = v79 > 0.0
-        v81 = xp.where(v80, v79, 1.0)
-        v84 = v81 > 0.0
-        v86 = xp.where(v84, xp.where(v84, v81, 1.0), 1.0)
-        v88 = xp.arcsinh(xp.arctan2(v68, a) / v86)
-        v89 = v23 * v88
-        v91 = v86 * xp.sinh(v89)
-        v94 = xp.sin(v91)
-        v98 = normal_slope(xp, v77 * xp.cos(v91), xp.hypot(v76, v77 * v94), h, b) * v86
-        v104 = 0.6366197723675814 * v77 * (v88 * xp.sum(v24 * (v98 * xp.cosh(v89) * v91 * v94), axis=0))
-        v107 = xp.arctan2(v68, a)
-        v109 = v68 / (v77 + a)
-        v112 = xp.where(v80, v104, xp.inf) + v43 * v68 * (v107 - v109)
-        v114 = v68 / v77
-        v116 = xp.where(v80, v79, 1.0)
-        v117 = v116 > 0.0
-        v119 = xp.where(v117, xp.where(v117, v116, 1.0), 1.0)
-        v121 = xp.arcsinh(v107 / v119)
-        v122 = v23 * v121
-        v124 = v119 * xp.sinh(v122)
-        v125 = xp.cos(v124)
-        v131 = normal_slope(xp, v77 * v125, xp.hypot(v76, v77 * xp.sin(v124)), h, b) * v119
-        v136 = 0.6366197723675814 * (v121 * xp.sum(v24 * (v131 * xp.cosh(v122) * v125), axis=0))
-        v143 = v68 / v112 * v114 * (xp.where(v80, v136, xp.inf) + v43 * (v107 / v114 - v114 * v109))
-        return (v112, v143)
-    v67 = xp.minimum(v59 + xp.sqrt(v59 ** 2.0 + 2.0 * a * v57), 0.75 * v1)
-    return newton(xp, f65, v56, v67, v1, 0.5, 4.0)
+    def f67(v70):
+        v74 = xp.maximum(v1 - v70, 0.0) * (v1 + v70)
+        v75 = v74 > 0.0
+        v78 = xp.where(v75, xp.sqrt(xp.where(v75, v74, 1.0)), 0.0)
+        v79 = xp.hypot(a, v70)
+        v81 = xp.arcsinh(v78 / v79)
+        v82 = v81 > 0.0
+        v83 = xp.where(v82, v81, 1.0)
+        v86 = v83 > 0.0
+        v88 = xp.where(v86, xp.where(v86, v83, 1.0), 1.0)
+        v90 = xp.arcsinh(xp.arctan2(v70, a) / v88)
+        v91 = v23 * v90
+        v93 = v88 * xp.sinh(v91)
+        v96 = xp.sin(v93)
+        v100 = normal_slope(xp, v79 * xp.cos(v93), xp.hypot(v78, v79 * v96), h, b) * v88
+        v106 = 0.6366197723675814 * v79 * (v90 * xp.sum(v24 * (v100 * xp.cosh(v91) * v93 * v96), axis=0))
+        v109 = xp.arctan2(v70, a)
+        v111 = v70 / (v79 + a)
+        v114 = xp.where(v82, v106, xp.inf) + v43 * v70 * (v109 - v111)
+        v116 = v70 / v79
+        v118 = xp.where(v82, v81, 1.0)
+        v119 = v118 > 0.0
+        v121 = xp.where(v119, xp.where(v119, v118, 1.0), 1.0)
+        v123 = xp.arcsinh(v109 / v121)
+        v124 = v23 * v123
+        v126 = v121 * xp.sinh(v124)
+        v127 = xp.cos(v126)
+        v133 = normal_slope(xp, v79 * v127, xp.hypot(v78, v79 * xp.sin(v126)), h, b) * v121
+        v138 = 0.6366197723675814 * (v123 * xp.sum(v24 * (v133 * xp.cosh(v124) * v127), axis=0))
+        v145 = v70 / v114 * v116 * (xp.where(v82, v138, xp.inf) + v43 * (v109 / v116 - v116 * v111))
+        return (v114, v145)
+    v69 = xp.minimum(v61 + xp.sqrt(v61 ** 2.0 + 2.0 * a * v59), 0.75 * v1)
+    v147 = xp.where(v52, 0.5 * dgamma, v51)
+    return xp.where(v52, newton(xp, f67, v58, v69, v1, 0.5, 4.0), xp.nan)
 
 
 def cohesive_radius(xp, a, h, b, E_star, dgamma, sigma_0):

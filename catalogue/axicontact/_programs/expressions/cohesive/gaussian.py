@@ -36,24 +36,27 @@ def zone(xp, a, h, s, E_star, dgamma, sigma_0):
     v26 = sigma_0 * (0.6366197723675814 * v4 * v16 + v19 * v3 * (v6 - v3 / (v4 + a)))
     v27 = v26 >= dgamma
     v28 = xp.where(v27, v26, 2.0 * dgamma)
-    v29 = xp.where(v27, 0.5 * dgamma, v26)
-    v31 = xp.where(v27, dgamma, xp.nan) / sigma_0
-    v32 = v31 / v19
-    v34 = 0.5 * v32 / 0.5707963267948966
+    v29 = v28 >= dgamma
+    v30 = xp.where(v29, v28, 2.0 * dgamma)
+    v31 = xp.where(v29, 0.5 * dgamma, v28)
+    v33 = xp.where(v29, dgamma, xp.nan) / sigma_0
+    v34 = v33 / v19
+    v36 = 0.5 * v34 / 0.5707963267948966
 
-    def f40(v43):
-        v44 = xp.hypot(a, v43)
-        v46 = xp.arctan2(v43, a)
-        v47 = v7 * v46
-        v53 = normal_slope(xp, v44 * xp.cos(v47), h, s) * v47 * xp.sin(v47)
-        v58 = v43 / (v44 + a)
-        v61 = 0.6366197723675814 * v44 * (v46 * xp.sum(v8 * v53, axis=0)) + v19 * v43 * (v46 - v58)
-        v63 = v43 / v44
-        v66 = xp.cos(v7 * v46)
-        v71 = 0.6366197723675814 * (v46 * xp.sum(v8 * (normal_slope(xp, v44 * v66, h, s) * v66), axis=0))
-        return (v61, v43 / v61 * v63 * (v71 + v19 * (v46 / v63 - v63 * v58)))
-    v42 = xp.minimum(v34 + xp.sqrt(v34 ** 2.0 + 2.0 * a * v32), 0.75 * v2)
-    return newton(xp, f40, v31, v42, v2, 0.5, 4.0)
+    def f42(v45):
+        v46 = xp.hypot(a, v45)
+        v48 = xp.arctan2(v45, a)
+        v49 = v7 * v48
+        v55 = normal_slope(xp, v46 * xp.cos(v49), h, s) * v49 * xp.sin(v49)
+        v60 = v45 / (v46 + a)
+        v63 = 0.6366197723675814 * v46 * (v48 * xp.sum(v8 * v55, axis=0)) + v19 * v45 * (v48 - v60)
+        v65 = v45 / v46
+        v68 = xp.cos(v7 * v48)
+        v73 = 0.6366197723675814 * (v48 * xp.sum(v8 * (normal_slope(xp, v46 * v68, h, s) * v68), axis=0))
+        return (v63, v45 / v63 * v65 * (v73 + v19 * (v48 / v65 - v65 * v60)))
+    v44 = xp.minimum(v36 + xp.sqrt(v36 ** 2.0 + 2.0 * a * v34), 0.75 * v2)
+    v81 = xp.where(v27, 0.5 * dgamma, v26)
+    return xp.where(v27, newton(xp, f42, v33, v44, v2, 0.5, 4.0), xp.nan)
 
 
 def cohesive_radius(xp, a, h, s, E_star, dgamma, sigma_0):

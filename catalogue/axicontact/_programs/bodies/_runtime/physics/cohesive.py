@@ -117,7 +117,8 @@ def work_of_zone(opened, q, a, E_star, sigma_0):
 def root_within(opened, a, E_star, dgamma, sigma_0, largest):
     """The root of a profile that ends; not a number where the zone would reach beyond the largest q."""
     reached = work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma
-    return root_of_zone(opened, a, E_star, dgamma if reached else np.nan, sigma_0, largest)
+    found = root_of_zone(opened, a, E_star, dgamma if reached else np.nan, sigma_0, largest)
+    return found if reached else np.nan
 
 
 def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
