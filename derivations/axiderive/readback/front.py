@@ -247,12 +247,11 @@ LISTED = {
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
         "g'=t^{n-1}",
         r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}",
-        r"\sqrt{R\,d}", r"\chi=\sqrt{R\,d}/h_0",
-        r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
+        r"\sqrt{R\,d}", r"\chi=\sqrt{R\,d}/h_0", r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
-        r"0\le r\le a", r"|x|\le a", "r=a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c",
+        r"0\le r\le a", r"|x|\le a", "r=a", "r=0", "x=e", "a>b", "r<a", "r<c", "r>c", "a<r<c",
         "p(r;c)=0", "t<b", "g(t)=0", "q(a)=0",
     ),
     "a place or a case that a sketch or a note points to": (
@@ -261,6 +260,7 @@ LISTED = {
     ),
     "a case that a number is given for": (
         r"\nu=\tfrac12", r"\nu=0.3", r"\mu=0.3", r"\nu=0.5", r"\nu=0", r"a=0.1\,R", r"a=0.3\,R", r"\mu_{\mathrm T}=5",
+        *(rf"\nu={ratio}" for ratio in (0.1, 0.2, 0.4, 0.45)),
     ),
     "a number of the guide, computed in book.evidence": (r"0.3100\,p_0", r"0.4809\,a", r"p_0=1.6\,Y"),
     "a result of the work that is cited": (r"(1-2\nu)/(2-2\nu)", r"(1-\nu)\ln(3-4\nu)/(1-2\nu)"),
@@ -271,7 +271,7 @@ LISTED = {
     "an order of magnitude": (
         r"a \ll R", r"a \ll R_1", r"a \ll R_2", r"a \ll", r"h \ll s", r"a-b \ll R", r"a-b \ll R_2",
         r"\tan \theta \ll 1", r"n A a^{n-1} \ll 1", "r^{2}",
-        r"P \sim a^{n}", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim d^{1+1/n}",
+        r"P \sim a^{n}", r"F_{\mathrm N}\sim d^m", r"F_{\mathrm N} \sim d^{1+1/n}", "a^{2}/R^{2}",
     ),
     "a ratio or an exponent by name": ("b/a", "a/r", "r/a", "a/R", "a/h_0", "h/b", "1-r^2/a^2", "1-r^{2}/a^{2}"),
     "an axis, a legend or a case of a study": (
