@@ -247,7 +247,7 @@ LISTED = {
         r"p=(\alpha+\beta x)/\sqrt{a^2-x^2}", r"\theta=\pi/2-\alpha", r"\varphi_0=\arccos(b/a)", r"\psi=\arcsin(a/r)",
         "g'=t^{n-1}",
         r"s=\sqrt{r^2-a^2}", r"\mu_{\mathrm T}=\bigl(R\,\Delta\gamma^2/(E^{*2}z_0^3)\bigr)^{1/3}",
-        r"\sqrt{R\,d}", r"\chi=\sqrt{R\,d}/h_0", r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
+        r"\sqrt{R\,d}", r"\frac{\mathrm dw}{\mathrm dx}", "z^{k}",
     ),
     "homogeneous as the case of a graded half-space": ("k=0", r"H=E^{*}", r"H_x=G^{*}"),
     "where the contact is, or the edge of it": (
