@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from dataclasses import replace
 from importlib import import_module
@@ -13,6 +14,7 @@ import pytest
 import sympy as sp
 from false_entries import below, record
 
+from axicontact._runtime.physics.cohesive_single import both
 from axiderive import notation as nt
 from axiderive.letters import name_of
 from axiderive.oracle.evaluate import case_at, evaluated
@@ -208,6 +210,12 @@ def test_plain_numbers_are_found_where_arrays_are(name: str, sigma: float) -> No
             assert load_of(found[:-1], **material) == pytest.approx(loads[:-1], rel=1e-12)
             assert np.isnan(found[-1])
         assert many[:-1] == pytest.approx(singles[:-1], rel=1e-5)
+
+
+def test_long_stretches_are_integrated_in_panels() -> None:
+    """States next to no contact need five; the search itself asks only on which side of the minimum they are."""
+    found = both(lambda x: (math.exp(-x), x * math.exp(-x)), 30.0)
+    assert found == pytest.approx((1.0 - math.exp(-30.0), 1.0 - 31.0 * math.exp(-30.0)), rel=1e-14)
 
 
 def test_a_weak_attraction_lets_go_without_contact() -> None:

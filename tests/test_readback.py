@@ -25,7 +25,7 @@ from axiderive.book.page import derivation
 from axiderive.physics.systems import problem
 from axiderive.profiles import load
 from axiderive.readback.source import Formula, arguments, formulas, without_remark
-from axiderive.rows.special import MEMBERS, hosted
+from axiderive.rows.special import hosted
 
 READ_BACK = mp.mpf(10) ** -20
 """A printed row agrees with its entry to twenty digits or it does not agree."""
@@ -85,13 +85,12 @@ def _printed(name: str, kind: str) -> list[str]:
 def test_every_row_of_a_spread_says_what_its_entry_is(name: str) -> None:
     """The rows TeX sets and the rows that are compared are the same, letter by letter, and none is left over."""
     compared = []
-    whole = [host for host in hosted(name) if name not in MEMBERS]
     for key in (key for key in KEYS if problem(key).profile_id in (name, *hosted(name))):
         if any(entry.status == "equation" for entry in stored(key).values()):
             continue  # for what stands in a whole contact: it has no value at a point, and no row on the page
         for one in rows(key):
             assert residual(key, one) < READ_BACK, one.key
-        if problem(key).system.physics.printed and (problem(key).profile_id == name or key in whole):
+        if problem(key).system.physics.printed and problem(key).profile_id == name:
             compared += [region.tex for one in printed(key) if not one.listed for region in one.regions]
         for one in (one for one in printed(key) if one.parts):
             assert residual(key, one) < READ_BACK, one.key
