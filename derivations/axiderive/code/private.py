@@ -21,6 +21,8 @@ from .text import printable, python
 
 LINE = 116
 """What fits on a line of a function."""
+WIDTH = 100
+"""The same of a value, beside the word in front of it."""
 
 
 @dataclass
@@ -92,10 +94,10 @@ class PrivateFunctions:
         return [*lines, f"return {text}"]
 
     @staticmethod
-    def value_lines(expr: sp.Expr, lines: list[str], width: int = 100) -> str:
+    def value_lines(expr: sp.Expr, lines: list[str]) -> str:
         """The text of a value; what would not fit on a line is named first."""
         text = python(expr)
-        if len(text) <= width:
+        if len(text) <= WIDTH:
             return text
         outside, inside = expr.as_independent(sp.Add, sp.Sum, as_Add=False)
         if isinstance(inside, sp.Sum) and outside != 1:

@@ -224,7 +224,9 @@ class Traced(NDArrayOperatorsMixin):
 
     def __getitem__(self, place: int) -> Traced:
         """The end of a grid of radii: only what looks for branches needs it, and expressions do not."""
-        return self if self.graph.roots else NotImplemented
+        if not self.graph.roots:
+            raise UntraceableError
+        return self
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
         raise UntraceableError
