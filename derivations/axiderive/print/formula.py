@@ -9,6 +9,7 @@ relies on), and \left( is never used.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -345,5 +346,23 @@ def _stands_behind(base: sp.Expr) -> bool:
 
 def _is_positive(value: sp.Expr) -> bool:
     """Whether a number is real and positive; outside the range of a formula it may be neither."""
-    number = value.evalf(15)
-    return bool(number.is_Float and number > 0)
+    turned = value.could_extract_minus_sign()
+    plain = -value if turned else value
+    if all(_is_over_square(term) for term in sp.Add.make_args(plain)):
+        return not turned
+    number = _number(plain)
+    return bool(number.is_Float and (number < 0 if turned else number > 0))
+
+
+def _is_over_square(term: sp.Expr) -> bool:
+    """An integral that is positive without its value, which takes seconds."""
+    if not isinstance(term, sp.Integral) or not term.function.is_Pow or term.function.exp != 2:
+        return False
+    _, low, high = term.limits[0]
+    return _is_positive(high - low)
+
+
+@lru_cache(maxsize=4096)
+def _number(value: sp.Expr) -> sp.Expr:
+    """In digits; the sign of a bracket is asked for ten times on a page."""
+    return value.evalf(15)
