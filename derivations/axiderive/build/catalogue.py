@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..store.cache import Cache, digest
 from ..store.sources import import_digest, source_digest
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 EMITTING = (*work.WRITING, "axiderive.build.catalogue", "axiderive.store.index")
 
 Published = list[tuple["Problem", Outcome]]
+Taken = TypeVar("Taken")
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ def build(
     published, failures = _publishable(wanted, found)
     chapter = _chapter(cache, jobs, standing.get(CHAPTER, {})) if len(wanted) == len(list(problems())) else None
     failures += [Failure("chapter", sentence) for sentence in (wrong_equations(chapter) if chapter else ())]
-    modules = package(published, cache)
+    modules = package(published, cache, jobs)
     published, kept, measured = _measured(published, modules, standing, cache, jobs)
     book = book or Book(tuple(dict.fromkeys(problem.profile_id for problem, _ in published)), chapter)
     files = emitted(published, modules, book, cache, settings, jobs, printed)
@@ -215,13 +216,35 @@ def _receipts(published: Published, settings: Settings, measured: Mapping[str, s
     return found
 
 
-def package(published: Published, cache: Cache) -> dict[str, str]:
-    """The modules by path."""
+def package(published: Published, cache: Cache, jobs: pool.Jobs) -> dict[str, str]:
+    """The modules by path; those of the profiles are written side by side."""
     from ..code.python import package_sources
 
     records = {problem.key: outcome.entries for problem, outcome in published}
     key = digest([work.FORMAT, "package", source_digest(*work.WRITING), records])
-    return dict(cache.made(key, lambda: package_sources(_derived(published), kernels(cache))))
+
+    def write() -> dict[str, str]:
+        tasks = [(own,) for own in _by_profile(published, lambda outcome: outcome.entries).values()]
+        written = {path: text for texts in pool.run(_modules, tasks, jobs) for path, text in texts.items()}
+        return package_sources(_derived(published), kernels(cache), written)
+
+    return dict(cache.made(key, write))
+
+
+def _modules(records: dict[str, Record]) -> dict[str, str]:
+    """The modules of one profile, from the stored entries of its problems."""
+    from ..code.python import module_sources
+    from ..physics.systems import problem
+
+    return module_sources({key: work.read_entries(problem(key), entries) for key, entries in records.items()})
+
+
+def _by_profile(published: Published, taken: Callable[[Outcome], Taken]) -> dict[str, dict[str, Taken]]:
+    """What is taken of the outcomes, by profile and problem."""
+    found: dict[str, dict[str, Taken]] = {}
+    for problem, outcome in published:
+        found.setdefault(problem.profile_id, {})[problem.key] = taken(outcome)
+    return found
 
 
 def kernels(cache: Cache) -> str:
@@ -300,9 +323,7 @@ def _page_models(published: Published, ids: Sequence[str], jobs: pool.Jobs) -> d
     """What the page of every profile shows, in the order of the handbook; made side by side."""
     from ..book import handbook
 
-    own: dict[str, dict[str, tuple[Record, Record]]] = {}
-    for problem, outcome in published:
-        own.setdefault(problem.profile_id, {})[problem.key] = (outcome.entries, outcome.evidence)
+    own = _by_profile(published, lambda outcome: (outcome.entries, outcome.evidence))
     numbers = handbook.numbered(ids)
     made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
     return {name: made[name] for name in own}

@@ -31,23 +31,18 @@ Derived = Mapping[str, Mapping[str, Entry]]
 """Entries by key of the problem and suffix."""
 
 
-def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, str]:
+def package_sources(
+    derived: Derived, kernels: str | None = None, written: Mapping[str, str] | None = None
+) -> dict[str, str]:
     """The files of the package as `{path below catalogue/: text}`.
 
-    `kernels` is the text of `kernels.py` where it is known; to fit them takes six seconds.
+    `kernels` is the text of `kernels.py` where it is known, as to fit them takes six seconds, and `written` what
+    `module_sources` has of all profiles.
     """
-    found: dict[str, dict[str, Mapping[str, Entry]]] = {system.name: {} for system in SYSTEMS}
-    for key, entries in derived.items():
-        own = problem(key)
-        found[own.system.name][own.name] = entries
     files = shared_sources(kernels)
     tables = symbols_sources(parameter_names(derived), _arguments(derived))
     files |= {f"{PACKAGE}/{PLACE}/{name}": text for name, text in tables.items()}
-    below: dict[str, dict[str, Module]] = {}
-    for system in SYSTEMS:
-        below[system.name] = modules(system, found, below)
-        files |= {module.path: module.source() for module in below[system.name].values()}
-        files |= _refusals(system, found)
+    files |= module_sources(derived) if written is None else written
     for package, title in TITLES.items():
         place = "/".join([PACKAGE, *filter(None, package.split("."))])
         shared = subsurface.SHARED if package == subsurface.SYSTEM.name else ()
@@ -55,6 +50,21 @@ def package_sources(derived: Derived, kernels: str | None = None) -> dict[str, s
         text = package_source(title, names, MEMBERS.get(package, "member"))
         files[f"{place}/__init__.py"] = subsurface.package(text) if shared else text
     return files | program_sources(files)
+
+
+def module_sources(derived: Derived) -> dict[str, str]:
+    """The modules of some profiles, all problems of each, as `{path: text}`; no profile needs another one's."""
+    found: dict[str, dict[str, Mapping[str, Entry]]] = {system.name: {} for system in SYSTEMS}
+    for key, entries in derived.items():
+        own = problem(key)
+        found[own.system.name][own.name] = entries
+    files: dict[str, str] = {}
+    below: dict[str, dict[str, Module]] = {}
+    for system in SYSTEMS:
+        below[system.name] = modules(system, found, below)
+        files |= {module.path: module.source() for module in below[system.name].values()}
+        files |= _refusals(system, found)
+    return files
 
 
 def modules(
