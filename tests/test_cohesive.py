@@ -15,6 +15,7 @@ import sympy as sp
 from false_entries import below, record
 
 from axicontact._runtime.physics.cohesive_single import both
+from axicontact.expressions import expression
 from axiderive import notation as nt
 from axiderive.letters import name_of
 from axiderive.oracle.evaluate import case_at, evaluated
@@ -245,6 +246,15 @@ def test_what_is_asked_wrongly_is_refused() -> None:
     with pytest.raises(ValueError, match="use adhesive"):
         cohesive.derive(load("flat_punch"))
     assert np.isnan(module("sphere").depth(0.99, R=1.0, E_star=1.0, dgamma=1.0, sigma_0=0.01))
+
+
+@pytest.mark.parametrize("a", [0.3, 0.4])
+def test_no_zone_surrounds_a_contact_that_reaches_the_end_of_its_profile(a: float) -> None:
+    """As an expression too, whose root is found in steps that look at nothing."""
+    own, material = module("ellipsoid"), {"h": 0.3, "b": 0.3, **GIVEN, "sigma_0": 0.1}
+    with np.errstate(all="ignore"):
+        assert np.isnan(expression(own.cohesive_radius, np)(np.float64(a), **material))
+    assert np.isnan(own.cohesive_radius(a, **material))
 
 
 def missed(name: str, a: float, ratio: float, share: float, place: float) -> float:

@@ -168,7 +168,8 @@ def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Ar
 
 def root_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array) -> Array:
     """The root of a profile that ends; not a number where the zone would reach beyond the largest q."""
-    reached = work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma
+    # a contact beyond the end leaves no q, or none but 0
+    reached = (largest > 0.0) & (work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma)
     found = root_of_zone(opened, a, E_star, np.where(reached, dgamma, np.nan), sigma_0, largest)
     return np.where(reached, found, np.nan)
 
