@@ -161,7 +161,11 @@ def _none(state: State) -> State:
 
 
 def _chosen(condition: Array, one: State, other: State) -> State:
-    return State(*[np.where(condition, x, y) for x, y in zip(one, other, strict=True)])
+    return State(*_picked(condition, one, other))
+
+
+def _picked(condition: Array, one: tuple[Array, ...], other: tuple[Array, ...]) -> list[Array]:
+    return [np.where(condition, x, y) for x, y in zip(one, other, strict=True)]
 
 
 def _walked(near: Near, stretch: Stretch, missed: Missed) -> list[State]:
@@ -210,7 +214,7 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array) 
         return _none(high)
     unit, best, left = high.a, high, holds
     # the last point, one beyond the root from it, and the one before
-    x, y, z = np.zeros_like(unit), missed(high), np.log(high.q)
+    x, y, z = 0.0 * unit, missed(high), np.log(high.q)
     x_b, y_b, z_b = np.log(low.a / unit), missed(low), np.log(low.q)
     x_c, y_c, z_c = x_b, y_b, z_b
     share = np.where((y > 0.0) & (y_b > -np.inf), y / (y - y_b), 0.5)
@@ -225,8 +229,8 @@ def _between(near: Near, missed: Missed, low: State, high: State, holds: Array) 
         if not np.count_nonzero(left):
             break
         same = (found >= 0.0) == (y >= 0.0)
-        x_c, y_c, z_c = np.where(same, x, x_b), np.where(same, y, y_b), np.where(same, z, z_b)
-        x_b, y_b, z_b = np.where(same, x_b, x), np.where(same, y_b, y), np.where(same, z_b, z)
+        last, beyond = (x, y, z), (x_b, y_b, z_b)
+        (x_c, y_c, z_c), (x_b, y_b, z_b) = _picked(same, last, beyond), _picked(same, beyond, last)
         x, y, z = moved, found, np.log(state.q)
         xi, phi = (x - x_b) / (x_c - x_b), (y - y_b) / (y_c - y_b)
         smooth = (phi * phi < xi) & ((1.0 - phi) * (1.0 - phi) < 1.0 - xi)
