@@ -15,6 +15,7 @@ import sympy as sp
 from false_entries import below, record
 
 from axicontact._runtime.physics.cohesive_single import both
+from axicontact.expressions import expression
 from axiderive import notation as nt
 from axiderive.letters import name_of
 from axiderive.oracle.evaluate import case_at, evaluated
@@ -189,7 +190,7 @@ def test_pull_off_is_the_least_load(name: str, sigma: float) -> None:
 @pytest.mark.parametrize("sigma", [0.01, 0.3, 30.0])
 @pytest.mark.parametrize("name", [*OFTEN, *RARELY])
 def test_plain_numbers_are_found_where_arrays_are(name: str, sigma: float) -> None:
-    """There are two searches: of arrays on a grid, of plain numbers from a few samples."""
+    """The search is one text, with NumPy's functions and with those of `math`."""
     own, material = module(name), GEOMETRY[name] | GIVEN | {"sigma_0": sigma}
     for control, load_of, inverse in (
         ("force", own.force, own.radius_from_force),
@@ -247,6 +248,15 @@ def test_what_is_asked_wrongly_is_refused() -> None:
     assert np.isnan(module("sphere").depth(0.99, R=1.0, E_star=1.0, dgamma=1.0, sigma_0=0.01))
 
 
+@pytest.mark.parametrize("a", [0.3, 0.4])
+def test_no_zone_surrounds_a_contact_that_reaches_the_end_of_its_profile(a: float) -> None:
+    """As an expression too, whose root is found in steps that look at nothing."""
+    own, material = module("ellipsoid"), {"h": 0.3, "b": 0.3, **GIVEN, "sigma_0": 0.1}
+    with np.errstate(all="ignore"):
+        assert np.isnan(expression(own.cohesive_radius, np)(np.float64(a), **material))
+    assert np.isnan(own.cohesive_radius(a, **material))
+
+
 def missed(name: str, a: float, ratio: float, share: float, place: float) -> float:
     """Largest error of a state with q = ratio a and sigma_0 = share E_star, of each value over its parts."""
     profile, entries, own = load(name), cohesive.derive(load(name)), module(name)
@@ -299,3 +309,31 @@ def test_no_state_of_many_is_lost(name: str) -> None:
             a, ratio = 0.3 * a, min(ratio, 1.0 / a)
         place = draw.choice([0.3, 0.999, 1.0 + draw.random(), 1e3])
         assert missed(name, a, ratio, 10.0 ** draw.uniform(-9.0, 0.0), place) < 1e-12
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("name", GEOMETRY)
+def test_no_search_of_many_is_lost(name: str) -> None:
+    """Over twelve decades of sigma_0/E_star and nine of dgamma: from hardly any contact to that without a zone."""
+    draw, own = random.Random(name), module(name)
+    for _ in range(200):
+        given = {"E_star": 1.0, "dgamma": 10.0 ** draw.uniform(-8.0, 1.0), "sigma_0": 10.0 ** draw.uniform(-6.0, 6.0)}
+        material = GEOMETRY[name] | given
+        for control, inverse in (("force", own.radius_from_force), ("depth", own.radius_from_depth)):
+            state, load_of = own.pull_off(control, **material), getattr(own, control)
+            if name == "sphere" and np.isnan(state.radius):
+                # a zone that reaches the equator
+                assert np.isnan(own.cohesive_radius(0.0, **material)), material
+                continue
+            least, a = getattr(state, control), state.radius
+            assert a == 0.0 or min(load_of(x * a, **material) for x in (0.5, 0.99, 1.01, 2.0)) >= least - 1e-12 * abs(
+                least
+            )
+            wide = (a or 1e-3) * (1.1 + 10.0 ** draw.uniform(-1.0, 3.0))
+            load_there = load_of(wide, **material)
+            # the zone of a wider contact reaches beyond a sphere
+            if load_there >= least:
+                found = inverse(load_there, **material)
+                assert load_of(found, **material) == pytest.approx(load_there, rel=1e-12, abs=1e-12 * abs(least)), (
+                    material
+                )

@@ -67,8 +67,6 @@ KNOWN = {"n": 2.0, "R": 3.0, "R1": 3.0, "R2": 2.0, "a": 1.0, "wavelength": 9.0, 
 """Numbers that obey the rules between parameters; all others are 0.3."""
 AROUND = {"c": 1.2}
 """A zone of attraction surrounds the contact, where one of stick is within."""
-WIDE = {"b": 2.0}
-"""Of an ellipsoid that is wider than its contact."""
 
 
 def functions() -> Iterator[tuple[str, Any]]:
@@ -83,7 +81,7 @@ def values(function: Any) -> tuple[dict[str, Any], list[str]]:
     """Some number for each argument, and the names of those that are numbers."""
     parameters = inspect.signature(function).parameters.values()
     numbers = [p.name for p in parameters if p.default is inspect.Parameter.empty]
-    known = KNOWN | AROUND | (WIDE if "h" in numbers else {}) if "sigma_0" in numbers else KNOWN
+    known = KNOWN | AROUND if "sigma_0" in numbers else KNOWN
     return {name: known.get(name, 0.3) for name in numbers}, numbers
 
 

@@ -123,7 +123,7 @@ MATH = SimpleNamespace(
     sqrt=sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=log, log1p=log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
     sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh, hypot=math.hypot,
-    ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor,
+    ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor, nextafter=math.nextafter,
     abs=abs, minimum=_minimum, maximum=_maximum, isfinite=math.isfinite, isnan=math.isnan,
     any=bool, all=bool, count_nonzero=bool,
     # bodies write it out: ~True is -2, and an error from Python 3.16 on

@@ -45,7 +45,7 @@ def rules(writer: Writer) -> None:
     pair = "tuple[Array, Array]"
     writer.rule("_opened", ["q", "a"], writer.geometry, _opened(writer), OPENED, returns=pair)
     opened = _bound_to_shape(writer, "_opened")
-    writer.rule("_zone", ["a"], needs, [f"return {_root(writer, opened)}"], "sqrt(c**2 - a**2) of the zone.")
+    writer.rule("_zone", ["a"], needs, _root(writer, opened), "sqrt(c**2 - a**2) of the zone.")
     work = f"work_of_zone({opened}, difference_root(c, a), a, E_star, sigma_0)"
     writer.rule("_work_of_separation", ["a", ZONE], [*writer.geometry, "E_star", "sigma_0"], [f"return {work}"])
     writer.rule("_cohesive_radius", ["a"], needs, [f"return outer_radius({zone}, a)"])
@@ -63,36 +63,36 @@ def _states(writer: Writer, opened: str) -> None:
     """Adds pull-off, which ends without contact under control of the depth, and the stable branches."""
     needs = [*writer.geometry, *MATERIAL]
     given = ", ".join(needs)
-    first = [f"first = _zone(np.zeros(1), {given})"]
-    separating = [*first, f"return {_radii(writer)}"]
-    writer.rule("_radii", [], needs, separating, "Radii that separate the minima of the load.")
+    first = f"first = _zone(np.zeros_like(sigma_0), {given})"
+    writer.rule("_radii", [], needs, [first, f"return {_radii(writer, opened)}"], returns="Stretch")
+    closing = ", ".join(filter(None, ["E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
-        f"q = _zone(a, {given})",
+        f"q, rate = root_near({opened}, start, a, {closing})",
         'load = _force_of if control == "force" else _depth_of',
-        f"return still({opened}, a, q, control, E_star, sigma_0), load(a, q, {given})",
+        f"return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, {given}))",
     ]
-    writer.rule("_state", ["a"], [*needs, "control"], state, returns="tuple[Array, Array]")
-    searched = f"return radius_of_pull_off(lambda a: _state(a, {given}, control), _radii({given}))"
-    writer.rule("_pull_off_radius", [], [*needs, "control"], [searched])
-    apart = f"alone({opened}, c, E_star, dgamma, sigma_0)"
-    writer.rule("_parted", [], needs, [*first, f"return parted({opened}, first, E_star, sigma_0)"])
-    writer.rule("_parted_depth", [], needs, [f"c = _parted({given})", f"return {apart}"])
-    depth = f"either(a > 0.0, lambda: _depth(a, {given}), lambda: _parted_depth({given}))"
-    force = f"np.where(a > 0.0, _force(a, {given}), {PULL.replace('c * c', f'_parted({given}) ** 2')})"
+    writer.rule("_state", ["a", "start"], [*needs, "control"], state, returns="State")
+    searched = f"lambda a, start: _state(a, start, {given}, {{}})"
+    pulled = f"return radius_of_pull_off({searched.format('control')}, _radii({given}))"
+    writer.rule("_pull_off_radius", [], [*needs, "control"], [pulled])
+    apart = f"alone({opened}, {{}}, E_star, dgamma, sigma_0)"
+    writer.rule("_parted", [], needs, [first, f"return parted({opened}, first, E_star, sigma_0)"])
+    zone = f"return either(a > 0.0, lambda: _zone(a, {given}), lambda: _parted({given}))"
+    writer.rule("_pull_off_zone", ["a"], needs, [zone])
+    depth = f"return either(a > 0.0, lambda: _depth_of(a, q, {given}), lambda: {apart.format('q')})"
+    writer.rule("_pull_off_depth", ["a", "q"], needs, [depth])
     closed = "np.where(depth <= -sunk(c, E_star, sigma_0), {}, np.nan)"
     for member, value in (("depth", "depth"), ("force", PULL)):
-        lines = [f"depth = {apart}", f"return {closed.format(value)}"]
+        lines = [f"depth = {apart.format('c')}", f"return {closed.format(value)}"]
         writer.rule(f"_without_contact_{member}", [ZONE], needs, lines)
-    writer.rule("_pull_off_depth", ["a"], needs, [f"return {depth}"])
-    writer.rule("_pull_off_force", ["a"], needs, [f"return {force}"])
     for inverse in INVERSES:
         (field,), load = map(name_of, inverse.arguments), COMPACT[inverse.inverts].function
-        states = f'lambda a: _state(a, {given}, "{load}")'
+        states = searched.format(f'"{load}"')
         found = f"radius_under({states}, {field}, _radii({given}))"
         if load == PARTED:
             held = [
                 f'apart = _pull_off_radius({given}, "{load}") == 0.0',
-                f"deeper = {field} >= _pull_off_{load}(np.zeros_like({field}), {given})",
+                f"deeper = {field} >= {apart.format(f'_parted({given})')}",
                 "return np.where(apart & deeper, 0.0, np.nan)",
             ]
             writer.rule("_held_apart", [field], needs, held)
@@ -102,15 +102,15 @@ def _states(writer: Writer, opened: str) -> None:
         writer.rule(f"_{inverse.function}", [field], needs, lines)
 
 
-def _radii(writer: Writer) -> str:
+def _radii(writer: Writer, opened: str) -> str:
     """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
-    profile = writer.profile
+    profile, end = writer.profile, _end(writer)
     if profile.breaks:
         return f"radii_by(first, {python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))})"
+    within = f"lambda a: zone_within({opened}, a, E_star, dgamma, sigma_0, {_largest(writer)})"
     if profile.largest is not None:
-        return f"radii_on_bump(first, {python(profile.largest)})"
-    end = _end(writer)
-    return "radii(first)" if end is None else f"radii_up_to(first, {python(end)})"
+        return f"radii_on_bump(first, {python(profile.largest)}, {within})"
+    return "radii(first)" if end is None else f"radii_up_to(first, {python(end)}, {within})"
 
 
 def _bound_to_shape(writer: Writer, function: str) -> str:
@@ -123,10 +123,22 @@ def _plain(writer: Writer, function: str, *fields: str) -> str:
     return f"np.where(a < {writer.profile.breaks[0]}, 0.0, {plain})" if writer.profile.truncated else plain
 
 
-def _root(writer: Writer, opened: str) -> str:
+def _largest(writer: Writer) -> str:
+    """What no q is above, if the profile ends."""
     end = writer.profile.largest or _end(writer)
-    given = f"{opened}, a, E_star, dgamma, sigma_0"
-    return f"root_of_zone({given})" if end is None else f"root_within({given}, difference_root({python(end)}, a))"
+    return "" if end is None else f"difference_root({python(end)}, a)"
+
+
+def _root(writer: Writer, opened: str) -> list[str]:
+    """The lines of the root."""
+    given, largest = "E_star, dgamma, sigma_0", _largest(writer)
+    if not largest:
+        return [f"return root_of_zone({opened}, a, {given})"]
+    return [
+        f"largest = {largest}",
+        f"a = zone_within({opened}, a, {given}, largest)",
+        f"return np.where(np.isnan(a), np.nan, root_of_zone({opened}, a, {given}, largest))",
+    ]
 
 
 def _end(writer: Writer) -> sp.Expr | None:
@@ -159,7 +171,11 @@ def _opened(writer: Writer) -> list[str]:
     (depth,) = (case.expr for case in writer.plain[FOUR[0]].cases)
     if depth.is_polynomial(a) or depth.has(sp.Sum, Dawson):
         return [f"return opening({slope}, q, a, {'SHORT' if depth.is_polynomial(a) else 'NODES'})"]
-    return [f"return opening_power({slope}, q, a, {1.0 if power is None else python(power)})"]
+    if power is not None:
+        return [f"return opening_power({slope}, q, a, {python(power)})"]
+    # a root of r**2 + b**2
+    (beside,) = (x.base.subs(r, 0) for x in profile.pieces[0].expr.atoms(sp.Pow) if x.exp == sp.S.Half and x.has(r))
+    return [f"return opening_beside({slope}, q, a, {python(sp.sqrt(beside))})"]
 
 
 def _with_root(taken: Sequence[str], root: str) -> str:
@@ -224,8 +240,9 @@ def _pull_off(writer: Writer) -> None:
     first, fixed = ("A=A, ", "partial({}, A=A)") if writer.summed else ("", "{}")
     body = [*writer.checks(_symbols(writer)), "require_control(control)"]
     body.append(f"radius = elementwise(partial(_pull_off_radius, {first}control=control), {named})")
-    for load in ("force", "depth"):
-        body.append(f"{load} = elementwise({fixed.format(f'_pull_off_{load}')}, radius, {named})")
+    body.append(f"zone = elementwise({fixed.format('_pull_off_zone')}, radius, {named})")
+    for load, formula in (("force", "_force_of"), ("depth", "_pull_off_depth")):
+        body.append(f"{load} = elementwise({fixed.format(formula)}, radius, zone, {named})")
     doc = docstring.of_state(
         "State at which the contact breaks on unloading.",
         docstring.wrapped(" ".join(PULLED)),
