@@ -30,7 +30,7 @@ from ..physics import DEPTH, FORCE, PRESSURE
 from ..physics.consequences import CONSEQUENCES, SHORT
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
-from .evaluate import decades, evaluated
+from .evaluate import decades, evaluated, stand_ins
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
 
@@ -168,7 +168,7 @@ class HalfSpace:
         """The value of a definition in depth, force and pressure of radii; integrals over them by quadrature."""
         if isinstance(expr, sp.Piecewise):
             (expr, _), *_ = (own for own in expr.args if own.cond.xreplace(self.values) == sp.true)
-        integrals = {own: sp.Dummy() for own in expr.atoms(sp.Integral)}
+        integrals = stand_ins(expr.atoms(sp.Integral), "whole")
         known = {stand_in: self._integrated(own) for own, stand_in in integrals.items()}
         rest, called = self._apart(expr.xreplace(integrals))
         return evaluated(rest, {**self.values, **known, **self._values_of(called)})
@@ -230,7 +230,7 @@ class HalfSpace:
     def _apart(self, expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
         """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
         names = (DEPTH, FORCE, PRESSURE, SHORT, *self.known)
-        called = {own: sp.Dummy() for name in names for own in expr.atoms(name)}
+        called = stand_ins({own for name in names for own in expr.atoms(name)}, "called")
         return expr.xreplace(called), called
 
 
