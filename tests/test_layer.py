@@ -137,6 +137,29 @@ def test_first_and_second_order(nu: float) -> None:
     assert paraboloid.depth(e, R=1.0, nu=nu, thickness=1.0) == pytest.approx(wanted[1], rel=10.0 * e**5)
 
 
+@pytest.mark.parametrize(("name", "known"), [("cone", {"theta": 0.3}), ("power_law", {"A": 1.0, "n": 3.5})])
+@pytest.mark.parametrize(("base", "nu"), [("bonded", 0.5), ("frictionless", 0.2)])
+def test_what_an_expansion_leaves_out(name: str, known: dict[str, float], base: str, nu: float) -> None:
+    """Half the radius is wrong by an eighth of the share, and to the second order by the fifth power of that."""
+    module, given = import_module(f"axicontact.layer.{name}"), {**known, "nu": nu, "thickness": 1.0, "base": base}
+    found = {}
+    for a in (0.05, 0.025):
+        depth, force = module.depth(a, **given), module.force(a, **given, E_star=2.0)
+        found[a] = {
+            3: module.depth_first_order(a, **given) / depth - 1.0,
+            5: module.depth_second_order(a, **given) / depth - 1.0,
+            -5: module.force_second_order(a, **given, E_star=2.0) / force - 1.0,
+        }
+    for order, share in found[0.05].items():
+        assert np.log2(share / found[0.025][order]) == pytest.approx(abs(order), abs=0.4)
+    ends = module.depth_second_order(np.array([0.0, -1.0]), **given)
+    assert ends[0] == 0.0
+    assert np.isnan(ends[1])
+    several = given | {"nu": np.array([[0.1], [nu]])}
+    grid = module.depth_first_order(np.array([0.05, 0.025]), **several)
+    assert grid[1].tolist() == pytest.approx([module.depth_first_order(a, **given) for a in found], rel=1e-14)
+
+
 def test_published_series_beside_the_solution() -> None:
     """(1, k_0, 7/6 k_0^2, 40/27 k_0^3 - 8/15 k_1, 143/72 k_0^4 - 8/5 k_0 k_1) in powers of chi, and the table."""
     own = printed.moments(0.5)
@@ -210,11 +233,15 @@ def test_refusals_say_what_to_use() -> None:
 
 @pytest.mark.slow
 def test_a_wrong_formula_fails() -> None:
-    """With the sign of its integral turned: a layer that is softer than the half-space, a force that pulls."""
+    """With the sign of its integral turned: a layer that is softer than the half-space, a force that pulls.
+
+    Of an expansion with sums over waves that are larger by a thousandth.
+    """
     wrong = {}
     for suffix, entry in stated.derive(load("paraboloid")).items():
         (case,) = entry.cases
         turned = case.expr.replace(sp.Integral, lambda *given: -sp.Integral(*given))
+        turned = turned.subs({m: sp.Rational(1001, 1000) * m for m in stated.MOMENTS})
         wrong[suffix] = replace(entry, cases=(replace(case, expr=turned),))
     found = check_problem(problem("paraboloid.lay"), wrong, digits=50, points=8, seed=17)
     assert {check.key for check in found if check.outcome == "failed"} == {entry.key for entry in wrong.values()}

@@ -110,10 +110,7 @@ def _prepared(
 
 
 def stand_ins(parts: Iterable[sp.Expr], name: str) -> dict[sp.Expr, sp.Symbol]:
-    """A symbol for each of these parts of a result.
-
-    They are told apart by their text: a sum of Dummy symbols is added up in the order in which these were made.
-    """
+    """A symbol for each of these parts by their text: Dummy symbols are added up in the order of their making."""
     return {part: sp.Symbol(f"{name}{i}", real=True) for i, part in enumerate(sorted(parts, key=str))}
 
 
