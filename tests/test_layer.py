@@ -19,6 +19,7 @@ from axicontact.normal import paraboloid as half_space
 from axiderive import notation as nt
 from axiderive.checks.checks import check_problem
 from axiderive.code.example import POLYNOMIAL, numbers
+from axiderive.commands.show import shown
 from axiderive.letters import name_of
 from axiderive.oracle.half_space import HalfSpace
 from axiderive.oracle.layer import Layer, layer, sinking
@@ -27,6 +28,7 @@ from axiderive.physics import layer as stated
 from axiderive.physics.systems import problem
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, load
 from axiderive.rows import layer as printed
+from axiderive.store.index import load as catalogue
 
 STATES = (("bonded", 0.5, 0.2), ("bonded", 0.5, 3.0), ("bonded", 0.0, 1.0), ("frictionless", 0.3, 2.0))
 """Base, Poisson's ratio, contact radius over thickness."""
@@ -158,6 +160,16 @@ def test_what_an_expansion_leaves_out(name: str, known: dict[str, float], base: 
     several = given | {"nu": np.array([[0.1], [nu]])}
     grid = module.depth_first_order(np.array([0.05, 0.025]), **several)
     assert grid[1].tolist() == pytest.approx([module.depth_first_order(a, **given) for a in found], rel=1e-14)
+
+
+def test_what_is_shown_says_what_its_letters_stand_for() -> None:
+    """Once, under the first formula that has them; an equation for the radius is none of its values."""
+    whole = shown(catalogue(), "layer.paraboloid", "text")
+    assert whole.count("q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a))") == 1
+    assert whole.count("K(t, s) = 2*Integral((1 - L(u))*") == 1
+    assert "m_0 = Integral(1 - L(u), (u, 0, oo))" in whole
+    assert "a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d" in whole
+    assert "integral equation, solved in numbers" in shown(catalogue(), "paraboloid.lay.d", "text")
 
 
 def test_published_series_beside_the_solution() -> None:

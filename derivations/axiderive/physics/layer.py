@@ -114,6 +114,19 @@ def _expansions(profile: Profile) -> dict[str, sp.Expr]:
     return found | {"d2": depth.subs({short: DEPTH(a) * sp.factor(moment), F: force})}
 
 
+def _letters(profile: Profile, definition: sp.Expr) -> str:
+    """What the letters of a definition stand for, in text."""
+    sinks = {L: sp.Function("L")(u)}
+    if not definition.has(SPRING):
+        sums = (f"{m} = {sp.sstr(whole.subs(sinks))}" for m, whole in MOMENTS.items() if definition.has(m))
+        return (
+            f"g and F are those of the half-space, {', '.join(sums)}, L how far a wave moves a layer, over a half-space"
+        )
+    ends = "beyond t = a" if profile.complete else "at t = a"
+    kernel = f"K(t, s) = {sp.sstr(SUMMED.subs(sinks))}, L how far a wave moves a layer, over a half-space"
+    return f"the springs below the surface are pressed in by q(t) = {sp.sstr(EQUATION)}, zero {ends}; {kernel}"
+
+
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no entries on a layer; empty if it has."""
     if profile.compact or profile.pieces[0].expr == 0:
@@ -157,6 +170,7 @@ def derive(
             cases=(Case(((r, a) if quantity.place else (a,)), definition),),
             definition=definition,
             parameters=(*profile.parameters, *material),
+            note=_letters(profile, definition),
         )
     return found
 

@@ -13,7 +13,7 @@ from ...entry import Entry
 from ...letters import name_of
 from ...oracle.layer import Layer, layer
 from ...physics import DEPTH, FORCE
-from ...physics.layer import BASES, EQUATION, MOMENTS, L, order, thickness
+from ...physics.layer import BASES, MOMENTS, order, thickness
 from .. import docstring
 from ..example import DIGITS, Example
 from ..function import Function
@@ -22,25 +22,21 @@ from ..writer import Writer
 
 BASE = f'base: str = "{next(iter(BASES))}"'
 NOTES = (
-    "The springs below the surface are pressed in by q(t) = {}, which is zero {}. Valid for {}; {}. One linear "
-    "system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the integral of (1 - L(u)) "
-    "cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. "
+    "{}. Valid for {}; {}. One linear system for each contact, a <= 20 thickness. "
     "Negative or NaN field values give NaN."
 )
 THICK = 5
 """Thickness over a, where the error of an expansion is said."""
 THIN = (
-    "g and F are those of the half-space, and {}, with the L of the layer. What is left out is a share of the order "
-    "of (a/thickness)^{}: {} at thickness = {} a on a bonded base for nu = 1/2, which is the stiffest, by the "
-    "solution of the equation. Valid for {} and a << thickness; {}. Negative or NaN field values give NaN."
+    "{}. What is left out is a share of the order of (a/thickness)^{}: {} at thickness = {} a on a bonded base for "
+    "nu = 1/2, which is the stiffest, by the solution of the equation. Valid for {} and a << thickness; {}. "
+    "Negative or NaN field values give NaN."
 )
 
 
 def interface(writer: Writer) -> None:
     """Adds a public function for every entry."""
-    ends = "beyond t = a" if writer.profile.complete else "at t = a"
     said = writer.profile.validity, writer.system.physics.assumed
-    notes = NOTES.format(sp.sstr(EQUATION), ends, *said)
     stiffest = cache(partial(_stiffest, writer.example))
     for entry in writer.entries.values():
         quantity, fields = entry.quantity, list(map(name_of, entry.arguments))
@@ -48,20 +44,18 @@ def interface(writer: Writer) -> None:
         evaluated = writer.evaluated(f"_{quantity.function}", fields, names, words=("base",))
         reach = "a" in fields
         body = [*writer.checks(entry.parameters, reach=reach), "require_base(base)", f"return {evaluated}"]
-        own = _expanded(entry, stiffest(), said) if entry.status == "expansion" else notes
-        doc = docstring.of_entry(entry, entry.parameters, own, writer.example.lines(entry.suffix), _base())
+        where = docstring.capital(entry.note)
+        own = _measured(entry, stiffest()) if entry.status == "expansion" else ()
+        notes = (THIN if own else NOTES).format(where, *own, *said)
+        doc = docstring.of_entry(entry, entry.parameters, notes, writer.example.lines(entry.suffix), _base())
         writer.public.append(Function(quantity.function, fields, [*names, BASE], body, doc, "Result"))
 
 
-def _expanded(entry: Entry, found: Layer, said: tuple[str, str]) -> str:
-    sums = " and ".join(
-        f"{symbol} = {sp.sstr(whole.subs(L, sp.Function('L')(nt.u)))}"
-        for symbol, whole in MOMENTS.items()
-        if entry.definition.has(symbol)
-    )
+def _measured(entry: Entry, found: Layer) -> tuple[int, str, int]:
+    """The order of what an expansion leaves out, its share there, and the thickness over a."""
     with mp.workdps(2 * DIGITS):
-        share = f"{100 * float(found.stated(entry) / found.value(entry.quantity.symbol) - 1):+.2g} %"
-    return THIN.format(sums, order(entry.definition), share, THICK, *said)
+        share = 100 * float(found.stated(entry) / found.value(entry.quantity.symbol) - 1)
+    return order(entry.definition), f"{share:+.2g} %", THICK
 
 
 def _stiffest(example: Example) -> Layer:
