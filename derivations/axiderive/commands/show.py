@@ -78,7 +78,6 @@ def shown(index: Index, key: str, form: str) -> str:
     if form == "latex":
         return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
     head = [_profile_text(profile, problem)] if whole else []
-    # a note that several have stands under the first
     first = {entry["note"]: entry["key"] for entry in reversed(entries)} if whole else {}
     return "\n\n".join([*head, *(_entry_text(entry, first) for entry in entries)])
 
@@ -91,9 +90,7 @@ def _profile_text(profile: Row, key: str) -> str:
     rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
     rows.append(f"  sources  {', '.join(profile['sources'])}")
     others = [f"{other} ({found['formulas']})" for other, found in profile["problems"].items() if other != key]
-    if others:
-        rows.append(f"  further  {', '.join(others)}")
-    return "\n".join(rows)
+    return "\n".join([*rows, f"  further  {', '.join(others)}"] if others else rows)
 
 
 def _entry_text(entry: Row, first: Row) -> str:
@@ -104,8 +101,8 @@ def _entry_text(entry: Row, first: Row) -> str:
         rows.append(f"  {entry['symbol']} = {outer} with a from {inner}")
     else:
         solved = entry["status"] == "root" or " = " in entry["cases"][0]["text"]
-        head = f"{entry['symbol']} {'from' if solved else '='}"
-        rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
+        sign = "from" if solved else "="
+        rows += [f"  {entry['symbol']} {sign} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
     if first:
         noted = entry["note"] and first[entry["note"]] == entry["key"]
         return "\n".join([*rows, f"  note      {entry['note']}"] if noted else rows)

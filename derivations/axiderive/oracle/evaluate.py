@@ -65,12 +65,7 @@ def evaluate(expr: sp.Expr, values: Values, digits: int) -> Number:
     raise ArithmeticError(message)
 
 
-def by_quad(f: Callable[[Any], Any], lo: Any, hi: Any) -> Any:
-    """The integral of f by the rule of mpmath."""
-    return mp.quad(f, [lo, hi])
-
-
-def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = by_quad) -> Any:
+def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = lambda f, *ends: mp.quad(f, ends)) -> Any:
     """The value of a result at the working precision, for which nothing is checked; integrals in it by a rule."""
     function, symbols, integrals = _prepared(concrete(sp.sympify(expr), values), numeric_symbols(values))
     known = values

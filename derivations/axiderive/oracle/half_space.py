@@ -193,8 +193,7 @@ class HalfSpace:
         """Where the radius of a spring, which may be a function of the variable, comes to a break."""
         ((variable, *_),), place = integral.limits, sp.Dummy(positive=True)
         radii = {own.args[0] for name in (DEPTH, SHORT) for own in integral.function.atoms(name)} - {variable}
-        radii = {radius for radius in radii if radius.has(variable)}
-        roots = [root for radius in radii for root in sp.solve(radius - place, variable)]
+        roots = [root for radius in radii if radius.has(variable) for root in sp.solve(radius - place, variable)]
         return [
             mp.re(value)
             for root in roots
@@ -236,8 +235,6 @@ class HalfSpace:
 
 MORE = 4
 """Digits of an integral over pressures beyond those asked for."""
-
-
 FAR = 1.5
 """Depth at which the displacements are set to zero, per digit wanted."""
 
