@@ -58,6 +58,7 @@ COHESIVE = {"work_of_separation", "cohesive_radius", "depth", "force", "pressure
 """Functions of entries of a cohesive zone, behind those that search among their values for a state."""
 LAYERED = {
     "depth", "force", "pressure", "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
+    "depth_first_order", "force_second_order",
 }  # fmt: skip
 PLANE = {"profile", "load", "pressure", "slope", "depth", "half_width_from_load"}
 PLANE_COMPLETE = {"profile", "pressure", "slope", "depth"}
@@ -89,7 +90,8 @@ def interface(problem: Problem) -> set[str]:
     if family == "cohesive":
         return COHESIVE | SEARCHED
     if family == "layer":
-        return LAYERED if compact else {"force", "pressure", "depth_from_force"}
+        second = {"depth_second_order"} if problem.name in RAMPS else set()
+        return LAYERED | second if compact else {"force", "pressure", "depth_from_force"}
     if family == "subsurface":
         return {"stress", "displacement"} | BELOW - (set() if compact else {"partial_slip_stress"})
     if family == "loads":

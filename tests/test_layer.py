@@ -19,6 +19,7 @@ from axicontact.normal import paraboloid as half_space
 from axiderive import notation as nt
 from axiderive.checks.checks import check_problem
 from axiderive.code.example import POLYNOMIAL, numbers
+from axiderive.commands.show import shown
 from axiderive.letters import name_of
 from axiderive.oracle.half_space import HalfSpace
 from axiderive.oracle.layer import Layer, layer, sinking
@@ -27,6 +28,7 @@ from axiderive.physics import layer as stated
 from axiderive.physics.systems import problem
 from axiderive.profiles import COMPACT_NAMES, COMPLETE_NAMES, load
 from axiderive.rows import layer as printed
+from axiderive.store.index import load as catalogue
 
 STATES = (("bonded", 0.5, 0.2), ("bonded", 0.5, 3.0), ("bonded", 0.0, 1.0), ("frictionless", 0.3, 2.0))
 """Base, Poisson's ratio, contact radius over thickness."""
@@ -137,6 +139,39 @@ def test_first_and_second_order(nu: float) -> None:
     assert paraboloid.depth(e, R=1.0, nu=nu, thickness=1.0) == pytest.approx(wanted[1], rel=10.0 * e**5)
 
 
+@pytest.mark.parametrize(("name", "known"), [("cone", {"theta": 0.3}), ("power_law", {"A": 1.0, "n": 3.5})])
+@pytest.mark.parametrize(("base", "nu"), [("bonded", 0.5), ("frictionless", 0.2)])
+def test_what_an_expansion_leaves_out(name: str, known: dict[str, float], base: str, nu: float) -> None:
+    """Half the radius is wrong by an eighth of the share, and to the second order by the fifth power of that."""
+    module, given = import_module(f"axicontact.layer.{name}"), {**known, "nu": nu, "thickness": 1.0, "base": base}
+    found = {}
+    for a in (0.05, 0.025):
+        depth, force = module.depth(a, **given), module.force(a, **given, E_star=2.0)
+        found[a] = {
+            3: module.depth_first_order(a, **given) / depth - 1.0,
+            5: module.depth_second_order(a, **given) / depth - 1.0,
+            -5: module.force_second_order(a, **given, E_star=2.0) / force - 1.0,
+        }
+    for order, share in found[0.05].items():
+        assert np.log2(share / found[0.025][order]) == pytest.approx(abs(order), abs=0.4)
+    ends = module.depth_second_order(np.array([0.0, -1.0]), **given)
+    assert ends[0] == 0.0
+    assert np.isnan(ends[1])
+    several = given | {"nu": np.array([[0.1], [nu]])}
+    grid = module.depth_first_order(np.array([0.05, 0.025]), **several)
+    assert grid[1].tolist() == pytest.approx([module.depth_first_order(a, **given) for a in found], rel=1e-14)
+
+
+def test_what_is_shown_says_what_its_letters_stand_for() -> None:
+    """Once, under the first formula that has them; an equation for the radius is none of its values."""
+    whole = shown(catalogue(), "layer.paraboloid", "text")
+    assert whole.count("q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a))") == 1
+    assert whole.count("K(t, s) = 2*Integral((1 - L(u))*") == 1
+    assert "m_0 = Integral(1 - L(u), (u, 0, oo))" in whole
+    assert "a from g(a) - Integral(K(a, t)*q(t), (t, 0, a)) = d" in whole
+    assert "integral equation, solved in numbers" in shown(catalogue(), "paraboloid.lay.d", "text")
+
+
 def test_published_series_beside_the_solution() -> None:
     """(1, k_0, 7/6 k_0^2, 40/27 k_0^3 - 8/15 k_1, 143/72 k_0^4 - 8/5 k_0 k_1) in powers of chi, and the table."""
     own = printed.moments(0.5)
@@ -210,11 +245,15 @@ def test_refusals_say_what_to_use() -> None:
 
 @pytest.mark.slow
 def test_a_wrong_formula_fails() -> None:
-    """With the sign of its integral turned: a layer that is softer than the half-space, a force that pulls."""
+    """With the sign of its integral turned: a layer that is softer than the half-space, a force that pulls.
+
+    Of an expansion with sums over waves that are larger by a thousandth.
+    """
     wrong = {}
     for suffix, entry in stated.derive(load("paraboloid")).items():
         (case,) = entry.cases
         turned = case.expr.replace(sp.Integral, lambda *given: -sp.Integral(*given))
+        turned = turned.subs({m: sp.Rational(1001, 1000) * m for m in stated.MOMENTS})
         wrong[suffix] = replace(entry, cases=(replace(case, expr=turned),))
     found = check_problem(problem("paraboloid.lay"), wrong, digits=50, points=8, seed=17)
     assert {check.key for check in found if check.outcome == "failed"} == {entry.key for entry in wrong.values()}

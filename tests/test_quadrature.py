@@ -16,10 +16,12 @@ from axiderive.checks.quadrature import TWICE, check
 from axiderive.entry import Entry
 from axiderive.oracle import rules
 from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.oracle.half_space import HalfSpace
 from axiderive.oracle.integrals import GUARD, Homogeneous
 from axiderive.oracle.rules import exponential_rule, gauss_rule, integrate, middle
 from axiderive.oracle.sampling import NEARLY_ONE, NEARLY_ZERO, points
 from axiderive.oracle.shape import number, shape
+from axiderive.physics import DEPTH
 from axiderive.physics.consequences import CONSEQUENCES
 from axiderive.physics.normal import derive
 from axiderive.profiles import NAMES, load
@@ -198,3 +200,16 @@ def test_rules_sum_balls_as_numbers() -> None:
 def test_a_function_that_balls_lack_is_named() -> None:
     with pytest.raises(ValueError, match="has the function erf"):
         rules.bound(sp.erf(nt.r), nt.r, {})(rules.ball(mp.mpf(1)))
+
+
+def test_a_value_does_not_depend_on_what_was_evaluated_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The difference of two near integrals to its last bit: the oracle may not add up by what symbols are called."""
+    near = [sp.Integral(DEPTH(nt.t), (nt.t, 0, end)) for end in (nt.a, nt.a + nt.r)]
+    point = {nt.a: sp.Rational(5, 2), nt.r: sp.Rational(1, 10**9)}
+    found = set()
+    for made in (98, 99):
+        monkeypatch.setattr(sp.Dummy, "_count", made)
+        with mp.workdps(20):
+            here = HalfSpace(load("cone"), point, 40, graded=False, known={DEPTH: mp.sin})
+            found.add(here.defined(near[1] - near[0]))
+    assert len(found) == 1

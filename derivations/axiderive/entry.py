@@ -18,7 +18,7 @@ from . import notation as nt
 if TYPE_CHECKING:
     from .profiles.profile import Profile
 
-Status = Literal["closed", "integral", "root", "equation"]
+Status = Literal["closed", "integral", "root", "equation", "expansion"]
 
 
 @dataclass(frozen=True)

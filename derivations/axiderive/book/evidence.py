@@ -17,12 +17,13 @@ LEGEND = {
     "○": "closed form without a certificate, compared with its definition to the digits behind it",
     "∫": "one integral without a closed form, compared with its definition to the digits behind it",
     "=": "by an integral equation, solved in numbers and compared with its definition to the digits behind it",
+    "≈": "begins the solution of an integral equation, compared with it where what is left out is below those digits",
     "√": "root of an equation, solved by iteration and compared with its definition to the digits behind it",
     "–": "not meaningful; the module says why",
 }
 LEFT_OUT = "left out"
 NOT_VERIFIED = "not verified"
-SIGNS = {"closed": "○", "integral": "∫", "root": "√", "equation": "="}
+SIGNS = {"closed": "○", "integral": "∫", "root": "√", "equation": "=", "expansion": "≈"}
 
 
 def matrix(derived: Iterable[str], evidence: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:

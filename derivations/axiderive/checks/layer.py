@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any
 
@@ -15,10 +15,10 @@ from .. import notation as nt
 from ..oracle.evaluate import decades
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD
-from ..oracle.layer import layer
+from ..oracle.layer import Layer, layer
 from ..oracle.rules import gauss_rule
 from ..oracle.shape import Number, Values, number
-from ..physics.layer import BASES, EQUATION, KERNEL, SPRING, sinking, thickness
+from ..physics.layer import BASES, EQUATION, KERNEL, SPRING, order, sinking, thickness
 from .comparison import Comparison, Evidence, Rows, residual
 
 DIGITS, LOST = 14, 3
@@ -28,6 +28,8 @@ STRETCHES, NODES = (0, 2, 6, 12, 21), 24
 """Of the integral over wave numbers for the thickness 1, and nodes on each."""
 AMONG = 12
 """Points of which those are taken whose lengths are nearest to each other."""
+LEAST = mp.mpf(10) ** -(DIGITS - 2)
+"""What an expansion leaves out, but for a factor, where it is compared."""
 PLACES = (sp.Rational(1, 5), sp.Rational(7, 10))
 """Over the contact radius, where the equation is asked for."""
 RATE = sp.Function("rate")
@@ -36,19 +38,19 @@ RATE = sp.Function("rate")
 
 def check_profile(own: Comparison) -> list[Evidence]:
     """Every entry at a few contacts, and the equation at radii inside."""
-    rows: dict[str, Rows] = {suffix: [] for suffix in own.entries}
+    rows: dict[str, Rows] = {suffix: [] for suffix, entry in own.entries.items() if entry.status == "equation"}
     inside: Rows = []
     with mp.workdps(DIGITS + GUARD):
         for (base, nu, ratio), drawn in zip(CASES, _drawn(own), strict=False):
-            values = {**drawn, nt.nu: nu, thickness: drawn[nt.a] / ratio}
-            here = HalfSpace(own.profile, values, DIGITS, graded=False)
-            found = layer(here, base)
+            here, found = _contact(own, drawn, base, nu, ratio)
+            values = here.values
             # the same integrals and nodes come again
             taken: dict[Any, Callable[..., Number]] = {SPRING: cache(found.spring), RATE: found.rate}
             taken[KERNEL] = _kernel(values, base)
             stated = replace(here, known=taken)
             value, wanted = cache(stated.defined), cache(found.value)
-            for suffix, entry in own.entries.items():
+            for suffix in rows:
+                entry = own.entries[suffix]
                 formula, symbol = entry.cases[0].expr, entry.quantity.symbol
                 left, right = formula.args if isinstance(formula, sp.Equality) else (formula, symbol)
                 rows[suffix].append((values, residual(value(_regular(left)), wanted(right))))
@@ -60,7 +62,30 @@ def check_profile(own: Comparison) -> list[Evidence]:
     return [
         *(own.judge(suffix, own.physics.compared, rows[suffix], digits=DIGITS, lost=LOST) for suffix in rows),
         equation,
+        *_expanded(own),
     ]
+
+
+def _contact(own: Comparison, drawn: Values, base: str, nu: sp.Expr, ratio: sp.Expr) -> tuple[HalfSpace, Layer]:
+    values = {**drawn, nt.nu: nu, thickness: drawn[nt.a] / ratio}
+    here = HalfSpace(own.profile, values, DIGITS, graded=False)
+    return here, layer(here, base)
+
+
+def _expanded(own: Comparison) -> Iterator[Evidence]:
+    """The expansions where what they leave out is less than the digits that are asked for."""
+    base, nu, _ = CASES[0]
+    solved = cache(partial(_contact, own, _drawn(own)[0], base, nu))
+    for suffix, entry in own.entries.items():
+        if entry.status != "expansion":
+            continue
+        power = order(entry.definition)
+        with mp.workdps(DIGITS + GUARD):
+            # a rational number, by which a thickness is exact
+            here, found = solved(sp.Rational(1, int(LEAST ** (-mp.mpf(1) / power))))
+            rows = [(here.values, residual(found.stated(entry), found.value(entry.quantity.symbol)))]
+        compared = f"{own.physics.compared} at a = {rows[0][0][nt.a] / rows[0][0][thickness]} thickness"
+        yield own.judge(suffix, f"{compared}, which differs by (a/thickness)**{power}", rows, digits=DIGITS, lost=LOST)
 
 
 def _drawn(own: Comparison) -> list[Values]:

@@ -203,9 +203,9 @@ class Example:
     def number(self, entry: Entry, at: Values) -> sp.Float:
         """The exact value; what an equation defines is its root near the drawn state."""
         symbol = entry.quantity.symbol
-        if entry.status == "equation":
+        if entry.status in ("equation", "expansion"):
             with mp.workdps(SHOWN + DIGITS):
-                return sp.Float(str(self.layered.value(symbol)), DIGITS)
+                return sp.Float(str(self.layered.stated(entry)), DIGITS)
         if entry.status == "integral" and self.system.medium.graded:
             return self.defined(entry, at)
         if entry.status == "root" and entry.composed:

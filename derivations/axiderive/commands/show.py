@@ -78,7 +78,8 @@ def shown(index: Index, key: str, form: str) -> str:
     if form == "latex":
         return "\n".join(f"%% {e['key']}{_when(c['conditions'])}\n{c['text']}" for e in entries for c in e["latex"])
     head = [_profile_text(profile, problem)] if whole else []
-    return "\n\n".join([*head, *(_entry_text(entry, brief=whole) for entry in entries)])
+    first = {entry["note"]: entry["key"] for entry in reversed(entries)} if whole else {}
+    return "\n\n".join([*head, *(_entry_text(entry, first) for entry in entries)])
 
 
 def _profile_text(profile: Row, key: str) -> str:
@@ -89,26 +90,28 @@ def _profile_text(profile: Row, key: str) -> str:
     rows += [f"  {name:8} {text}" for name, text in (("valid", profile["validity"]), ("note", profile["note"])) if text]
     rows.append(f"  sources  {', '.join(profile['sources'])}")
     others = [f"{other} ({found['formulas']})" for other, found in profile["problems"].items() if other != key]
-    if others:
-        rows.append(f"  further  {', '.join(others)}")
-    return "\n".join(rows)
+    return "\n".join([*rows, f"  further  {', '.join(others)}"] if others else rows)
 
 
-def _entry_text(entry: Row, *, brief: bool) -> str:
+def _entry_text(entry: Row, first: Row) -> str:
     unit = f" [{entry['unit']}]" if entry["unit"] else ""
     rows = [f"{entry['key']}  {entry['label']}{unit}"]
     if entry["composed"]:
         outer, inner = (f"{entry['problem']}.{suffix}" for suffix in entry["composed"])
         rows.append(f"  {entry['symbol']} = {outer} with a from {inner}")
     else:
-        head = f"{entry['symbol']} from" if entry["status"] == "root" else f"{entry['symbol']} ="
-        rows += [f"  {head} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
-    if brief:
-        return "\n".join(rows)
+        solved = entry["status"] == "root" or " = " in entry["cases"][0]["text"]
+        sign = "from" if solved else "="
+        rows += [f"  {entry['symbol']} {sign} {case['text']}{_when(case['conditions'])}" for case in entry["cases"]]
+    if first:
+        noted = entry["note"] and first[entry["note"]] == entry["key"]
+        return "\n".join([*rows, f"  note      {entry['note']}"] if noted else rows)
     details = {
         "status": {
             "root": "root of an equation, solved by iteration",
             "integral": "definite integral; closed form not found",
+            "equation": "integral equation, solved in numbers",
+            "expansion": "beginning of the solution of an integral equation",
         }.get(entry["status"], "closed form"),
         "defined": entry["definition"],
         "python": entry["python"],

@@ -11,7 +11,7 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from typing import Any
 
@@ -65,12 +65,7 @@ def evaluate(expr: sp.Expr, values: Values, digits: int) -> Number:
     raise ArithmeticError(message)
 
 
-def by_quad(f: Callable[[Any], Any], lo: Any, hi: Any) -> Any:
-    """The integral of f by the rule of mpmath."""
-    return mp.quad(f, [lo, hi])
-
-
-def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = by_quad) -> Any:
+def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = lambda f, *ends: mp.quad(f, ends)) -> Any:
     """The value of a result at the working precision, for which nothing is checked; integrals in it by a rule."""
     function, symbols, integrals = _prepared(concrete(sp.sympify(expr), values), numeric_symbols(values))
     known = values
@@ -100,14 +95,18 @@ def _prepared(
     if missing:
         message = f"no value for {sorted(map(str, missing))} in {plain}; give every symbol of the result a value"
         raise ValueError(message)
-    left = sorted(plain.atoms(sp.Integral), key=str)
-    stand_ins = {integral: sp.Symbol(f"integral{i}", positive=True) for i, integral in enumerate(left)}
-    rest = plain.xreplace(stand_ins)
-    symbols = tuple(s for s in (*known, *stand_ins.values()) if rest.has(s))
+    integrals = stand_ins(plain.atoms(sp.Integral), "integral")
+    rest = plain.xreplace(integrals)
+    symbols = tuple(s for s in (*known, *integrals.values()) if rest.has(s))
     own = {master.__name__: master.numeric for master in MASTERS}
     function = sp.lambdify(symbols, rest, modules=[own, "mpmath"], cse=True)
-    within = tuple((name, whole.limits[0], whole.function) for whole, name in stand_ins.items() if rest.has(name))
+    within = tuple((name, whole.limits[0], whole.function) for whole, name in integrals.items() if rest.has(name))
     return function, symbols, within
+
+
+def stand_ins(parts: Iterable[sp.Expr], name: str) -> dict[sp.Expr, sp.Symbol]:
+    """A symbol for each of these parts by their text: Dummy symbols are added up in the order of their making."""
+    return {part: sp.Symbol(f"{name}{i}", real=True) for i, part in enumerate(sorted(parts, key=str))}
 
 
 def _real(value: Number, digits: int, expr: sp.Expr) -> Number:
@@ -171,13 +170,13 @@ def evaluate_integral(expr: sp.Expr, values: Values, digits: int, radii: tuple[c
 
 
 def _evaluated(plain: sp.Expr, values: Values, digits: int, radii: tuple[complex, ...]) -> Number:
-    pieces = {integral: _definite(integral, values, digits, radii) for integral in plain.atoms(sp.Integral)}
-    stand_ins = {integral: sp.Dummy("I", real=True) for integral in pieces}
-    known = {**values, **{stand_ins[i]: value for i, value in pieces.items()}}
+    pieces = stand_ins(plain.atoms(sp.Integral), "piece")
+    known = {**values, **{name: _definite(own, values, digits, radii) for own, name in pieces.items()}}
+    rest = plain.xreplace(pieces)
     try:
-        return enclose_value(plain.xreplace(stand_ins), known, digits)
+        return enclose_value(rest, known, digits)
     except NotAvailableError:
-        return evaluated(plain.xreplace(stand_ins), known)
+        return evaluated(rest, known)
 
 
 def _least(values: Values) -> float:

@@ -30,7 +30,7 @@ from ..physics import DEPTH, FORCE, PRESSURE
 from ..physics.consequences import CONSEQUENCES, SHORT
 from ..physics.medium import GRADED, HOMOGENEOUS, Medium
 from ..profiles.profile import Profile
-from .evaluate import decades, evaluated
+from .evaluate import decades, evaluated, stand_ins
 from .integrals import Face, Graded, Homogeneous
 from .shape import Number, Values, number, shape
 
@@ -168,7 +168,7 @@ class HalfSpace:
         """The value of a definition in depth, force and pressure of radii; integrals over them by quadrature."""
         if isinstance(expr, sp.Piecewise):
             (expr, _), *_ = (own for own in expr.args if own.cond.xreplace(self.values) == sp.true)
-        integrals = {own: sp.Dummy() for own in expr.atoms(sp.Integral)}
+        integrals = stand_ins(expr.atoms(sp.Integral), "whole")
         known = {stand_in: self._integrated(own) for own, stand_in in integrals.items()}
         rest, called = self._apart(expr.xreplace(integrals))
         return evaluated(rest, {**self.values, **known, **self._values_of(called)})
@@ -193,8 +193,7 @@ class HalfSpace:
         """Where the radius of a spring, which may be a function of the variable, comes to a break."""
         ((variable, *_),), place = integral.limits, sp.Dummy(positive=True)
         radii = {own.args[0] for name in (DEPTH, SHORT) for own in integral.function.atoms(name)} - {variable}
-        radii = {radius for radius in radii if radius.has(variable)}
-        roots = [root for radius in radii for root in sp.solve(radius - place, variable)]
+        roots = [root for radius in radii if radius.has(variable) for root in sp.solve(radius - place, variable)]
         return [
             mp.re(value)
             for root in roots
@@ -230,14 +229,12 @@ class HalfSpace:
     def _apart(self, expr: sp.Expr) -> tuple[sp.Expr, dict[sp.Expr, sp.Symbol]]:
         """An expression with symbols for depths, forces and pressures, and which symbol stands for which."""
         names = (DEPTH, FORCE, PRESSURE, SHORT, *self.known)
-        called = {own: sp.Dummy() for name in names for own in expr.atoms(name)}
+        called = stand_ins({own for name in names for own in expr.atoms(name)}, "called")
         return expr.xreplace(called), called
 
 
 MORE = 4
 """Digits of an integral over pressures beyond those asked for."""
-
-
 FAR = 1.5
 """Depth at which the displacements are set to zero, per digit wanted."""
 

@@ -8,7 +8,7 @@ displacement at as many radii of the contact.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 
@@ -16,7 +16,8 @@ import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
-from ..physics.layer import thickness
+from ..entry import Entry
+from ..physics.layer import m_0, m_2, thickness
 from .half_space import HalfSpace
 from .rules import gauss_rule
 from .shape import Number
@@ -60,6 +61,7 @@ class Layer:
     """A contact whose springs are pressed in as on the half-space and by a polynomial in (t/a)**2 more."""
 
     here: HalfSpace
+    base: str
     a: Number
     depth: Number
     polynomial: tuple[Number, ...]
@@ -101,6 +103,14 @@ class Layer:
             return self.pressure(self.here.at(nt.r))
         return {nt.a: self.a, nt.d: self.depth, nt.F: self.force()}[symbol]
 
+    def stated(self, entry: Entry) -> Number:
+        """That of an entry, or what an expansion of it says, with the sums over waves."""
+        if entry.status == "equation":
+            return self.value(entry.quantity.symbol)
+        known = waves(self.here.at(nt.nu), self.base, self.here.digits, 1)
+        sums = {symbol: mp.fsum(weight * k**power for k, weight in known) for symbol, power in ((m_0, 0), (m_2, 2))}
+        return replace(self.here, values={**self.here.values, **sums}).defined(entry.cases[0].expr)
+
 
 def layer(here: HalfSpace, base: str) -> Layer:
     """The contact, where its radius is no more than a few times the thickness, to about the digits of `here`."""
@@ -128,7 +138,7 @@ def layer(here: HalfSpace, base: str) -> Layer:
         system[count, count] = 0
     *polynomial, less = mp.lu_solve(system, given)
     depth = here.depth(a) + less if here.profile.compact else here.at(nt.d)
-    return Layer(here, a, depth, tuple(polynomial))
+    return Layer(here, base, a, depth, tuple(polynomial))
 
 
 def _short(here: HalfSpace, t: Number) -> Number:

@@ -15,7 +15,7 @@ from functools import cache
 
 import sympy as sp
 
-from ..entry import COMPACT, COMPLETE, Case, Entry
+from ..entry import COMPACT, COMPLETE, Case, Entry, Quantity
 from ..notation import LENGTH, NUMBER, Dimension, E_star, F, a, d, define, nu, r, s, t, u
 from ..profiles.profile import Profile
 from . import DEPTH, FORCE, Physics, Wording, normal
@@ -38,8 +38,20 @@ SUMMED = 2 / (sp.pi * thickness) * sp.Integral((1 - L) * _wave, (u, 0, sp.oo))
 MOMENTS = {m_0: sp.Integral(1 - L, (u, 0, sp.oo)), m_2: sp.Integral(u**2 * (1 - L), (u, 0, sp.oo))}
 BASES = {"bonded": slice(0, 2), "frictionless": slice(1, 3)}
 """How the layer lies on what is below it, and what of U, W, shear and stress vanishes there."""
+EXPANDED = {
+    q.suffix: q
+    for q in (
+        Quantity("d1", "depth_first_order", "Indentation depth, first order", d, (a,),
+                 summary="Indentation depth on a thick layer to the first order, under the force of the half-space."),
+        Quantity("F2", "force_second_order", "Normal force, second order", F, (a,),
+                 summary="Normal force on a thick layer to the second order."),
+        Quantity("d2", "depth_second_order", "Indentation depth, second order", d, (a,),
+                 summary="Indentation depth on a thick layer to the second order."),
+    )
+}  # fmt: skip
+"""At a contact radius."""
 PUNCH = {suffix: COMPLETE[suffix] for suffix in ("F", "p", "dF")}
-CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")}
+CURVED = {suffix: COMPACT[suffix] for suffix in ("d", "F", "p", "ad", "aF", "Fd", "dF")} | EXPANDED
 
 
 @cache
@@ -83,6 +95,38 @@ def expanded() -> dict[str, sp.Expr]:
     return {"F": force, "d": DEPTH(a) - edge.coeff(m_0) * m_0 * F / (2 * E_star) - scale * m_2 * short}
 
 
+def order(expansion: sp.Expr) -> int:
+    """The power of a/thickness, over the leading term, with which what an expansion leaves out begins."""
+    return 5 if expansion.has(m_2) else 3
+
+
+def _expansions(profile: Profile) -> dict[str, sp.Expr]:
+    """Of a profile, by g and F of the radius; the depth to the second order where one power has its moment closed."""
+    force, depth = expanded().values()
+    found = {"d1": depth.subs({m_2: 0, F: FORCE(a)}).doit(), "F2": force}
+    base, n = profile.pieces[0].expr.as_independent(r, as_Add=False)[1].as_base_exp()
+    if len(profile.pieces) > 1 or base != r:
+        return found
+    # g(a) - g(t) is g(a) (1 - (t/a)**n)
+    (short,) = depth.atoms(sp.Integral)
+    weight = sp.Poly(short.function.subs(DEPTH(t), 0) / DEPTH(a), t)
+    moment = sum(c * a ** (i + 1) * n / ((i + 1) * (i + 1 + n)) for (i,), c in weight.terms())
+    return found | {"d2": depth.subs({short: DEPTH(a) * sp.factor(moment), F: force})}
+
+
+def _letters(profile: Profile, definition: sp.Expr) -> str:
+    """What the letters of a definition stand for, in text."""
+    sinks = {L: sp.Function("L")(u)}
+    if not definition.has(SPRING):
+        sums = (f"{m} = {sp.sstr(whole.subs(sinks))}" for m, whole in MOMENTS.items() if definition.has(m))
+        return (
+            f"g and F are those of the half-space, {', '.join(sums)}, L how far a wave moves a layer, over a half-space"
+        )
+    ends = "beyond t = a" if profile.complete else "at t = a"
+    kernel = f"K(t, s) = {sp.sstr(SUMMED.subs(sinks))}, L how far a wave moves a layer, over a half-space"
+    return f"the springs below the surface are pressed in by q(t) = {sp.sstr(EQUATION)}, zero {ends}; {kernel}"
+
+
 def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
     """Why a profile has no entries on a layer; empty if it has."""
     if profile.compact or profile.pieces[0].expr == 0:
@@ -91,7 +135,7 @@ def refusal(profile: Profile, medium: Medium = HOMOGENEOUS) -> str:
 
 
 def definitions(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, sp.Expr]:
-    """By the springs, of a contact that grows and of a flat punch."""
+    """By the springs, of a contact that grows and of a flat punch; then where the layer is thick."""
     carried = 2 * E_star * sp.Integral(SPRING(t), (t, 0, a))
     rate = sp.Integral(sp.Derivative(SPRING(t), t) / sp.sqrt(t**2 - r**2), (t, r, a))
     if profile.complete:
@@ -99,7 +143,7 @@ def definitions(profile: Profile, medium: Medium = HOMOGENEOUS) -> dict[str, sp.
         return {"F": carried, "p": pressure, "dF": sp.Eq(carried, F)}
     depth = DEPTH(a) - sp.Integral(KERNEL(a, t) * SPRING(t), (t, 0, a))
     given = {"ad": sp.Eq(depth, d), "aF": sp.Eq(carried, F), "Fd": carried, "dF": depth}
-    return {"d": depth, "F": carried, "p": -E_star / sp.pi * rate, **given}
+    return {"d": depth, "F": carried, "p": -E_star / sp.pi * rate, **given, **_expansions(profile)}
 
 
 def derive(
@@ -122,10 +166,11 @@ def derive(
             key=medium.key(profile.name, medium.group, GROUP, suffix),
             profile=profile,
             quantity=quantity,
-            status="equation",
+            status="expansion" if suffix in EXPANDED else "equation",
             cases=(Case(((r, a) if quantity.place else (a,)), definition),),
             definition=definition,
             parameters=(*profile.parameters, *material),
+            note=_letters(profile, definition),
         )
     return found
 

@@ -204,7 +204,7 @@ def _with_errata(chapter: Mapping[str, Any]) -> dict[str, Any]:
 
 def _digits_below(cell: str) -> Markup:
     """2 √50 reads like a product; the digits stand lower, as in the book."""
-    return Markup(re.sub(r"([○∫√=])(\d+)", r"\1<sub>\2</sub>", str(escape(cell))))
+    return Markup(re.sub(r"([○∫√=≈])(\d+)", r"\1<sub>\2</sub>", str(escape(cell))))
 
 
 @dataclass(frozen=True)

@@ -2,37 +2,68 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import cache, partial
+
+import mpmath as mp
 import sympy as sp
 
 from ... import notation as nt
+from ...entry import Entry
 from ...letters import name_of
-from ...physics.layer import BASES, EQUATION
+from ...oracle.layer import Layer, layer
+from ...physics import DEPTH, FORCE
+from ...physics.layer import BASES, MOMENTS, order, thickness
 from .. import docstring
+from ..example import DIGITS, Example
 from ..function import Function
 from ..text import python
 from ..writer import Writer
 
 BASE = f'base: str = "{next(iter(BASES))}"'
 NOTES = (
-    "The springs below the surface are pressed in by q(t) = {}, which is zero {}. Valid for {}; {}. One linear "
-    "system for each contact, a <= 20 thickness; K(t, s) is 2/(pi thickness) times the integral of (1 - L(u)) "
-    "cos(u t/thickness) cos(u s/thickness) over u > 0, with the L of the layer. "
+    "{}. Valid for {}; {}. One linear system for each contact, a <= 20 thickness. "
+    "Negative or NaN field values give NaN."
+)
+THICK = 5
+"""Thickness over a, where the error of an expansion is said."""
+THIN = (
+    "{}. What is left out is a share of the order of (a/thickness)^{}: {} at thickness = {} a on a bonded base for "
+    "nu = 1/2, which is the stiffest, by the solution of the equation. Valid for {} and a << thickness; {}. "
     "Negative or NaN field values give NaN."
 )
 
 
 def interface(writer: Writer) -> None:
     """Adds a public function for every entry."""
-    ends = "beyond t = a" if writer.profile.complete else "at t = a"
-    notes = NOTES.format(sp.sstr(EQUATION), ends, writer.profile.validity, writer.system.physics.assumed)
+    said = writer.profile.validity, writer.system.physics.assumed
+    stiffest = cache(partial(_stiffest, writer.example))
     for entry in writer.entries.values():
         quantity, fields = entry.quantity, list(map(name_of, entry.arguments))
         names = [name_of(symbol) for symbol in entry.parameters]
         evaluated = writer.evaluated(f"_{quantity.function}", fields, names, words=("base",))
         reach = "a" in fields
         body = [*writer.checks(entry.parameters, reach=reach), "require_base(base)", f"return {evaluated}"]
+        where = docstring.capital(entry.note)
+        own = _measured(entry, stiffest()) if entry.status == "expansion" else ()
+        notes = (THIN if own else NOTES).format(where, *own, *said)
         doc = docstring.of_entry(entry, entry.parameters, notes, writer.example.lines(entry.suffix), _base())
         writer.public.append(Function(quantity.function, fields, [*names, BASE], body, doc, "Result"))
+
+
+def _measured(entry: Entry, found: Layer) -> tuple[int, str, int]:
+    """The order of what an expansion leaves out, its share there, and the thickness over a."""
+    with mp.workdps(2 * DIGITS):
+        share = 100 * float(found.stated(entry) / found.value(entry.quantity.symbol) - 1)
+    return order(entry.definition), f"{share:+.2g} %", THICK
+
+
+def _stiffest(example: Example) -> Layer:
+    """A contact with a layer on which an expansion is worst, for its thickness."""
+    own = example.layered
+    with mp.workdps(2 * DIGITS):
+        values = {**own.here.values, nt.nu: sp.S.Half, thickness: THICK * own.here.values[nt.a]}
+        return layer(replace(own.here, values=values), own.base)
 
 
 def _base() -> list[str]:
@@ -96,6 +127,11 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
         ]
         for name, (load, curve, rate) in curves.items()
     }
+    opened = {
+        entry.quantity.function: _opened(writer, entry)
+        for entry in writer.entries.values()
+        if entry.status == "expansion"
+    }
     elastic = ", ".join([*writer.geometry, "E_star", "nu", "thickness", "base"])
     by_depth, by_force = f"_radius_from_depth({', '.join([d, *own])})", f"_radius_from_force({force}, {elastic})"
     return {
@@ -103,6 +139,26 @@ def _curved(writer: Writer) -> dict[str, list[str]]:
         "force": [state, f'return {writer.call("_force")} + E_star * found.of("more")'],
         "pressure": [state, f"return {writer.call('_pressure')} + E_star * found.pressure(r)"],
         **searched,
+        **opened,
         "force_from_depth": [f"return _force({by_depth}, {elastic})"],
         "depth_from_force": [f"return _depth({by_force}, {', '.join(own)})"],
     }
+
+
+def _opened(writer: Writer, entry: Entry) -> list[str]:
+    """The lines of an expansion, in a/thickness."""
+    sunk, carried, ratio = sp.symbols("sunk carried ratio", positive=True)
+    expr = entry.cases[0].expr.subs({DEPTH(nt.a): sunk, FORCE(nt.a): nt.E_star * carried})
+    expr = expr.subs(nt.a, ratio * thickness)
+    lines = [f"carried = {writer.call('_force', E_star='1.0')}"]
+    lines += [f"{m} = wave_sum(nu, base, {_power(whole)})" for m, whole in MOMENTS.items() if expr.has(m)]
+    lines += ["ratio = a / thickness"] if expr.has(ratio) else []
+    if not expr.has(sunk):
+        return [*lines, f"return {python(expr)}"]
+    held, lost = sp.collect(expr.subs(carried, 0), sunk), -expr.subs(sunk, 0)
+    return [f"sunk = {writer.call('_depth')}", *lines, f"lost = {python(lost)}", f"return {python(held)} - lost"]
+
+
+def _power(moment: sp.Integral) -> sp.Expr:
+    """That of the wave number in a sum over waves."""
+    return sp.degree(moment.function, nt.u)
