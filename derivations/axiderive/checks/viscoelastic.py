@@ -233,7 +233,8 @@ def _summed(
         # the rates of truncated profiles are infinite at the face like the inverse of a root
         with mp.workdps(digits + 10):
             for part in (early, late):
-                total += mp.quad(lambda s, part=part: 2 * s * part(s * s), [0, mp.sqrt((high - low) / 2)])
+                half = [0, mp.sqrt((high - low) / 2)]
+                total += mp.quad(lambda s, part=part: 2 * s * part(s * s), half, maxdegree=5)
     pulled = own.impulse * 2 * a * speed if until == t else mp.mpf(0)
     return total + pulled, {nt.v: speed}, scatter
 
