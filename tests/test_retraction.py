@@ -14,6 +14,8 @@ import sympy as sp
 from false_entries import below, record
 
 from axiderive import notation as nt
+from axiderive.checks import viscoelastic as viscoelastic_checks
+from axiderive.checks.comparison import Comparison
 from axiderive.entry import Case, Entry
 from axiderive.oracle.evaluate import case_at, evaluated
 from axiderive.physics import viscoelastic
@@ -189,6 +191,34 @@ def test_false_formulas_are_shown_by_neither_prover(suffix: str, change: object)
     assert not certify(profile, changed, suffix).proved
     plain = Problem(below("cone.vis"))
     assert Problem(record("cone.vis", changed), plain).prove(suffix)
+
+
+SPRINGS = {
+    "retract_mx": lambda x: x.subs(nt.t_1, 0),
+    "retract_sls": lambda x: x.subs(nt.E_1, 2 * nt.E_1),
+    "retract_kv": lambda x: x + 2 * nt.a * nt.v * nt.eta,
+    "ramp_kv": lambda x: x.subs(nt.eta, 0),
+    "ramp_pc": lambda x: x.subs(nt.t_0, 2 * nt.t_0),
+    "radius_kv": lambda x: sp.Eq(x.lhs, x.rhs.subs(nt.t_1, nt.time)),
+}
+"""Too much is taken off, a law is too stiff, a dashpot pulls on the way back, none on the way in."""
+
+
+@pytest.mark.parametrize(
+    "suffix", [pytest.param(s, marks=() if s == "retract_kv" else pytest.mark.sweep) for s in SPRINGS]
+)
+def test_false_sums_of_springs_are_seen(suffix: str) -> None:
+    """By the convolution, and by both provers where they show the true one."""
+    profile, entries = load("truncated_cone"), derived("truncated_cone")
+    true, wrong = entries[suffix], on_the_line(entries[suffix], SPRINGS[suffix])
+    changed = {**entries, suffix: wrong}
+    assert viscoelastic_checks.check(Comparison(profile, entries, digits=30, points=1), suffix).passed
+    assert not viscoelastic_checks.check(Comparison(profile, changed, digits=30, points=1), suffix).passed
+    assert certify(profile, entries, suffix).proved == (true.status != "integral")
+    assert not certify(profile, changed, suffix).proved
+    plain = Problem(below("truncated_cone.vis"))
+    assert bool(Problem(record("truncated_cone.vis", entries), plain).prove(suffix)) == (true.status == "integral")
+    assert Problem(record("truncated_cone.vis", changed), plain).prove(suffix)
 
 
 @pytest.mark.parametrize("law", MATERIAL)
