@@ -20,6 +20,7 @@ DERIVE: dict[str, Callable[[Profile], Entries]] = {
     "graded tangential": lambda profile: tangential.derive(profile, GRADED),
     "viscoelastic": viscoelastic.derive,
 }
+BACK = ("earlier_", "end_", "radius_")
 WITH_EDGE = ("graded", "viscoelastic")
 CELLS = [(kind, name) for kind in DERIVE for name in (profiles.NAMES if kind in WITH_EDGE else profiles.COMPACT_NAMES)]
 
@@ -30,8 +31,8 @@ def entries(kind: str, name: str) -> Entries:
 
 
 def expected(entry: Entry, within: Entries) -> bool:
-    """Closed formulas, equations that say where a load is least, a step force by the radius, times of a way back."""
+    """Closed formulas, equations that say where a load is least, a step force by the radius, a way back."""
     if entry.status == "root":
-        shown = entry.suffix in ("ac", "am", "rz") or entry.suffix.startswith(("step_", "earlier_", "end_"))
+        shown = entry.suffix in ("ac", "am", "rz") or entry.suffix.startswith(("step_", *BACK))
         return shown and within[entry.suffix] is entry
     return entry.status == "closed"

@@ -14,6 +14,7 @@ from axiderive import notation as nt
 from axiderive.build.work import read_entries
 from axiderive.entry import Entry
 from axiderive.physics.systems import Problem, pool_of, problem, problems
+from axiderive.physics.viscoelastic import in_radius
 from axiderive.readback import fields, front, layer
 from axiderive.readback.claims import Line, residuals, worst_residual
 from axiderive.readback.ranges import Place, misplaced, places_of
@@ -51,8 +52,8 @@ def stored(key: str) -> dict[str, Entry]:
 
 
 def on_pages(entries: Mapping[str, Entry]) -> list[Entry]:
-    """Those with a row on the page of their profile; a way back stands with the laws, in front of the book."""
-    return [entry for entry in entries.values() if nt.t_m not in entry.parameters]
+    """Those with a row on the page of their profile; springs and a way back stand with the laws, before all pages."""
+    return [e for e in entries.values() if nt.t_m not in e.parameters and not (nt.v in e.parameters and in_radius(e))]
 
 
 def suffixes(key: str) -> tuple[str, ...]:

@@ -49,7 +49,6 @@ BELOW = {
 }  # fmt: skip
 """Functions of the numbers below the surface whose entries stand under stress and displacement."""
 LAWS = ("maxwell", "kelvin_voigt", "standard_solid", "power_creep")
-RAMPS = ("cone", "paraboloid", "quartic", "sextic", "power_law", "flat_punch")
 FOLLOW = {"load_within", "energy"}
 """Of the homogeneous half-space, as the greatest pressure is."""
 TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
@@ -82,7 +81,7 @@ def interface(problem: Problem) -> set[str]:
         return TANGENTIAL
     if family == "viscoelastic":
         kinds = ["step_force"] + ["step_load_radius"] * compact
-        if problem.name in RAMPS:
+        if compact or problem.name == "flat_punch":
             kinds += ["ramp_force", "earlier_time", "retract_force", "contact_time"] + ["retract_radius"] * compact
         return {f"{kind}_{law}" for kind in kinds for law in LAWS}
     if family == "torsion":

@@ -9,6 +9,8 @@ import sympy as sp
 from physics_package import CLOSED, derived, emitted, exact, keywords, values
 
 from axiderive import notation as nt
+from axiderive.code.physics.viscoelastic import kind_and_law
+from axiderive.physics.viscoelastic import in_radius
 from axiderive.profiles import NAMES, load
 
 
@@ -20,11 +22,14 @@ def test_viscoelastic_entries(name: str) -> None:
         known = values(profile) | {nt.time: sp.Rational(9, 10), nt.d: sp.Rational(3, 5), nt.F: sp.Rational(1, 2)}
         given = keywords(function, profile, known)
         found = function(*([0.9] if entry.arguments else []), **given)
-        if any(case.expr.has(nt.t_1) for case in entry.cases):
-            law = entry.suffix.partition("_")[2]
-            early = next(own for own in derived()["viscoelastic"][name].values() if own.suffix == f"earlier_{law}")
-            given = keywords(getattr(module, early.quantity.function), profile, known)
-            known[nt.t_1] = sp.Float(getattr(module, early.quantity.function)(0.9, **given), 30)
+        back = nt.v_2 in entry.parameters
+        if back and entry.arguments:
+            early = getattr(module, f"earlier_time_{kind_and_law(entry.quantity)[1].name}")
+            known[nt.t_1] = sp.Float(early(0.9, **keywords(early, profile, known)), 30)
+        if in_radius(entry):
+            inverse = emitted(f"normal.{name}").radius_from_depth
+            sunk = float(known[nt.v] * known[nt.t_1 if back else nt.time])
+            known[nt.a] = sp.Float(inverse(sunk, **keywords(inverse, profile, known)), 30)
         if entry.status == "closed" and len(entry.cases) == 1:
             assert found == pytest.approx(exact(entry, known), rel=CLOSED, abs=0.0), entry.key
         else:

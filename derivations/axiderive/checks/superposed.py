@@ -197,7 +197,7 @@ def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
         given = {"load": nt.F, "radius": nt.d}.get(kind)
         radii = (one for one in plain.values() if one.quantity.symbol == nt.a and given in one.quantity.arguments)
         source = next(radii, viscoelastic.of_depth(plain))
-        if entry.status != "closed" or source.status != "closed":
+        if entry.status != "closed" or source.status != "closed" or viscoelastic.in_radius(entry):
             continue
         limit, modulus, words = ELASTIC[law]
         rows: Rows = []

@@ -13,24 +13,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
+from itertools import pairwise
+from typing import Any
 
 import mpmath as mp
 import sympy as sp
 
 from .. import notation as nt
 from ..entry import Entry
-from ..oracle.evaluate import case_at, evaluate
+from ..oracle.evaluate import case_at, evaluate, evaluated, of_one_variable
 from ..oracle.half_space import HalfSpace
 from ..oracle.rules import integrate
 from ..oracle.shape import Number, Values, number
 from ..physics import normal
+from ..physics.viscoelastic import elastic_exponent, in_radius, of_depth, of_radius
 from ..profiles.profile import Profile
 from .comparison import Comparison, Entries, Evidence, Rows, residual, root
 
 LOST = 8
 BACK = 3
 """Points of the way back: its times say the same on every profile."""
+SUMMED = 1
+"""Points of each case of an integral, which is compared with another one to half the digits."""
 ALPHAS = (sp.Rational(1, 5), sp.Rational(1, 2), sp.Rational(2, 5))
 POWERS = (sp.Rational(1, 2), sp.Integer(1), sp.Integer(2), sp.Rational(37, 10))
 
@@ -101,7 +106,8 @@ def material(law: str, values: Values) -> Material:
 def check(own: Comparison, suffix: str) -> Evidence:
     """Ramp, step of depth, step of load, or a way back against the convolution."""
     entry, (kind, law) = own.entries[suffix], suffix.split("_")
-    count = min(own.points, BACK) if nt.v_2 in entry.parameters else own.points
+    count = SUMMED if in_radius(entry) else BACK if nt.v_2 in entry.parameters else own.points
+    count, digits = min(own.points, count), own.digits // 2 if in_radius(entry) else own.digits
     rows: Rows = []
     plain = _elastic_entries(own.profile)
     fields = (*entry.parameters, nt.time, *own.profile.free_depth)
@@ -117,12 +123,12 @@ def check(own: Comparison, suffix: str) -> Evidence:
             values[nt.t_m] = values[nt.time] / (1 + values[nt.t_m])
             values[nt.t_1] = values[nt.t_m] / (1 + values[nt.v_2])
         # the distance from the present is a difference of two defined depths
-        with mp.workdps(2 * own.digits + 30):
-            here = HalfSpace(own.profile, {**values, nt.E_star: sp.S.One}, own.digits + 10, False)
-            rows.append((values, _RESIDUALS[kind](here, plain, entry, material(law, values), values, own.digits)))
+        with mp.workdps(2 * digits + 30):
+            here = HalfSpace(own.profile, {**values, nt.E_star: sp.S.One}, digits + 10, False)
+            rows.append((values, _RESIDUALS[kind](here, plain, entry, material(law, values), values, digits)))
     law = "Ting" if nt.t_m in entry.parameters else "Lee and Radok"
     compared = f"quadrature of the convolution of {law}" + (", round trip" if entry.status == "root" else "")
-    return own.judge(suffix, compared, rows, lost=LOST)
+    return own.judge(suffix, compared, rows, digits=digits, lost=LOST)
 
 
 @lru_cache(maxsize=2)
@@ -163,8 +169,10 @@ def _ramp(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: 
     """The convolution over the contacts up to the present, or up to t_1."""
     t = here.at(nt.time)
     until = here.at(nt.t_1) if nt.t_m in values else t
-    total, speed, scatter = _counted(here, t, until, own, digits)
-    known = {**{s: x for s, x in values.items() if s != nt.a or here.profile.complete}, **speed}
+    counted = _counted if elastic_exponent(of_depth(plain)) is not None else partial(_summed, plain)
+    total, speed, scatter = counted(here, t, until, own, digits)
+    kept = here.profile.complete or in_radius(entry)
+    known = {**{s: x for s, x in values.items() if s != nt.a or kept}, **speed}
     return max(residual(evaluate(case_at(entry, known).expr, known, digits), total), scatter)
 
 
@@ -197,6 +205,50 @@ def _counted(here: HalfSpace, t: Number, until: Number, own: Material, digits: i
     total = integrate(early, mp.mpf(0), half, (0j, 1 - now), digits)
     total += integrate(late, mp.mpf(0), half, (now, 1 + 0j), digits, own.least) + impulse * rate / until
     return total, {nt.v: depth / until}, scatter
+
+
+def _summed(
+    plain: Entries, here: HalfSpace, t: Number, until: Number, own: Material, digits: int
+) -> tuple[Number, Values, Number]:
+    """The same for any depth and force, those of the normal contact: int E(t - g(x)/v) F_el'(x)/E* dx."""
+    a, total, left = here.at(nt.a), mp.mpf(0), t - until
+    depth, force = (case_at(entry, here.values).expr for entry in of_radius(plain))
+    sunk = evaluated(depth, here.values)
+    scatter = max(residual(sunk, here.depth(a)), residual(evaluated(force, here.values), here.force(a)))
+    speed = sunk / until
+    ends = [mp.mpf(0), *(b for b in map(here.at, here.profile.breaks) if b < a), a]
+    for low, high in pairwise(ends[here.profile.truncated :]):
+        place = {**here.values, nt.a: (low + high) / 2}
+        cases = [case_at(entry, place).expr for entry in of_radius(plain)]
+        g, rate = (_of_radius(expr, here.values) for expr in (cases[0], sp.diff(cases[1], nt.a)))
+
+        def early(y: Number, low: Number = low, g: Any = g, rate: Any = rate) -> Number:
+            return own.relaxation(t - g(low, y) / speed) * rate(low, y)
+
+        def late(z: Number, high: Number = high, g: Any = g, rate: Any = rate) -> Number:
+            age = left + (sunk - g(high, -z)) / speed
+            # nearer to the present than a difference of depths tells
+            return own.relaxation(age) * rate(high, -z) if age > 0 else mp.mpf(0)
+
+        # the rates of truncated profiles are infinite at the face like the inverse of a root
+        with mp.workdps(digits + 10):
+            for part in (early, late):
+                half = [0, mp.sqrt((high - low) / 2)]
+                total += mp.quad(lambda s, part=part: 2 * s * part(s * s), half, maxdegree=5)
+    pulled = own.impulse * 2 * a * speed if until == t else mp.mpf(0)
+    return total + pulled, {nt.v: speed}, scatter
+
+
+def _of_radius(expr: sp.Expr, values: Values) -> Callable[[Number, Number], Number]:
+    """A formula of the normal contact at a distance from a radius, with digits for differences."""
+    others, precision = {s: x for s, x in values.items() if s != nt.a}, 2 * mp.mp.dps
+    of_radius = of_one_variable(expr, nt.a, others)
+
+    def at(start: Number, distance: Number) -> Number:
+        with mp.workdps(precision):
+            return of_radius(start + distance)
+
+    return at
 
 
 def _since(own: Material, t: Number, start: Number, end: Number, digits: int) -> Number:
@@ -234,7 +286,10 @@ def _met(entry: Entry, known: Values, digits: int) -> Number:
 def _radius(here: HalfSpace, plain: Entries, entry: Entry, own: Material, values: Values, digits: int) -> Number:
     """The radius that the depth v t_1 went with."""
     a = here.at(nt.a)
-    known = {s: x for s, x in values.items() if s != nt.a} | {nt.v: here.depth(a) / here.at(nt.t_1)}
+    known = {**values, nt.v: here.depth(a) / here.at(nt.t_1)}
+    if entry.status == "root":
+        return residual(root(case_at(entry, known), nt.a, known, digits, here.profile.largest), a)
+    known.pop(nt.a)
     return residual(evaluate(case_at(entry, known).expr, known, digits), a)
 
 

@@ -20,6 +20,7 @@ from ..oracle.layer import Layer, layer
 from ..oracle.shape import coefficient
 from ..physics.layer import BASES
 from ..physics.systems import System
+from ..physics.viscoelastic import in_radius
 from ..profiles.profile import Profile
 from .function import fit
 
@@ -34,6 +35,8 @@ PLACES = 97
 """Radii at which the least force is looked for: a prime, so that no break of a drawn profile is met."""
 SHOWN, DIGITS = 6, 15
 """Decimals of a doctest, and digits of a quadrature."""
+STEP = mp.mpf("0.001")
+"""From the drawn state, with which a search begins."""
 RINGS = (nt.r_zero, nt.x_zero, nt.r_peak)
 """Places on the face that an equation defines."""
 DEFINED = (*RINGS, nt.t_1, nt.t_c)
@@ -60,8 +63,10 @@ def number(expr: sp.Expr, known: Mapping[sp.Symbol, sp.Expr]) -> sp.Float:
     """The value by mpmath at 30 digits; a definite integral by mpmath's quadrature."""
     with mp.workdps(30):
         for integral in expr.atoms(sp.Integral):
-            variable, lower, upper = integral.subs(known).limits[0]
-            integrand = sp.lambdify(variable, integral.subs(known).function, NUMERIC)
+            # the variable of an integral may be a field elsewhere
+            at = {symbol: value for symbol, value in known.items() if symbol != integral.limits[0][0]}
+            variable, lower, upper = integral.subs(at).limits[0]
+            integrand = sp.lambdify(variable, integral.subs(at).function, NUMERIC)
             ends = [mp.mpf(str(sp.N(end, 30))) for end in (lower, upper)]
             expr = expr.subs(integral, sp.Float(str(mp.re(mp.quad(integrand, ends, maxdegree=6))), 30))
         return sp.Float(str(mp.re(function(expr, known)())), 30)
@@ -86,10 +91,9 @@ def shape_value(profile: Profile, known: Mapping[sp.Symbol, sp.Expr], place: sp.
 
 def _plain(expr: sp.Expr) -> sp.Expr:
     """A sum over powers written out for the three coefficients of the example."""
-    if expr.has(sp.Sum):
-        own = {nt.coefficients[j]: c for j, c in enumerate(POLYNOMIAL, 1)}
-        expr = expr.subs(nt.N, len(POLYNOMIAL)).doit().subs(own)
-    return expr
+    own = {nt.coefficients[j]: c for j, c in enumerate(POLYNOMIAL, 1)}
+    sums = {total: total.subs(nt.N, len(POLYNOMIAL)).doit().subs(own) for total in expr.atoms(sp.Sum)}
+    return expr.xreplace(sums)
 
 
 def _case(entry: Entry, known: Mapping[sp.Symbol, sp.Expr]) -> Case:
@@ -212,16 +216,25 @@ class Example:
             outer, inner = entry.composed
             return self.number(self.entries[outer], at | {nt.a: self.number(self.entries[inner], at)})
         places = (*DEFINED, self.system.physics.solved)
-        if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
-            if symbol in (nt.a, nt.c, *places):
-                return self.root(entry, symbol, at)
-            at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
         for ring in self.entries.values():
             place = ring.quantity.symbol
             needed = place in places and place not in entry.arguments and ring is not entry and _holds(entry, place)
             if needed and {*ring.parameters} <= {*entry.parameters}:
                 at = at | {place: self.number(ring, at)}
+        if entry.status == "root" and isinstance(_case(entry, at).expr, sp.Eq):
+            if symbol in (nt.a, nt.c, *places):
+                return self.root(entry, symbol, at)
+            at = at | {nt.a: self.root(self.elastic["ad"], nt.a, at)}
+        elif self.system.physics.laws and in_radius(entry):
+            at = at | {nt.a: self.reached(entry, at)}
         return value(entry, at)
+
+    def reached(self, entry: Entry, at: Values) -> sp.Float:
+        """The contact radius on a ramp, or on the way back from it."""
+        back, law = nt.t_m in entry.parameters, entry.suffix.split("_")[1]
+        until = self.number(self.entries[f"earlier_{law}"], at) if back else at[nt.time]
+        radius, given = self.elastic["ad"], at | {nt.d: at[nt.v] * until}
+        return self.root(radius, nt.a, given) if radius.status == "root" else value(radius, given)
 
     def defined(self, entry: Entry, at: Values) -> sp.Float:
         """A pressure or displacement on a graded half-space without closed form, by quadrature."""
@@ -234,19 +247,28 @@ class Example:
                 found = (here.adhesive if physics.tension else here.normal)(entry.suffix, a)
             return sp.Float(str(mp.re(found)), 2 * DIGITS)
 
+    @property
+    def floor(self) -> sp.Expr:
+        """The radius at which the contact begins."""
+        return self.known[self.profile.breaks[0]] if self.profile.truncated else sp.S.Zero
+
     def root(self, entry: Entry, unknown: sp.Symbol, at: Values) -> sp.Float:
         """The unknown that solves the equation of an entry, to 30 digits; searched from its drawn value."""
         equations = _Numeric(entry, unknown, at, lambda expr: expr.lhs - expr.rhs)
         with mp.workdps(30):
-            start = mp.mpf(str(sp.N(self.known[unknown], 30)))
-            found = mp.findroot(equations, (start, start * mp.mpf("1.001")), tol=mp.mpf("1e-40"), verify=False)
+            start, low = (mp.mpf(str(sp.N(x, 30))) for x in (self.known[unknown], self.floor))
+            if unknown == nt.a:  # at no step below a flat face
+                first = mp.log(start - low)
+                found = low + mp.exp(_secant(lambda above: equations(low + mp.exp(above)), first, first + STEP))
+            else:
+                found = _secant(equations, start, start * (1 + STEP))
             return sp.Float(str(found), 30)
 
     def least_force(self) -> sp.Float:
         """The least of F(a) up to the drawn radius, to 30 digits: on a grid, then next to its lowest point."""
         force = _Numeric(self.entries["F"], nt.a, self.known, lambda expr: expr)
         with mp.workdps(30):
-            low = mp.mpf(str(sp.N(self.known[self.profile.breaks[0]], 30))) if self.profile.truncated else mp.mpf(0)
+            low = mp.mpf(str(sp.N(self.floor, 30)))
             reach = mp.mpf(str(sp.N(self.known[nt.a], 30))) - low
             # a break itself belongs to no case
             grid = [low + reach * mp.mpf("1e-20"), *(low + reach * i / PLACES for i in range(1, PLACES + 1))]
@@ -254,6 +276,10 @@ class Example:
             best = min(range(len(grid)), key=lambda i: values[i])
             below, above = grid[max(best - 1, 0)], grid[min(best + 1, len(grid) - 1)]
             return sp.Float(str(min(values[best], least(force, below, above))), 30)
+
+
+def _secant(equation: Callable[[Any], Any], first: Any, second: Any) -> Any:
+    return mp.findroot(equation, (first, second), tol=mp.mpf("1e-40"), verify=False)
 
 
 class _Numeric:

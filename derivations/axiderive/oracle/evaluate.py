@@ -71,13 +71,13 @@ def evaluated(expr: sp.Expr, values: Values, integral: Callable[..., Any] = lamb
     known = values
     for stand_in, (variable, *ends), body in integrals:
         limits = (evaluated(end, values) for end in ends)
-        known = {**known, stand_in: integral(_of_one_variable(body, variable, values), *limits)}
+        known = {**known, stand_in: integral(of_one_variable(body, variable, values), *limits)}
     return function(*(number(known[s]) for s in symbols))
 
 
-def _of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
-    """The integrand with everything but its variable fixed, looked up once and not at every node."""
-    function, symbols, _ = _prepared(body, (variable, *numeric_symbols(values)))
+def of_one_variable(body: sp.Expr, variable: sp.Symbol, values: Values) -> Callable[[Any], Any]:
+    """A formula without integrals with everything but its variable fixed, looked up once and not at every node."""
+    function, symbols, _ = _prepared(concrete(body, values), (variable, *numeric_symbols(values)))
     fixed = {s: number(values[s]) for s in symbols if s != variable}
     return lambda x: function(*(fixed.get(s, x) for s in symbols))
 

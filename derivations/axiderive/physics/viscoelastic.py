@@ -4,6 +4,9 @@ The elastic solution with unit modulus is convolved with the relaxation function
 A contact that shrinks after its only maximum is as large as it was at a time t_1 before.  The pressure that went with
 all later contacts has left nothing, int_{t_1}^t E(t - s) d'(s) ds = 0, and the force is that of the contacts up to t_1.
 For a way back at constant speed, with I(x) = int_0^x E ds, this is I(t - t_1) = (1 + v_2/v) I(t - t_m) for any profile.
+
+Integrated by parts the force is that of springs, as dF_el = 2 E* x dg: each is touched at g(x)/v and pressed at v from
+then on, F = 2 v int_0^a [I(t - g(x)/v) - I(t - t_1)] dx with g(a) = v t_1.  A power of the depth leaves a factor of it.
 """
 
 from __future__ import annotations
@@ -13,11 +16,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..abel.form import Chain
 from ..abel.masters import IncompleteBeta, Kummer
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, t_1, t_c, t_m, time, v, v_2
+from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, t_1, t_c, t_m, time, v, v_2, x
 from ..profiles.profile import Profile
 from . import Physics, Wording, normal
+from .consequences.energy import pieces
 from .medium import HOMOGENEOUS
 
 GROUP = "vis"
@@ -122,6 +127,7 @@ QUANTITIES = {
 }  # fmt: skip
 TURNED = (v, v_2, t_m)
 """What the functions of the way back take besides."""
+AT_DEPTH = "a is the contact radius of the elastic contact at the depth v {}"
 
 
 def of_depth(plain: Mapping[str, Entry]) -> Entry:
@@ -129,18 +135,21 @@ def of_depth(plain: Mapping[str, Entry]) -> Entry:
     return plain.get("Fd", plain["F"])
 
 
+def of_radius(plain: Mapping[str, Entry]) -> tuple[Entry, Entry]:
+    """The elastic depth and force as functions of the radius."""
+    return plain["d"], plain["F"]
+
+
 def derive(profile: Profile) -> dict[str, Entry]:
-    """Force after a step of depth, radius after one of load; of power laws and the flat punch also a ramp, and back."""
+    """Force after a step of depth, radius after one of load; if the contact grows from a point or a flat face, a ramp
+    and the way back.
+    """
     plain = normal.derive(profile)
     out: dict[str, Entry] = {}
     depth_route = of_depth(plain)
-    exponent = elastic_exponent(depth_route)
     for law in LAWS:
-        if exponent is not None:
-            elastic = depth_route.cases[0].expr.subs(E_star, law.ramp.subs(_m, exponent)).subs(d, v * time)
-            quantity = QUANTITIES[f"ramp_{law.suffix}"]
-            out[quantity.suffix] = _entry(profile, quantity, "closed", (Case((), elastic),), (v, *law.parameters))
-            out |= _turned(profile, plain, law, exponent)
+        if ramped(plain):
+            out |= _ramped(profile, plain, law)
         quantity, note = QUANTITIES[f"step_{law.suffix}"], ""
         step = tuple(Case(case.chain, _scaled(case.expr, law.relaxation)) for case in depth_route.cases)
         if depth_route.status == "root":
@@ -155,25 +164,78 @@ def derive(profile: Profile) -> dict[str, Entry]:
     return out
 
 
-def _turned(profile: Profile, plain: Mapping[str, Entry], law: Law, exponent: sp.Expr) -> dict[str, Entry]:
-    """The way back: what follows from t_1, of the force up to it and of the radius at it, and t_1 itself."""
-    taken, definitions = (*TURNED, *law.parameters), turned_definitions()
-    force = of_depth(plain).cases[0].expr.subs(E_star, law.kept.subs(_m, exponent)).subs(d, v * t_1)
+def ramped(plain: Mapping[str, Entry]) -> bool:
+    """Whether the force of a ramp is known: that of a power of the depth, or of springs."""
+    return "ad" in plain or elastic_exponent(of_depth(plain)) is not None
+
+
+def _ramped(profile: Profile, plain: Mapping[str, Entry], law: Law) -> dict[str, Entry]:
+    """The way in, and the way back: what follows from t_1, of the force up to it and of the radius at it, and t_1."""
+    taken, definitions, past = (*TURNED, *law.parameters), turned_definitions(), (t_1, t_m, time)
+    exponent = elastic_exponent(of_depth(plain))
+    if exponent is None:
+        grown, kept = _of_springs(plain, law, time), _of_springs(plain, law, t_1)
+    else:
+        force = of_depth(plain).cases[0].expr
+        grown = (Case((), force.subs(E_star, law.ramp.subs(_m, exponent)).subs(d, v * time)),)
+        kept = (Case(past, force.subs(E_star, law.kept.subs(_m, exponent)).subs(d, v * t_1)),)
+    quantity, there = QUANTITIES[f"ramp_{law.suffix}"], "" if exponent is not None else AT_DEPTH
+    entry = _entry(profile, quantity, _status(grown), grown, (v, *law.parameters), there.format("t"))
     shown = {
-        "earlier": ((t_m, time), law.earlier or turned(law, t_1, time), ()),
-        "end": ((t_m, t_c), law.end or turned(law, sp.S.Zero, t_c), ()),
-        "retract": ((t_1, t_m, time), force, profile.parameters),
+        "earlier": ((Case((t_m, time), law.earlier or turned(law, t_1, time)),), (), ""),
+        "end": ((Case((t_m, t_c), law.end or turned(law, sp.S.Zero, t_c)),), (), ""),
+        "retract": (kept, profile.parameters, there.format("t_1")),
     }
     if "ad" in plain:
-        shown["radius"] = ((t_1, t_m, time), plain["ad"].cases[0].expr.subs(d, v * t_1), profile.parameters)
-    out = {}
-    for kind, (chain, expr, lengths) in shown.items():
+        radii = tuple(Case(_in_time(case.chain), case.expr.subs(d, v * t_1)) for case in plain["ad"].cases)
+        shown["radius"] = (radii, profile.parameters, "")
+    out = {quantity.suffix: entry}
+    for kind, (cases, lengths, note) in shown.items():
         quantity = QUANTITIES[f"{kind}_{law.suffix}"]
-        status: Status = "root" if isinstance(expr, sp.Eq) else "closed"
         out[quantity.suffix] = HOMOGENEOUS.entry(
-            profile, GROUP, quantity, status, (Case(chain, expr),), definitions[kind], (*lengths, *taken), RETURNED
+            profile, GROUP, quantity, _status(cases), cases, definitions[kind], (*lengths, *taken), RETURNED, note=note
         )
     return out
+
+
+def _in_time(chain: Chain) -> Chain:
+    """An order of depths as one of the times at which a ramp comes to them."""
+    return tuple(sp.sympify(depth).subs(d, v * t_1) / v for depth in chain) if d in chain else chain
+
+
+def _status(cases: tuple[Case, ...]) -> Status:
+    if any(isinstance(case.expr, sp.Eq) for case in cases):
+        return "root"
+    return "integral" if any(case.expr.has(sp.Integral) for case in cases) else "closed"
+
+
+def _of_springs(plain: Mapping[str, Entry], law: Law, until: sp.Symbol) -> tuple[Case, ...]:
+    """2 v int_0^a [I(t - g(x)/v) - I(t - t_1)] dx, whose last term is the impulse, and counts, at the present alone.
+
+    A dashpot beside a spring leaves no integral but that of the elastic force.
+    """
+    now = until == time
+    if law.impulse != 0:
+        pulled = 2 * v * a * law.impulse if now else sp.S.Zero
+        return tuple(
+            Case(case.chain, _scaled(case.expr, law.relaxation) + pulled) for case in of_radius(plain)[1].cases
+        )
+    depth = {case.chain: case.expr for case in of_radius(plain)[0].cases}
+    gone = sp.S.Zero if now else law.memory.subs(time, time - until)
+    cases = []
+    for chain in depth:
+        total = sp.S.Zero
+        for low, high, sunk in pieces(depth, chain):
+            left = law.memory.subs(time, time - sunk.subs(a, x) / v) - gone
+            total += (high - low) * left if sunk == 0 else sp.Integral(left, (x, low, high))
+        cases.append(Case(chain, 2 * v * total))
+    return tuple(cases)
+
+
+def in_radius(entry: Entry) -> bool:
+    """Whether its formula is one in the radius of the contact, which another one gives."""
+    free = set().union(*(case.expr.free_symbols for case in entry.cases))
+    return a in free - {entry.quantity.symbol, *entry.arguments, *entry.parameters}
 
 
 def turned(law: Law, before: sp.Expr, now: sp.Expr) -> sp.Eq:

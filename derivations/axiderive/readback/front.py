@@ -353,12 +353,17 @@ def _way_back() -> Iterator[Line]:
         known["Psi_m"] = mp.quad(lambda x: m * x ** (m - 1) * fades(t - t_1 * x), [0, 1])
         known["F_N()"] = lambda d: known["E*"] * mp.mpf("0.7") * d**m
         force = mp.quad(lambda s: fades(t - s) * mp.mpf("0.7") * m * v**m * s ** (m - 1), [0, t_1])
+        # the profile with this force, by dF_el = 2 E* a dd
+        known["g()"] = lambda x: (2 * x / (mp.mpf("0.7") * m)) ** (1 / (m - 1))
+        known["a"] = mp.mpf("0.7") * m * (v * t_1) ** (m - 1) / 2
         summed = memory(t)
     yield Claim(known, summed, "I(t)").line(PLACE, r"I(t)=\int_0^t E(s)\,\mathrm ds")
     yield _said(r"I(t)=Et+\eta", viscoelastic.LAWS[1].memory, "I(t)")
     yield Claim(known).line(PLACE, r"I(t-t_1)=(1+v_2/v)\,I(t-t_{\mathrm m})")
     yield Claim(known, known["Psi_m"], "Psi_m").line(PLACE, r"\Psi_m=\int_0^1 m\,\xi^{m-1}E(t-t_1\xi)\,\mathrm d\xi")
     yield Claim(known, force).line(PLACE, r"\Psi_m F_{\mathrm N}(v t_1)/E^{*}")
+    yield Claim(known, force).line(PLACE, r"2v\int_0^a\bigl[I(t-g(x)/v)-I(t-t_1)\bigr]\,\mathrm dx")
+    yield Claim(known).line(PLACE, "g(a)=vt_1")
 
 
 def _of_both_bodies(wrong: Callable[[str], bool]) -> Callable[[str], bool]:

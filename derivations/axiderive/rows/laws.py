@@ -94,7 +94,7 @@ def rows(entries: Mapping[str, Entry], plain: Mapping[str, Entry]) -> list[Row]:
     found = [_step(_of("step", entries), plain)]
     if own := _of("load", entries):
         found.append(_load(own, plain))
-    if own := _of("ramp", entries):
+    if own := tuple(entry for entry in _of("ramp", entries) if not viscoelastic.in_radius(entry)):
         found.append(_ramp(own, plain))
     return found
 

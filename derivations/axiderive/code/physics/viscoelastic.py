@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import sympy as sp
 
 from ...entry import Quantity
 from ...letters import name_of
-from ...notation import t_1, v_2
-from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth
+from ...notation import t_1, t_c, v_2
+from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth, ramped
 from .. import docstring
 from ..text import python
 from ..writer import Writer
 
 
 def interface(writer: Writer) -> None:
-    """Adds the public functions; a ramp, and the way back, only where the force is a power of the depth."""
+    """Adds the public functions; a ramp, and the way back, where the contact grows from a point or a flat face."""
     profile = writer.profile
     for entry in writer.entries.values():
         held = entry.arguments[1:]
         when = RETURNED if v_2 in entry.parameters else "and while the contact grows."
         notes = f"Valid for {profile.validity}, {when}" + " Negative or NaN times give NaN." * bool(entry.arguments)
-        if any(case.expr.has(t_1) for case in entry.cases) and entry.quantity.symbol != t_1:
+        if v_2 in entry.parameters and entry.quantity.symbol not in (t_1, t_c):
             law = kind_and_law(entry.quantity)[1]
             notes += f" Here t_1 is earlier_time_{law.name}; up to t_m it is t, and the force that of the ramp."
         if entry.note:
@@ -30,10 +32,8 @@ def interface(writer: Writer) -> None:
 
 def rules(writer: Writer) -> None:
     """Adds what the interface of any profile rests on, which the functions of its normal contact are enough for."""
-    power = _exponent(writer) is not None
-    known = {
-        "ramp": power, "load": "_radius_from_force" in writer.normal, "step": True,
-        "earlier": power, "end": power, "retract": power, "radius": power and writer.profile.compact,
+    known = dict.fromkeys(("ramp", "earlier", "end", "retract"), ramped(writer.plain)) | {
+        "step": True, "load": "_radius_from_force" in writer.normal, "radius": writer.profile.compact,
     }  # fmt: skip
     for quantity in QUANTITIES.values():
         if known[kind_and_law(quantity)[0]]:
@@ -59,6 +59,8 @@ def _rule(writer: Writer, quantity: Quantity) -> None:
         lines = [f"return {writer.call('_radius_from_force', creeping, E_star='1.0')}"]
         writer.rule(name, ["t"], ["F", *needs], lines)
     elif kind == "ramp":
+        if _exponent(writer) is None and law.impulse == 0:
+            _springs(writer, law, needs, passed)
         writer.rule(name, ["t"], ["v", *needs], _ramp(writer, law, elastic, passed))
     else:
         _way_back(writer, name, kind, law)
@@ -79,17 +81,26 @@ def _way_back(writer: Writer, name: str, kind: str, law: Law) -> None:
         lines = [f"t_1 = earlier(t, t_m, {lag})", f"return np.where(t_1 <= 0.0, 0.0, {radius})"]
         writer.rule(name, ["t"], own, lines)
     else:
-        lines, power = _degree(writer)
-        elastic = "_force_from_depth" if "_force_from_depth" in writer.normal else "_force"
-        ramp = f"_ramp_force_{law.name}({', '.join(['t', 'v', *writer.geometry, *material])})"
-        lines += [
-            f"lag = {lag}",
-            "t_1 = earlier(t, t_m, lag)",
-            f"kept = kept_{law.name}(t, t_1, passed(t, t_m, lag), {power}, {passed})",
-            f"back = {writer.call(elastic, 'v * t_1', E_star='1.0')} * kept",
-            f"return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), {ramp})",
-        ]
+        lines = [f"lag = {lag}", "t_1 = earlier(t, t_m, lag)", *_force_back(writer, law, material)]
         writer.rule(name, ["t"], own, lines)
+
+
+def _force_back(writer: Writer, law: Law, material: list[str]) -> list[str]:
+    elastic = "_force_from_depth" if "_force_from_depth" in writer.normal else "_force"
+    since, passed, own = "passed(t, t_m, lag)", ", ".join(material), ", ".join(["v", *writer.geometry, *material])
+    force, power = writer.call(elastic, "v * t_1", E_star="1.0"), _exponent(writer)
+    if power is None and law.impulse == 0:
+        return [
+            f"since = np.where(t > t_m, {since}, 0.0)",
+            f"return np.where(t_1 > 0.0, _pressed_{law.name}(t_1, since, {own}), 0.0)",
+        ]
+    if power is None:
+        lines, kept = list[str](), python(law.relaxation)
+    else:
+        lines, degree = _degree(power)
+        kept = f"kept_{law.name}(t, t_1, {since}, {degree}, {passed})"
+    ramp = f"_ramp_force_{law.name}(t, {own})"
+    return [*lines, f"back = {force} * {kept}", f"return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), {ramp})"]
 
 
 RETURNED = "a ramp up to t_m and then a constant speed back, so that the contact has one maximum, and no adhesion."
@@ -99,18 +110,38 @@ def _exponent(writer: Writer) -> sp.Expr | None:
     return elastic_exponent(of_depth(writer.plain))
 
 
-def _degree(writer: Writer) -> tuple[list[str], str]:
+def _degree(m: sp.Expr) -> tuple[list[str], str]:
     """The exponent of the depth in the force, and the lines that it needs."""
-    m = _exponent(writer)
-    assert m is not None
     return ([], repr(float(m))) if m.is_number else ([f"m = {python(m)}"], "m")
 
 
+def _springs(writer: Writer, law: Law, needs: list[str], passed: str) -> None:
+    """Adds what springs bear that were pressed in up to t_1, in stretches that end at the breaks of the profile."""
+    profile, left = writer.profile, f"left_{law.name}"
+    lines = [
+        f"a = {writer.call('_radius_from_depth', 'v * t_1')}", "", "def left(x: Array) -> Array:",
+        f"    pressed = t_1 - {writer.call('_depth', 'x')} / v",
+        f"    return {left}(np.maximum(pressed, 0.0), since, {passed})", "",
+    ]  # fmt: skip
+    ends = ["0.0 * a", *(f"np.minimum(a, {b})" for b in profile.breaks), "a"]
+    parts = [f"springs(left, {low}, {high})" for low, high in pairwise(ends)]
+    if profile.truncated:
+        parts[0] = f"{profile.breaks[0]} * {left}(t_1, since, {passed})"
+    total = parts[0] if len(parts) == 1 else f"({' + '.join(parts)})"
+    writer.rule(f"_pressed_{law.name}", ["t_1", "since"], ["v", *needs], [*lines, f"return 2.0 * v * {total}"])
+
+
 def _ramp(writer: Writer, law: Law, elastic: str, passed: str) -> list[str]:
-    lines, power = _degree(writer)
-    lines.append(f"force = {writer.call(elastic, 'v * t', E_star='1.0')} * ramp_{law.name}(t, {power}, {passed})")
+    power, force = _exponent(writer), writer.call(elastic, "v * t", E_star="1.0")
+    if power is None and law.impulse == 0:
+        return [f"return _pressed_{law.name}({', '.join(['t', '0.0 * t', 'v', *writer.geometry, passed])})"]
+    if power is None:
+        radius = writer.call("_radius_from_depth", "v * t")
+        return [f"return {python(law.relaxation)} * {force} + 2.0 * v * {python(law.impulse)} * {radius}"]
+    lines, degree = _degree(power)
+    lines.append(f"force = {force} * ramp_{law.name}(t, {degree}, {passed})")
     start = "0.0"
-    if law.impulse != 0 and _exponent(writer) == 1:
+    if law.impulse != 0 and power == 1:
         lines.append("# the viscous part of a force that grows in proportion to the depth does not start from zero")
         start = f"{writer.call(elastic, 'v', E_star='1.0')} * {sp.sstr(law.impulse)}"
     return [*lines, f"return np.where(t == 0.0, {start}, force)"]

@@ -41,7 +41,7 @@ def derive(contact: Contact, entries: Mapping[str, Entry]) -> tuple[Status, tupl
     return status, tuple(cases)
 
 
-def _pieces(depth: Depths, chain: Chain) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+def pieces(depth: Depths, chain: Chain) -> Iterator[tuple[sp.Expr, sp.Expr, sp.Expr]]:
     """Ends of the intervals below a radius, with the depth there in its own radius a; none within a flat face."""
     rest = [b for b in chain if b != a]
     ends = [sp.S.Zero, *chain[: chain.index(a)], a]
@@ -52,7 +52,7 @@ def _pieces(depth: Depths, chain: Chain) -> Iterator[tuple[sp.Expr, sp.Expr, sp.
 def _square(depth: Depths, chain: Chain) -> sp.Expr | None:
     """int_0^a g^2 dt, where that is a sum of powers of t and of roots of t^2 - b^2."""
     total = sp.S.Zero
-    for low, high, sunk in _pieces(depth, chain):
+    for low, high, sunk in pieces(depth, chain):
         found = _antiderivative(sunk)
         if found is None:
             return None
@@ -98,7 +98,7 @@ def _ordered(expr: sp.Expr, outside: Chain) -> sp.Expr:
 
 def _integral(depth: Depths, chain: Chain) -> sp.Expr:
     total = sp.S.Zero
-    for low, high, sunk in _pieces(depth, chain):
+    for low, high, sunk in pieces(depth, chain):
         short = depth[chain] - sunk.subs(a, t)
         total += (high - low) * depth[chain] ** 2 if sunk == 0 else sp.Integral(short**2, (t, low, high))
     return HOMOGENEOUS.modulus * total

@@ -10,10 +10,11 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from ...abel.form import Chain
 from ...abel.masters import IncompleteBeta, Kummer
 from ...entry import Case, Entry
-from ...notation import E_star, F, alpha, d, t_1, t_c, t_m, time, v, v_2, x
-from ...physics.viscoelastic import LAWS, Law
+from ...notation import E_star, F, a, alpha, d, t_1, t_c, t_m, time, v, v_2, x
+from ...physics.viscoelastic import LAWS, Law, in_radius
 from ..algebra.domain import Domain, require
 from ..algebra.functions import normal, require_analytic, sign
 from ..algebra.identity import at
@@ -132,12 +133,18 @@ def _of_exponentials(expr: sp.Expr) -> sp.Expr:
     return expr.replace(sp.log, exponent)
 
 
+def _in_time(chain: Chain) -> Chain:
+    """Times t_1 at which the depth is v t_1, in the order of depths."""
+    return tuple((t_1 if depth == d else depth / v) for depth in chain) if d in chain else chain
+
+
 class Viscoelastic:
     """The viscoelastic entries of one profile, above those of its elastic contact."""
 
     def __init__(self, normal: Compact | Complete, entries: dict[str, Entry]) -> None:
         self.normal, self.entries = normal, entries
-        self.force = normal.entries["Fd" if "Fd" in normal.entries else "F"]
+        self.force_of_radius = normal.entries["F"]
+        self.force = normal.entries.get("Fd", self.force_of_radius)
         self.laws = {law.suffix: law for law in LAWS}
 
     def domain(self, case: Case) -> Domain:
@@ -148,15 +155,32 @@ class Viscoelastic:
         return self.laws[suffix.split("_")[1]]
 
     def ramp(self, suffix: str) -> list[str]:
-        """F at d = v t is F_el/E* times the ramp factor of the law, F_el being a power of d."""
+        """F at d = v t is F_el/E* times the ramp factor of the law, F_el being a power of d, or that of springs."""
         law = self._law(suffix)
+        if in_radius(self.entries[suffix]):
+            return self._of_springs(suffix, law.impulse)
         return [duality(law), *ramp(law), *self._of_power(suffix, (), time, law.ramp, "the ramp factor")]
 
     def retract(self, suffix: str) -> list[str]:
-        """F is F_el/E* at d = v t_1 times the factor of the way back, F_el being a power of d."""
+        """F is F_el/E* at d = v t_1 times the factor of the way back, F_el being a power of d, or that of springs."""
         law = self._law(suffix)
+        if in_radius(self.entries[suffix]):
+            return self._of_springs(suffix, sp.S.Zero)
         words = "the factor of the way back"
         return [duality(law), *kept(law), *self._of_power(suffix, (t_1, t_m, time), t_1, law.kept, words)]
+
+    def _of_springs(self, suffix: str, impulse: sp.Expr) -> list[str]:
+        """F of a law that does not fade is E F_el/E*, and v dF_el/dd times its impulse at the present."""
+        law, entry, steps = self._law(suffix), closed(self.entries[suffix]), list[str]()
+        require(not law.relaxation.has(time), "{} fades", law.relaxation)
+        depths = paired(closed(self.normal.entries["d"]), closed(self.force_of_radius))
+        for (case, elastic), (sunk, _) in zip(paired(entry, self.force_of_radius), depths, strict=True):
+            domain, slope = self.domain(case), sp.diff(sunk.expr, a)
+            gap = sp.diff(elastic.expr, a) - 2 * E_star * a * slope
+            steps += [self._linear(elastic), require_zero(gap, domain, "dF_el/dd = 2 E* a")]
+            wanted = elastic.expr / E_star * law.relaxation + 2 * a * v * impulse
+            steps.append(require_zero(case.expr - wanted, domain, f"F = F_el(a)/E* E + {impulse} v dF_el/dd/E*"))
+        return [duality(law), *steps]
 
     def _of_power(
         self, suffix: str, chain: tuple[sp.Symbol, ...], until: sp.Symbol, factor: sp.Expr, words: str
@@ -173,11 +197,19 @@ class Viscoelastic:
         return [*steps, require_zero(case.expr - wanted, Domain(*domain.chains(), chain), statement)]
 
     def radius(self, suffix: str) -> list[str]:
-        """a is that of the elastic contact at d = v t_1."""
-        case, (elastic,) = self._case(suffix, (t_1, t_m, time)), closed(self.normal.entries["ad"]).cases
-        domain = Domain(*self.domain(elastic).chains(), (t_1, t_m, time))
-        gap = case.expr - elastic.expr.subs(d, v * t_1)
-        return [require_zero(gap, domain, "a = a_el(d) at d = v t_1")]
+        """a is that of the elastic contact at d = v t_1, by its formula or by the equation g(a) = d."""
+        entry, steps = self.entries[suffix], list[str]()
+        if entry.status == "root":
+            for case, elastic in paired(entry, closed(self.normal.entries["d"])):
+                for gap in (case.expr.lhs - elastic.expr, case.expr.rhs - v * t_1):
+                    steps.append(require_zero(gap, self.domain(case), "g(a) = v t_1"))
+            return steps
+        source = closed(self.normal.entries["ad"])
+        require_regions(entry, tuple(_in_time(case.chain) for case in source.cases))
+        for case, elastic in zip(entry.cases, source.cases, strict=True):
+            wanted = elastic.expr.subs(d, v * t_1)
+            steps.append(require_zero(case.expr - wanted, self.domain(case), "a = a_el(d) at d = v t_1"))
+        return steps
 
     def earlier(self, suffix: str) -> list[str]:
         """t_1 is that of the equation of the way back."""
@@ -195,7 +227,7 @@ class Viscoelastic:
     def step(self, suffix: str) -> list[str]:
         """F after a step of depth, given or by an equation, is F_el/E* times the relaxation E(t)."""
         law, entry = self._law(suffix), self.entries[suffix]
-        steps, source = [duality(law)], self.normal.entries["F"] if entry.status == "root" else self.force
+        steps, source = [duality(law)], self.force_of_radius if entry.status == "root" else self.force
         for case, elastic in paired(entry, closed(source)):
             wanted = elastic.expr / E_star * law.relaxation
             steps.append(self._linear(elastic))
@@ -229,12 +261,14 @@ def rules(entries: dict[str, Entry], normal_entries: dict[str, Entry]) -> dict[s
     out: dict[str, Rule] = {}
     for suffix, entry in entries.items():
         kind, law = suffix.split("_")
-        own = "plain.F" if kind == "step" and entry.status == "root" else force
+        own: tuple[str, ...] = ("plain.F",) if kind == "step" and entry.status == "root" else (force,)
+        if kind in ("ramp", "retract") and in_radius(entry):
+            own = ("plain.F", "plain.d")
+        radius, back = "plain.d" if entry.status == "root" else "plain.ad", f"earlier_{law}"
         needs = {
-            "load": ("plain.aF",), "radius": ("plain.ad", f"earlier_{law}"), "retract": (force, f"earlier_{law}"),
-            "earlier": (), "end": (),
+            "load": ("plain.aF",), "radius": (radius, back), "retract": (*own, back), "earlier": (), "end": (),
         }  # fmt: skip
-        out[suffix] = (needs.get(kind, (own,)), KINDS[kind], suffix)
+        out[suffix] = (needs.get(kind, own), KINDS[kind], suffix)
     return out
 
 
