@@ -55,6 +55,8 @@ TURNING = {"torque", "slip_angle", "traction", "full_slip_torque"}
 SEARCHED = {"pull_off", "radius_from_depth", "radius_from_force", "without_contact"}
 COHESIVE = {"work_of_separation", "cohesive_radius", "depth", "force", "pressure", "displacement"}
 """Functions of entries of a cohesive zone, behind those that search among their values for a state."""
+POWERS = ("cone", "paraboloid", "quartic", "sextic", "power_law")
+"""Of which the moment of the depth is closed."""
 LAYERED = {
     "depth", "force", "pressure", "radius_from_depth", "radius_from_force", "force_from_depth", "depth_from_force",
     "depth_first_order", "force_second_order",
@@ -89,7 +91,7 @@ def interface(problem: Problem) -> set[str]:
     if family == "cohesive":
         return COHESIVE | SEARCHED
     if family == "layer":
-        second = {"depth_second_order"} if problem.name in RAMPS else set()
+        second = {"depth_second_order"} if problem.name in POWERS else set()
         return LAYERED | second if compact else {"force", "pressure", "depth_from_force"}
     if family == "subsurface":
         return {"stress", "displacement"} | BELOW - (set() if compact else {"partial_slip_stress"})
