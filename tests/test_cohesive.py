@@ -14,7 +14,7 @@ import pytest
 import sympy as sp
 from false_entries import below, record
 
-from axicontact._runtime.physics.cohesive_single import both
+from axicontact._runtime.plain import both
 from axicontact.expressions import expression
 from axiderive import notation as nt
 from axiderive.letters import name_of

@@ -71,6 +71,23 @@ def integral_by_panels(integrand: Callable[[float], float], stop: float, width: 
     return math.fsum([weight * integrand(node * stop) for node, weight in _pairs(count, panels)]) * stop
 
 
+def both(
+    integrand: Callable[[float], tuple[float, float]],
+    stop: float,
+    width: float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> tuple[float, float]:
+    """The integrals of both members of a pair from 0 to `stop`, from the same nodes, in as many panels as it takes."""
+    if stop != stop:
+        return stop, stop
+    panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
+    panel = rule(lengths)(stop / width / panels)
+    nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in panel]
+    values = [integrand(node * stop) for node, _ in nodes]
+    first, second = ([weight * value[i] for (_, weight), value in zip(nodes, values, strict=True)] for i in (0, 1))
+    return math.fsum(first) * stop, math.fsum(second) * stop
+
+
 def in_groups(
     rule_of: Callable[..., tuple[Callable[[float], float], float, float, bool, float]],
 ) -> Callable[..., float]:

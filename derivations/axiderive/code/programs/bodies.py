@@ -34,7 +34,7 @@ COUNTERPARTS = {
     "_runtime.integrals": "_runtime.plain",
     "_runtime.functions": "_runtime.plain",
     "_runtime.physics.branches": "_runtime.physics.single",
-    "_runtime.physics.cohesive": "_runtime.physics.cohesive_single",
+    "_runtime.physics.cohesive": "_runtime.plain",
     "_runtime.graded.rules": "_runtime.graded.single",
     "_runtime.graded.waves": "_runtime.graded.single",
 }
