@@ -95,7 +95,7 @@ def _prepared(
     if missing:
         message = f"no value for {sorted(map(str, missing))} in {plain}; give every symbol of the result a value"
         raise ValueError(message)
-    integrals = stand_ins(plain.atoms(sp.Integral), "integral")
+    integrals = stand_ins(plain.atoms(sp.Integral), "integral", real=True)
     rest = plain.xreplace(integrals)
     symbols = tuple(s for s in (*known, *integrals.values()) if rest.has(s))
     own = {master.__name__: master.numeric for master in MASTERS}
@@ -104,9 +104,9 @@ def _prepared(
     return function, symbols, within
 
 
-def stand_ins(parts: Iterable[sp.Expr], name: str) -> dict[sp.Expr, sp.Symbol]:
+def stand_ins(parts: Iterable[sp.Expr], name: str, **known: bool) -> dict[sp.Expr, sp.Symbol]:
     """A symbol for each of these parts by their text: Dummy symbols are added up in the order of their making."""
-    return {part: sp.Symbol(f"{name}{i}", real=True) for i, part in enumerate(sorted(parts, key=str))}
+    return {part: sp.Symbol(f"{name}{i}", **known) for i, part in enumerate(sorted(parts, key=str))}
 
 
 def _real(value: Number, digits: int, expr: sp.Expr) -> Number:
@@ -170,7 +170,7 @@ def evaluate_integral(expr: sp.Expr, values: Values, digits: int, radii: tuple[c
 
 
 def _evaluated(plain: sp.Expr, values: Values, digits: int, radii: tuple[complex, ...]) -> Number:
-    pieces = stand_ins(plain.atoms(sp.Integral), "piece")
+    pieces = stand_ins(plain.atoms(sp.Integral), "piece", real=True)
     known = {**values, **{name: _definite(own, values, digits, radii) for own, name in pieces.items()}}
     rest = plain.xreplace(pieces)
     try:
