@@ -71,6 +71,23 @@ def integral_by_panels(integrand: Callable[[float], float], stop: float, width: 
     return math.fsum([weight * integrand(node * stop) for node, weight in _pairs(count, panels)]) * stop
 
 
+def both(
+    integrand: Callable[[float], tuple[float, float]],
+    stop: float,
+    width: float = 1.0,
+    lengths: tuple[tuple[float, int], ...] = STRIPS,
+) -> tuple[float, float]:
+    """The integrals of both members of a pair from 0 to `stop`, from the same nodes, in as many panels as it takes."""
+    if stop != stop:
+        return stop, stop
+    panels = max(math.ceil(stop / width / lengths[-1][0]), 1)
+    panel = rule(lengths)(stop / width / panels)
+    nodes = [((start + node) / panels, weight / panels) for start in range(panels) for node, weight in panel]
+    values = [integrand(node * stop) for node, _ in nodes]
+    first, second = ([weight * value[i] for (_, weight), value in zip(nodes, values, strict=True)] for i in (0, 1))
+    return math.fsum(first) * stop, math.fsum(second) * stop
+
+
 def in_groups(
     rule_of: Callable[..., tuple[Callable[[float], float], float, float, bool, float]],
 ) -> Callable[..., float]:
@@ -123,7 +140,7 @@ MATH = SimpleNamespace(
     sqrt=sqrt, cbrt=math.cbrt, exp=math.exp, expm1=math.expm1, log=log, log1p=log1p,
     sin=math.sin, cos=math.cos, tan=math.tan, arctan=math.atan, arctan2=math.atan2, arctanh=math.atanh,
     sinh=math.sinh, cosh=math.cosh, tanh=math.tanh, arcsinh=math.asinh, hypot=math.hypot,
-    ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor,
+    ldexp=math.ldexp, frexp=math.frexp, exp2=math.exp2, floor=math.floor, nextafter=math.nextafter,
     abs=abs, minimum=_minimum, maximum=_maximum, isfinite=math.isfinite, isnan=math.isnan,
     any=bool, all=bool, count_nonzero=bool,
     # bodies write it out: ~True is -2, and an error from Python 3.16 on

@@ -19,17 +19,16 @@ from .._runtime.physics.cohesive import (
     lift_of_zone,
     opening_below,
     outer_radius,
-    parted,
     pull_of_zone,
-    radii_up_to,
-    radius_of_pull_off,
-    radius_under,
-    root_within,
+    root_near,
+    root_of_zone,
     still,
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_within,
 )
+from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_up_to, radius_of_pull_off, radius_under
 from ..normal import ellipsoid as normal
 
 if TYPE_CHECKING:
@@ -490,8 +489,9 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    force = elementwise(_pull_off_force, radius, h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, radius, h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, radius, zone, h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, radius, zone, h=h, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -590,7 +590,9 @@ def _opened(q: Array, a: Array, h: Array, b: Array) -> tuple[Array, Array]:
 
 def _zone(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     """sqrt(c**2 - a**2) of the zone."""
-    return root_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a))
+    largest = difference_root(b, a)
+    a = zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest)
+    return np.where(np.isnan(a), np.nan, root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest))
 
 
 def _work_of_separation(a: Array, c: Array, h: Array, b: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -637,34 +639,44 @@ def _displacement(r: Array, a: Array, h: Array, b: Array, E_star: Array, dgamma:
     return _displacement_of(r, a, _zone(a, h, b, E_star, dgamma, sigma_0), h, b, E_star, dgamma, sigma_0)
 
 
-def _radii(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
-    return radii_up_to(first, b)
+def _radii(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
+    first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
+    return radii_up_to(
+        first, b, lambda a: zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a))
+    )
 
 
 def _state(
-    a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
-) -> tuple[Array, Array]:
-    q = _zone(a, h, b, E_star, dgamma, sigma_0)
+    a: Array, start: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
+) -> State:
+    q, rate = root_near(partial(_opened, h=h, b=b), start, a, E_star, dgamma, sigma_0, difference_root(b, a))
     load = _force_of if control == "force" else _depth_of
-    return still(partial(_opened, h=h, b=b), a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0)
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a: _state(a, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0)
     )
 
 
 def _parted(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, h=h, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    c = _parted(h, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, h=h, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0, lambda: _zone(a, h, b, E_star, dgamma, sigma_0), lambda: _parted(h, b, E_star, dgamma, sigma_0)
+    )
+
+
+def _pull_off_depth(a: Array, q: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0,
+        lambda: _depth_of(a, q, h, b, E_star, dgamma, sigma_0),
+        lambda: alone(partial(_opened, h=h, b=b), q, E_star, dgamma, sigma_0),
+    )
 
 
 def _without_contact_depth(c: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
@@ -677,34 +689,26 @@ def _without_contact_force(c: Array, h: Array, b: Array, E_star: Array, dgamma: 
     return np.where(depth <= -sunk(c, E_star, sigma_0), -np.pi * sigma_0 * c * c, np.nan)
 
 
-def _pull_off_depth(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(
-        a > 0.0, lambda: _depth(a, h, b, E_star, dgamma, sigma_0), lambda: _parted_depth(h, b, E_star, dgamma, sigma_0)
-    )
-
-
-def _pull_off_force(a: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return np.where(
-        a > 0.0,
-        _force(a, h, b, E_star, dgamma, sigma_0),
-        -np.pi * sigma_0 * _parted(h, b, E_star, dgamma, sigma_0) ** 2,
-    )
-
-
 def _held_apart(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     apart = _pull_off_radius(h, b, E_star, dgamma, sigma_0, "depth") == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), h, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, h=h, b=b), _parted(h, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return np.where(apart & deeper, 0.0, np.nan)
 
 
 def _radius_from_depth(d: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a: _state(a, h, b, E_star, dgamma, sigma_0, "depth"), d, _radii(h, b, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, h, b, E_star, dgamma, sigma_0, "depth"),
+        d,
+        _radii(h, b, E_star, dgamma, sigma_0),
     )
     return np.where(np.isnan(a), _held_apart(d, h, b, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, h: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a: _state(a, h, b, E_star, dgamma, sigma_0, "force"), F, _radii(h, b, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, h, b, E_star, dgamma, sigma_0, "force"),
+        F,
+        _radii(h, b, E_star, dgamma, sigma_0),
     )

@@ -19,17 +19,15 @@ from .._runtime.physics.cohesive import (
     lift_of_zone,
     opening_power,
     outer_radius,
-    parted,
     pull_of_zone,
-    radii,
-    radius_of_pull_off,
-    radius_under,
+    root_near,
     root_of_zone,
     still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
+from .._runtime.physics.cohesive_states import State, Stretch, parted, radii, radius_of_pull_off, radius_under
 from ..normal import power_law as normal
 
 if TYPE_CHECKING:
@@ -501,8 +499,9 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    force = elementwise(_pull_off_force, radius, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, radius, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, radius, zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, radius, zone, A=A, n=n, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -648,34 +647,42 @@ def _displacement(r: Array, a: Array, A: Array, n: Array, E_star: Array, dgamma:
     return _displacement_of(r, a, _zone(a, A, n, E_star, dgamma, sigma_0), A, n, E_star, dgamma, sigma_0)
 
 
-def _radii(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+def _radii(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
+    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
     return radii(first)
 
 
 def _state(
-    a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
-) -> tuple[Array, Array]:
-    q = _zone(a, A, n, E_star, dgamma, sigma_0)
+    a: Array, start: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
+) -> State:
+    q, rate = root_near(partial(_opened, A=A, n=n), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return still(partial(_opened, A=A, n=n), a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0)
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a: _state(a, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0)
     )
 
 
 def _parted(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
     return parted(partial(_opened, A=A, n=n), first, E_star, sigma_0)
 
 
-def _parted_depth(A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    c = _parted(A, n, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, A=A, n=n), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0, lambda: _zone(a, A, n, E_star, dgamma, sigma_0), lambda: _parted(A, n, E_star, dgamma, sigma_0)
+    )
+
+
+def _pull_off_depth(a: Array, q: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0,
+        lambda: _depth_of(a, q, A, n, E_star, dgamma, sigma_0),
+        lambda: alone(partial(_opened, A=A, n=n), q, E_star, dgamma, sigma_0),
+    )
 
 
 def _without_contact_depth(c: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
@@ -688,34 +695,26 @@ def _without_contact_force(c: Array, A: Array, n: Array, E_star: Array, dgamma: 
     return np.where(depth <= -sunk(c, E_star, sigma_0), -np.pi * sigma_0 * c * c, np.nan)
 
 
-def _pull_off_depth(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(
-        a > 0.0, lambda: _depth(a, A, n, E_star, dgamma, sigma_0), lambda: _parted_depth(A, n, E_star, dgamma, sigma_0)
-    )
-
-
-def _pull_off_force(a: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return np.where(
-        a > 0.0,
-        _force(a, A, n, E_star, dgamma, sigma_0),
-        -np.pi * sigma_0 * _parted(A, n, E_star, dgamma, sigma_0) ** 2,
-    )
-
-
 def _held_apart(d: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     apart = _pull_off_radius(A, n, E_star, dgamma, sigma_0, "depth") == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), A, n, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, A=A, n=n), _parted(A, n, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return np.where(apart & deeper, 0.0, np.nan)
 
 
 def _radius_from_depth(d: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a: _state(a, A, n, E_star, dgamma, sigma_0, "depth"), d, _radii(A, n, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, A, n, E_star, dgamma, sigma_0, "depth"),
+        d,
+        _radii(A, n, E_star, dgamma, sigma_0),
     )
     return np.where(np.isnan(a), _held_apart(d, A, n, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, A: Array, n: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a: _state(a, A, n, E_star, dgamma, sigma_0, "force"), F, _radii(A, n, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, A, n, E_star, dgamma, sigma_0, "force"),
+        F,
+        _radii(A, n, E_star, dgamma, sigma_0),
     )

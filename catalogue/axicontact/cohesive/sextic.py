@@ -20,17 +20,15 @@ from .._runtime.physics.cohesive import (
     lift_of_zone,
     opening,
     outer_radius,
-    parted,
     pull_of_zone,
-    radii,
-    radius_of_pull_off,
-    radius_under,
+    root_near,
     root_of_zone,
     still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
+from .._runtime.physics.cohesive_states import State, Stretch, parted, radii, radius_of_pull_off, radius_under
 from ..normal import sextic as normal
 
 if TYPE_CHECKING:
@@ -464,8 +462,9 @@ def pull_off(
     require(A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     require_control(control)
     radius = elementwise(partial(_pull_off_radius, control=control), A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_pull_off_force, radius, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, radius, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, radius, zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, radius, zone, A=A, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -603,32 +602,38 @@ def _displacement(r: Array, a: Array, A: Array, E_star: Array, dgamma: Array, si
     return _displacement_of(r, a, _zone(a, A, E_star, dgamma, sigma_0), A, E_star, dgamma, sigma_0)
 
 
-def _radii(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+def _radii(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
+    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return radii(first)
 
 
-def _state(a: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> tuple[Array, Array]:
-    q = _zone(a, A, E_star, dgamma, sigma_0)
+def _state(a: Array, start: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
+    q, rate = root_near(partial(_opened, A=A), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return still(partial(_opened, A=A), a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0)
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(A: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a: _state(a, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0)
     )
 
 
 def _parted(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return parted(partial(_opened, A=A), first, E_star, sigma_0)
 
 
-def _parted_depth(A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    c = _parted(A, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, A=A), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0))
+
+
+def _pull_off_depth(a: Array, q: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0,
+        lambda: _depth_of(a, q, A, E_star, dgamma, sigma_0),
+        lambda: alone(partial(_opened, A=A), q, E_star, dgamma, sigma_0),
+    )
 
 
 def _without_contact_depth(c: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
@@ -641,28 +646,20 @@ def _without_contact_force(c: Array, A: Array, E_star: Array, dgamma: Array, sig
     return np.where(depth <= -sunk(c, E_star, sigma_0), -np.pi * sigma_0 * c * c, np.nan)
 
 
-def _pull_off_depth(a: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(
-        a > 0.0, lambda: _depth(a, A, E_star, dgamma, sigma_0), lambda: _parted_depth(A, E_star, dgamma, sigma_0)
-    )
-
-
-def _pull_off_force(a: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return np.where(
-        a > 0.0, _force(a, A, E_star, dgamma, sigma_0), -np.pi * sigma_0 * _parted(A, E_star, dgamma, sigma_0) ** 2
-    )
-
-
 def _held_apart(d: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     apart = _pull_off_radius(A, E_star, dgamma, sigma_0, "depth") == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), A, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, A=A), _parted(A, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return np.where(apart & deeper, 0.0, np.nan)
 
 
 def _radius_from_depth(d: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    a = radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, "depth"), d, _radii(A, E_star, dgamma, sigma_0))
+    a = radius_under(
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "depth"), d, _radii(A, E_star, dgamma, sigma_0)
+    )
     return np.where(np.isnan(a), _held_apart(d, A, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, A: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, "force"), F, _radii(A, E_star, dgamma, sigma_0))
+    return radius_under(
+        lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, "force"), F, _radii(A, E_star, dgamma, sigma_0)
+    )

@@ -19,17 +19,16 @@ from .._runtime.physics.cohesive import (
     lift_of_zone,
     opening_below,
     outer_radius,
-    parted,
     pull_of_zone,
-    radii_up_to,
-    radius_of_pull_off,
-    radius_under,
-    root_within,
+    root_near,
+    root_of_zone,
     still,
     sunk,
     tension_of_zone,
     work_of_zone,
+    zone_within,
 )
+from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_up_to, radius_of_pull_off, radius_under
 from ..normal import sphere as normal
 
 if TYPE_CHECKING:
@@ -465,8 +464,9 @@ def pull_off(
     require(R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     require_control(control)
     radius = elementwise(partial(_pull_off_radius, control=control), R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    force = elementwise(_pull_off_force, radius, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, radius, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, radius, zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, radius, zone, R=R, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -561,7 +561,9 @@ def _opened(q: Array, a: Array, R: Array) -> tuple[Array, Array]:
 
 def _zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     """sqrt(c**2 - a**2) of the zone."""
-    return root_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a))
+    largest = difference_root(R, a)
+    a = zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest)
+    return np.where(np.isnan(a), np.nan, root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest))
 
 
 def _work_of_separation(a: Array, c: Array, R: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -604,32 +606,40 @@ def _displacement(r: Array, a: Array, R: Array, E_star: Array, dgamma: Array, si
     return _displacement_of(r, a, _zone(a, R, E_star, dgamma, sigma_0), R, E_star, dgamma, sigma_0)
 
 
-def _radii(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), R, E_star, dgamma, sigma_0)
-    return radii_up_to(first, R)
+def _radii(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
+    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
+    return radii_up_to(
+        first, R, lambda a: zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a))
+    )
 
 
-def _state(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> tuple[Array, Array]:
-    q = _zone(a, R, E_star, dgamma, sigma_0)
+def _state(a: Array, start: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> State:
+    q, rate = root_near(partial(_opened, R=R), start, a, E_star, dgamma, sigma_0, difference_root(R, a))
     load = _force_of if control == "force" else _depth_of
-    return still(partial(_opened, R=R), a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0)
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(R: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a: _state(a, R, E_star, dgamma, sigma_0, control), _radii(R, E_star, dgamma, sigma_0)
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, control), _radii(R, E_star, dgamma, sigma_0)
     )
 
 
 def _parted(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    first = _zone(np.zeros(1), R, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
     return parted(partial(_opened, R=R), first, E_star, sigma_0)
 
 
-def _parted_depth(R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    c = _parted(R, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, R=R), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(a > 0.0, lambda: _zone(a, R, E_star, dgamma, sigma_0), lambda: _parted(R, E_star, dgamma, sigma_0))
+
+
+def _pull_off_depth(a: Array, q: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0,
+        lambda: _depth_of(a, q, R, E_star, dgamma, sigma_0),
+        lambda: alone(partial(_opened, R=R), q, E_star, dgamma, sigma_0),
+    )
 
 
 def _without_contact_depth(c: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
@@ -642,28 +652,20 @@ def _without_contact_force(c: Array, R: Array, E_star: Array, dgamma: Array, sig
     return np.where(depth <= -sunk(c, E_star, sigma_0), -np.pi * sigma_0 * c * c, np.nan)
 
 
-def _pull_off_depth(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(
-        a > 0.0, lambda: _depth(a, R, E_star, dgamma, sigma_0), lambda: _parted_depth(R, E_star, dgamma, sigma_0)
-    )
-
-
-def _pull_off_force(a: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return np.where(
-        a > 0.0, _force(a, R, E_star, dgamma, sigma_0), -np.pi * sigma_0 * _parted(R, E_star, dgamma, sigma_0) ** 2
-    )
-
-
 def _held_apart(d: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     apart = _pull_off_radius(R, E_star, dgamma, sigma_0, "depth") == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), R, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, R=R), _parted(R, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return np.where(apart & deeper, 0.0, np.nan)
 
 
 def _radius_from_depth(d: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    a = radius_under(lambda a: _state(a, R, E_star, dgamma, sigma_0, "depth"), d, _radii(R, E_star, dgamma, sigma_0))
+    a = radius_under(
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "depth"), d, _radii(R, E_star, dgamma, sigma_0)
+    )
     return np.where(np.isnan(a), _held_apart(d, R, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, R: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return radius_under(lambda a: _state(a, R, E_star, dgamma, sigma_0, "force"), F, _radii(R, E_star, dgamma, sigma_0))
+    return radius_under(
+        lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, "force"), F, _radii(R, E_star, dgamma, sigma_0)
+    )

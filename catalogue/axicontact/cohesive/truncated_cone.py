@@ -19,17 +19,15 @@ from .._runtime.physics.cohesive import (
     lift_of_zone,
     opening_beyond,
     outer_radius,
-    parted,
     pull_of_zone,
-    radii_by,
-    radius_of_pull_off,
-    radius_under,
+    root_near,
     root_of_zone,
     still,
     sunk,
     tension_of_zone,
     work_of_zone,
 )
+from .._runtime.physics.cohesive_states import State, Stretch, parted, radii_by, radius_of_pull_off, radius_under
 from ..normal import truncated_cone as normal
 
 if TYPE_CHECKING:
@@ -507,8 +505,9 @@ def pull_off(
     radius = elementwise(
         partial(_pull_off_radius, control=control), theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0
     )
-    force = elementwise(_pull_off_force, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
-    depth = elementwise(_pull_off_depth, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    zone = elementwise(_pull_off_zone, radius, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    force = elementwise(_force_of, radius, zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
+    depth = elementwise(_pull_off_depth, radius, zone, theta=theta, b=b, E_star=E_star, dgamma=dgamma, sigma_0=sigma_0)
     return PullOff(radius, force, depth)
 
 
@@ -655,36 +654,44 @@ def _displacement(r: Array, a: Array, theta: Array, b: Array, E_star: Array, dga
     return _displacement_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
-def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+def _radii(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
 def _state(
-    a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
-) -> tuple[Array, Array]:
-    q = _zone(a, theta, b, E_star, dgamma, sigma_0)
+    a: Array, start: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str
+) -> State:
+    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == "force" else _depth_of
-    return still(partial(_opened, theta=theta, b=b), a, q, control, E_star, sigma_0), load(
-        a, q, theta, b, E_star, dgamma, sigma_0
-    )
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array, control: str) -> Array:
     return radius_of_pull_off(
-        lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control),
+        _radii(theta, b, E_star, dgamma, sigma_0),
     )
 
 
 def _parted(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    c = _parted(theta, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, theta=theta, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0)
+    )
+
+
+def _pull_off_depth(a: Array, q: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
+    return either(
+        a > 0.0,
+        lambda: _depth_of(a, q, theta, b, E_star, dgamma, sigma_0),
+        lambda: alone(partial(_opened, theta=theta, b=b), q, E_star, dgamma, sigma_0),
+    )
 
 
 def _without_contact_depth(c: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
@@ -697,36 +704,28 @@ def _without_contact_force(c: Array, theta: Array, b: Array, E_star: Array, dgam
     return np.where(depth <= -sunk(c, E_star, sigma_0), -np.pi * sigma_0 * c * c, np.nan)
 
 
-def _pull_off_depth(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return either(
-        a > 0.0,
-        lambda: _depth(a, theta, b, E_star, dgamma, sigma_0),
-        lambda: _parted_depth(theta, b, E_star, dgamma, sigma_0),
-    )
-
-
-def _pull_off_force(a: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
-    return np.where(
-        a > 0.0,
-        _force(a, theta, b, E_star, dgamma, sigma_0),
-        -np.pi * sigma_0 * _parted(theta, b, E_star, dgamma, sigma_0) ** 2,
-    )
-
-
 def _held_apart(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     apart = _pull_off_radius(theta, b, E_star, dgamma, sigma_0, "depth") == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(
+        partial(_opened, theta=theta, b=b), _parted(theta, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0
+    )
     return np.where(apart & deeper, 0.0, np.nan)
 
 
 def _radius_from_depth(d: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     a = radius_under(
-        lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, "depth"), d, _radii(theta, b, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "depth"),
+        d,
+        _radii(theta, b, E_star, dgamma, sigma_0),
     )
     return np.where(np.isnan(a), _held_apart(d, theta, b, E_star, dgamma, sigma_0), a)
 
 
 def _radius_from_force(F: Array, theta: Array, b: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     return radius_under(
-        lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, "force"), F, _radii(theta, b, E_star, dgamma, sigma_0)
+        lambda a,
+        start: _state(a, start, theta, b, E_star, dgamma, sigma_0, "force"),
+        F,
+        _radii(theta, b, E_star, dgamma, sigma_0),
     )

@@ -56,11 +56,12 @@ def force(
 
     Notes
     -----
-    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
-    is zero beyond t = a. Valid for sharp edge, frictionless; the indenter and the base are rigid, E_star =
-    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
-    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
-    of the layer. Negative or NaN field values give NaN. Handbook: flat_punch.lay.F.
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), zero
+    beyond t = a; K(t, s) = 2*Integral((1 - L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0,
+    oo))/(pi*thickness), L how far a wave moves a layer, over a half-space. Valid for sharp edge,
+    frictionless; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of the layer. One linear
+    system for each contact, a <= 20 thickness. Negative or NaN field values give NaN. Handbook:
+    flat_punch.lay.F.
 
     References
     ----------
@@ -121,11 +122,12 @@ def pressure(
 
     Notes
     -----
-    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
-    is zero beyond t = a. Valid for sharp edge, frictionless; the indenter and the base are rigid, E_star =
-    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
-    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
-    of the layer. Negative or NaN field values give NaN. Handbook: flat_punch.lay.p.
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), zero
+    beyond t = a; K(t, s) = 2*Integral((1 - L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0,
+    oo))/(pi*thickness), L how far a wave moves a layer, over a half-space. Valid for sharp edge,
+    frictionless; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of the layer. One linear
+    system for each contact, a <= 20 thickness. Negative or NaN field values give NaN. Handbook:
+    flat_punch.lay.p.
 
     References
     ----------
@@ -177,11 +179,12 @@ def depth_from_force(
 
     Notes
     -----
-    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), which
-    is zero beyond t = a. Valid for sharp edge, frictionless; the indenter and the base are rigid, E_star =
-    E/(1 - nu^2) is that of the layer. One linear system for each contact, a <= 20 thickness; K(t, s) is 2/(pi
-    thickness) times the integral of (1 - L(u)) cos(u t/thickness) cos(u s/thickness) over u > 0, with the L
-    of the layer. Negative or NaN field values give NaN. Handbook: flat_punch.lay.dF.
+    The springs below the surface are pressed in by q(t) = d - g(t) + Integral(K(t, s)*q(s), (s, 0, a)), zero
+    beyond t = a; K(t, s) = 2*Integral((1 - L(u))*cos(s*u/thickness)*cos(t*u/thickness), (u, 0,
+    oo))/(pi*thickness), L how far a wave moves a layer, over a half-space. Valid for sharp edge,
+    frictionless; the indenter and the base are rigid, E_star = E/(1 - nu^2) is that of the layer. One linear
+    system for each contact, a <= 20 thickness. Negative or NaN field values give NaN. Handbook:
+    flat_punch.lay.dF.
 
     References
     ----------

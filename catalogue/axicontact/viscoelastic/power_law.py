@@ -1735,11 +1735,10 @@ def _retract_radius_maxwell(
 def _retract_force_maxwell(
     t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, tau: Array
 ) -> Array:
-    m = (n + 1) / n
     lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, A, n, E, tau))
 
 
@@ -1775,11 +1774,10 @@ def _retract_radius_kelvin_voigt(
 def _retract_force_kelvin_voigt(
     t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, eta: Array
 ) -> Array:
-    m = (n + 1) / n
     lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), m, E, eta)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), m, E, eta)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, n, E, eta))
 
 
@@ -1819,11 +1817,12 @@ def _retract_radius_standard_solid(
 def _retract_force_standard_solid(
     t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E_inf: Array, E_1: Array, tau: Array
 ) -> Array:
-    m = (n + 1) / n
     lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_standard_solid(
+        t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau
+    )
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau))
 
 
@@ -1859,11 +1858,12 @@ def _retract_radius_power_creep(
 def _retract_force_power_creep(
     t: Array, v: Array, v_2: Array, t_m: Array, A: Array, n: Array, E: Array, alpha: Array, t_0: Array
 ) -> Array:
-    m = (n + 1) / n
     lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_power_creep(
+        t, t_1, passed(t, t_m, lag), m, E, alpha, t_0
+    )
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, A, n, E, alpha, t_0))
 
 

@@ -1615,8 +1615,7 @@ def _retract_radius_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, A: Array
 def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, tau: Array) -> Array:
     lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), 1.25, E, tau)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_maxwell(t, v, A, E, tau))
 
 
@@ -1649,8 +1648,7 @@ def _retract_radius_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, A: 
 def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, A: Array, E: Array, eta: Array) -> Array:
     lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_kelvin_voigt(t, t_1, passed(t, t_m, lag), 1.25, E, eta)
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, A, E, eta))
 
 
@@ -1689,8 +1687,9 @@ def _retract_force_standard_solid(
 ) -> Array:
     lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_standard_solid(
+        t, t_1, passed(t, t_m, lag), 1.25, E_inf, E_1, tau
+    )
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_standard_solid(t, v, A, E_inf, E_1, tau))
 
 
@@ -1727,8 +1726,9 @@ def _retract_force_power_creep(
 ) -> Array:
     lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0)
-    back = normal._force_from_depth(v * t_1, A, 1.0) * kept
+    back = normal._force_from_depth(v * t_1, A, 1.0) * kept_power_creep(
+        t, t_1, passed(t, t_m, lag), 1.25, E, alpha, t_0
+    )
     return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_power_creep(t, v, A, E, alpha, t_0))
 
 

@@ -7,16 +7,34 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from .._runtime.interface import Array, Result, elementwise, require
 from .._runtime.physics.relaxation import (
     creep_kelvin_voigt,
     creep_maxwell,
     creep_power_creep,
     creep_standard_solid,
+    left_maxwell,
+    left_power_creep,
+    left_standard_solid,
     relaxation_kelvin_voigt,
     relaxation_maxwell,
     relaxation_power_creep,
     relaxation_standard_solid,
+    springs,
+)
+from .._runtime.physics.retraction import (
+    earlier,
+    end_kelvin_voigt,
+    end_maxwell,
+    end_power_creep,
+    end_standard_solid,
+    lag_kelvin_voigt,
+    lag_maxwell,
+    lag_power_creep,
+    lag_standard_solid,
+    passed,
 )
 from ..normal import sphere as normal
 
@@ -24,6 +42,26 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 __all__ = [
+    "contact_time_kelvin_voigt",
+    "contact_time_maxwell",
+    "contact_time_power_creep",
+    "contact_time_standard_solid",
+    "earlier_time_kelvin_voigt",
+    "earlier_time_maxwell",
+    "earlier_time_power_creep",
+    "earlier_time_standard_solid",
+    "ramp_force_kelvin_voigt",
+    "ramp_force_maxwell",
+    "ramp_force_power_creep",
+    "ramp_force_standard_solid",
+    "retract_force_kelvin_voigt",
+    "retract_force_maxwell",
+    "retract_force_power_creep",
+    "retract_force_standard_solid",
+    "retract_radius_kelvin_voigt",
+    "retract_radius_maxwell",
+    "retract_radius_power_creep",
+    "retract_radius_standard_solid",
     "step_force_kelvin_voigt",
     "step_force_maxwell",
     "step_force_power_creep",
@@ -37,6 +75,268 @@ __all__ = [
 
 def __dir__() -> list[str]:
     return __all__
+
+
+def ramp_force_maxwell(t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+    """Normal force at time t on a Maxwell fluid, indented at the constant speed v.
+
+    F = 2*v*Integral(E*tau*(1 - exp(-(t - x*atanh(x/R)/v)/tau)), (x, 0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth v t: a from a*atanh(a/R)
+    = d. Handbook: sphere.vis.ramp_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.ramp_force_maxwell(1.0, R=1.5, v=0.2, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    0.118896
+    """
+    require(R=R, v=v, E=E, relaxation=tau)
+    return elementwise(_ramp_force_maxwell, t, R=R, v=v, E=E, tau=tau)
+
+
+def earlier_time_maxwell(
+    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Time before t at which the contact was as large on a Maxwell fluid; zero after its end.
+
+    t_1 = tau*log(1 - v_2*(exp((-t_m + t)/tau) - 1)/v) + t_m
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time before at which the contact was as large [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    sphere.vis.earlier_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.earlier_time_maxwell(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    0.874199
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
+    return elementwise(_earlier_time_maxwell, t, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+
+
+def contact_time_maxwell(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
+    """Time at which the contact with a Maxwell fluid ends on the way back.
+
+    t_c = tau*log(v*(1 - exp(-t_m/tau))/v_2 + 1) + t_m
+
+    Parameters
+    ----------
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time at which the contact ends [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: sphere.vis.end_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.contact_time_maxwell(v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    2.691758
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
+    return elementwise(_contact_time_maxwell, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+
+
+def retract_force_maxwell(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Normal force at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+
+    F = 2*v*Integral(-E*tau*(1 - exp(-(-t_1 + t)/tau)) + E*tau*(1 - exp(-(t -
+    x*atanh(x/R)/v)/tau)), (x, 0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Here a is the contact radius of
+    the elastic contact at the depth v t_1: a from a*atanh(a/R) = d. Handbook: sphere.vis.retract_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_force_maxwell(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    0.093573
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
+    return elementwise(_retract_force_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
+
+
+def retract_radius_maxwell(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Contact radius at time t on a Maxwell fluid, pressed in at v until t_m, then back at v_2.
+
+    a from a*atanh(a/R) = t_1*v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_maxwell; up to t_m it is t, and the force that of the ramp. Handbook: sphere.vis.radius_mx.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_radius_maxwell(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, tau=2.0)
+    >>> round(value, 6)
+    0.502147
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, relaxation=tau)
+    return elementwise(_retract_radius_maxwell, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, tau=tau)
 
 
 def step_force_maxwell(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, tau: ArrayLike) -> Result:
@@ -136,6 +436,268 @@ def step_load_radius_maxwell(t: ArrayLike, *, F: ArrayLike, R: ArrayLike, E: Arr
     return elementwise(_step_load_radius_maxwell, t, F=F, R=R, E=E, tau=tau)
 
 
+def ramp_force_kelvin_voigt(t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+    """Normal force at time t on a Kelvin-Voigt solid, indented at the constant speed v.
+
+    F = E*(-R*a + (R**2 + a**2)*atanh(a/R)) + 2*a*eta*v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth v t: a from a*atanh(a/R)
+    = d. Handbook: sphere.vis.ramp_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.ramp_force_kelvin_voigt(1.0, R=1.5, v=0.2, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    0.465425
+    """
+    require(R=R, v=v, E=E, eta=eta)
+    return elementwise(_ramp_force_kelvin_voigt, t, R=R, v=v, E=E, eta=eta)
+
+
+def earlier_time_kelvin_voigt(
+    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+) -> Result:
+    """Time before t at which the contact was as large on a Kelvin-Voigt solid; zero after its end.
+
+    t_1 = t_m - v_2*(-t_m + t + eta/E)/v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time before at which the contact was as large [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    sphere.vis.earlier_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.earlier_time_kelvin_voigt(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    0.5
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    return elementwise(_earlier_time_kelvin_voigt, t, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+
+
+def contact_time_kelvin_voigt(*, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
+    """Time at which the contact with a Kelvin-Voigt solid ends on the way back.
+
+    t_c = t_m*v/v_2 + t_m - eta/E
+
+    Parameters
+    ----------
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time at which the contact ends [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: sphere.vis.end_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.contact_time_kelvin_voigt(v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    3.0
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    return elementwise(_contact_time_kelvin_voigt, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+
+
+def retract_force_kelvin_voigt(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+) -> Result:
+    """Normal force at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+
+    F = E*(-R*a + (R**2 + a**2)*atanh(a/R))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a*atanh(a/R) = d. Handbook: sphere.vis.retract_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_force_kelvin_voigt(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    0.051295
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    return elementwise(_retract_force_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+
+
+def retract_radius_kelvin_voigt(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, eta: ArrayLike
+) -> Result:
+    """Contact radius at time t on a Kelvin-Voigt solid, pressed in at v until t_m, then back at v_2.
+
+    a from a*atanh(a/R) = t_1*v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    eta : array_like
+        Effective viscosity [Pa s], eta > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_kelvin_voigt; up to t_m it is t, and the force that of the ramp. Handbook:
+    sphere.vis.radius_kv.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_radius_kelvin_voigt(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, eta=1.5)
+    >>> round(value, 6)
+    0.38299
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+    return elementwise(_retract_radius_kelvin_voigt, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, eta=eta)
+
+
 def step_force_kelvin_voigt(t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, eta: ArrayLike) -> Result:
     """Normal force at time t on a Kelvin-Voigt solid, held at the indentation depth d from t = 0 on.
 
@@ -231,6 +793,307 @@ def step_load_radius_kelvin_voigt(t: ArrayLike, *, F: ArrayLike, R: ArrayLike, E
     """
     require(F=F, R=R, E=E, eta=eta)
     return elementwise(_step_load_radius_kelvin_voigt, t, F=F, R=R, E=E, eta=eta)
+
+
+def ramp_force_standard_solid(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Normal force at time t on a standard solid, indented at the constant speed v.
+
+    F = 2*v*Integral(E_1*tau*(1 - exp(-(t - x*atanh(x/R)/v)/tau)) + E_inf*(t -
+    x*atanh(x/R)/v), (x, 0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth v t: a from a*atanh(a/R)
+    = d. Handbook: sphere.vis.ramp_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.ramp_force_standard_solid(1.0, R=1.5, v=0.2, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> round(value, 6)
+    0.128981
+    """
+    require(R=R, v=v, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_ramp_force_standard_solid, t, R=R, v=v, E_inf=E_inf, E_1=E_1, tau=tau)
+
+
+def earlier_time_standard_solid(
+    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Time before t at which the contact was as large on a standard solid; zero after its end.
+
+    t_1 from E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_inf*(-t_1 + t) = (1 +
+    v_2/v)*(E_1*tau*(1 - exp(-(-t_m + t)/tau)) + E_inf*(-t_m + t))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time before at which the contact was as large [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    sphere.vis.earlier_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.earlier_time_standard_solid(1.0, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> round(value, 6)
+    0.874531
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_earlier_time_standard_solid, t, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+
+
+def contact_time_standard_solid(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E_inf: ArrayLike, E_1: ArrayLike, tau: ArrayLike
+) -> Result:
+    """Time at which the contact with a standard solid ends on the way back.
+
+    t_c from E_1*tau*(1 - exp(-t_c/tau)) + E_inf*t_c = (1 + v_2/v)*(E_1*tau*(1 -
+    exp(-(t_c - t_m)/tau)) + E_inf*(t_c - t_m))
+
+    Parameters
+    ----------
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time at which the contact ends [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: sphere.vis.end_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.contact_time_standard_solid(v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0)
+    >>> round(value, 6)
+    3.501344
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_contact_time_standard_solid, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+
+
+def retract_force_standard_solid(
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
+) -> Result:
+    """Normal force at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+
+    F = 2*v*Integral(-E_1*tau*(1 - exp(-(-t_1 + t)/tau)) + E_1*tau*(1 - exp(-(t -
+    x*atanh(x/R)/v)/tau)) - E_inf*(-t_1 + t) + E_inf*(t - x*atanh(x/R)/v), (x, 0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Here a is the contact
+    radius of the elastic contact at the depth v t_1: a from a*atanh(a/R) = d. Handbook:
+    sphere.vis.retract_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_force_standard_solid(
+    ...     1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
+    >>> round(value, 6)
+    0.103404
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_retract_force_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
+
+
+def retract_radius_standard_solid(
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    E_inf: ArrayLike,
+    E_1: ArrayLike,
+    tau: ArrayLike,
+) -> Result:
+    """Contact radius at time t on a standard solid, pressed in at v until t_m, then back at v_2.
+
+    a from a*atanh(a/R) = t_1*v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E_inf : array_like
+        Long-time effective modulus [Pa], E_inf > 0.
+    E_1 : array_like
+        Relaxing part of the effective modulus [Pa], E_1 >= 0.
+    tau : array_like
+        Relaxation time [s], tau > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_standard_solid; up to t_m it is t, and the force that of the ramp. Handbook:
+    sphere.vis.radius_sls.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_radius_standard_solid(
+    ...     1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E_inf=0.4, E_1=0.6, tau=2.0
+    ... )
+    >>> round(value, 6)
+    0.502239
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, relaxation=tau)
+    return elementwise(_retract_radius_standard_solid, t, R=R, v=v, v_2=v_2, t_m=t_m, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
 def step_force_standard_solid(
@@ -339,6 +1202,301 @@ def step_load_radius_standard_solid(
     return elementwise(_step_load_radius_standard_solid, t, F=F, R=R, E_inf=E_inf, E_1=E_1, tau=tau)
 
 
+def ramp_force_power_creep(
+    t: ArrayLike, *, R: ArrayLike, v: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+) -> Result:
+    """Normal force at time t on a material of power-law creep, indented at the constant speed v.
+
+    F = 2*v*Integral(E*t_0**alpha*(t - x*atanh(x/R)/v)**(1 - alpha)/((1 - alpha)*gamma(1 -
+    alpha)*gamma(alpha + 1)), (x, 0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, and while the contact grows. Negative or NaN
+    times give NaN. Here a is the contact radius of the elastic contact at the depth v t: a from a*atanh(a/R)
+    = d. Handbook: sphere.vis.ramp_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); chapter 11, equation (11.20); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.ramp_force_power_creep(1.0, R=1.5, v=0.2, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    0.186261
+    """
+    require(R=R, v=v, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_ramp_force_power_creep, t, R=R, v=v, E=E, alpha=alpha, t_0=t_0)
+
+
+def earlier_time_power_creep(
+    t: ArrayLike, *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+) -> Result:
+    """Time before t at which the contact was as large on a material of power-law creep; zero after its end.
+
+    t_1 = t - (1 + v_2/v)**(1/(1 - alpha))*(-t_m + t)
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time before at which the contact was as large [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Handbook:
+    sphere.vis.earlier_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.earlier_time_power_creep(1.0, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    0.865348
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_earlier_time_power_creep, t, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+
+
+def contact_time_power_creep(
+    *, v: ArrayLike, v_2: ArrayLike, t_m: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
+) -> Result:
+    """Time at which the contact with a material of power-law creep ends on the way back.
+
+    t_c = t_m + t_m/((1 + v_2/v)**(1/(1 - alpha)) - 1)
+
+    Parameters
+    ----------
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Time at which the contact ends [s]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Handbook: sphere.vis.end_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.contact_time_power_creep(v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    3.49724
+    """
+    require(v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_contact_time_power_creep, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+
+
+def retract_force_power_creep(
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
+) -> Result:
+    """Normal force at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+
+    F = 2*v*Integral(-E*t_0**alpha*(-t_1 + t)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1))
+    + E*t_0**alpha*(t - x*atanh(x/R)/v)**(1 - alpha)/((1 - alpha)*gamma(1 - alpha)*gamma(alpha + 1)), (x,
+    0, a))
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Normal force [N]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Here a is the contact radius
+    of the elastic contact at the depth v t_1: a from a*atanh(a/R) = d. Handbook: sphere.vis.retract_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_force_power_creep(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    0.130716
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_force_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+
+
+def retract_radius_power_creep(
+    t: ArrayLike,
+    *,
+    R: ArrayLike,
+    v: ArrayLike,
+    v_2: ArrayLike,
+    t_m: ArrayLike,
+    E: ArrayLike,
+    alpha: ArrayLike,
+    t_0: ArrayLike,
+) -> Result:
+    """Contact radius at time t on a material of power-law creep, pressed in at v until t_m, then back at v_2.
+
+    a from a*atanh(a/R) = t_1*v
+
+    Parameters
+    ----------
+    t : array_like
+        Time since first contact [s].
+    R : array_like
+        Radius of curvature [m], R > 0.
+    v : array_like
+        Speed of indentation, d = v t [m/s], v > 0.
+    v_2 : array_like
+        Speed of retraction, from t_m on [m/s], v_2 > 0.
+    t_m : array_like
+        Time at which the indenter turns back [s], t_m > 0.
+    E : array_like
+        Effective (plane-strain) modulus of the viscoelastic law [Pa], E > 0.
+    alpha : array_like
+        Exponent of power-law creep [1], 0 < alpha < 1.
+    t_0 : array_like
+        Reference time of power-law creep, J = (t/t_0)^alpha/E [s], t_0 > 0.
+
+    Returns
+    -------
+    float or ndarray
+        Contact radius [m]. The shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a keyword parameter is outside its domain.
+
+    Notes
+    -----
+    Valid for a < R; the theory of small slopes asks for a << R, a ramp up to t_m and then a constant speed
+    back, so that the contact has one maximum, and no adhesion. Negative or NaN times give NaN. Here t_1 is
+    earlier_time_power_creep; up to t_m it is t, and the force that of the ramp. Handbook:
+    sphere.vis.radius_pc.
+
+    References
+    ----------
+    chapter 11, equation (11.16); Segedin 1957; Sneddon 1965.
+
+    Examples
+    --------
+    >>> from axicontact.viscoelastic import sphere
+    >>> value = sphere.retract_radius_power_creep(1.0, R=1.5, v=0.2, v_2=0.05, t_m=0.9, E=1.0, alpha=0.25, t_0=1.0)
+    >>> round(value, 6)
+    0.499699
+    """
+    require(R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+    return elementwise(_retract_radius_power_creep, t, R=R, v=v, v_2=v_2, t_m=t_m, E=E, alpha=alpha, t_0=t_0)
+
+
 def step_force_power_creep(
     t: ArrayLike, *, d: ArrayLike, R: ArrayLike, E: ArrayLike, alpha: ArrayLike, t_0: ArrayLike
 ) -> Result:
@@ -444,12 +1602,50 @@ def step_load_radius_power_creep(
     return elementwise(_step_load_radius_power_creep, t, F=F, R=R, E=E, alpha=alpha, t_0=t_0)
 
 
+def _pressed_maxwell(t_1: Array, since: Array, v: Array, R: Array, E: Array, tau: Array) -> Array:
+    a = normal._radius_from_depth(v * t_1, R)
+
+    def left(x: Array) -> Array:
+        pressed = t_1 - normal._depth(x, R) / v
+        return left_maxwell(np.maximum(pressed, 0.0), since, E, tau)
+
+    return 2.0 * v * springs(left, 0.0 * a, a)
+
+
+def _ramp_force_maxwell(t: Array, v: Array, R: Array, E: Array, tau: Array) -> Array:
+    return _pressed_maxwell(t, 0.0 * t, v, R, E, tau)
+
+
 def _step_force_maxwell(t: Array, d: Array, R: Array, E: Array, tau: Array) -> Array:
     return relaxation_maxwell(t, E, tau) * normal._force_from_depth(d, R, 1.0)
 
 
 def _step_load_radius_maxwell(t: Array, F: Array, R: Array, E: Array, tau: Array) -> Array:
     return normal._radius_from_force(F * creep_maxwell(t, E, tau), R, 1.0)
+
+
+def _earlier_time_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
+    return earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+
+
+def _retract_radius_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, tau: Array) -> Array:
+    t_1 = earlier(t, t_m, lag_maxwell(t, t_m, v_2 / v, E, tau))
+    return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
+
+
+def _retract_force_maxwell(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, tau: Array) -> Array:
+    lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
+    t_1 = earlier(t, t_m, lag)
+    since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
+    return np.where(t_1 > 0.0, _pressed_maxwell(t_1, since, v, R, E, tau), 0.0)
+
+
+def _contact_time_maxwell(v: Array, v_2: Array, t_m: Array, E: Array, tau: Array) -> Array:
+    return end_maxwell(v_2 / v, t_m, E, tau)
+
+
+def _ramp_force_kelvin_voigt(t: Array, v: Array, R: Array, E: Array, eta: Array) -> Array:
+    return E * normal._force_from_depth(v * t, R, 1.0) + 2.0 * v * eta * normal._radius_from_depth(v * t, R)
 
 
 def _step_force_kelvin_voigt(t: Array, d: Array, R: Array, E: Array, eta: Array) -> Array:
@@ -460,6 +1656,42 @@ def _step_load_radius_kelvin_voigt(t: Array, F: Array, R: Array, E: Array, eta: 
     return normal._radius_from_force(F * creep_kelvin_voigt(t, E, eta), R, 1.0)
 
 
+def _earlier_time_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
+    return earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+
+
+def _retract_radius_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, eta: Array) -> Array:
+    t_1 = earlier(t, t_m, lag_kelvin_voigt(t, t_m, v_2 / v, E, eta))
+    return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
+
+
+def _retract_force_kelvin_voigt(t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, eta: Array) -> Array:
+    lag = lag_kelvin_voigt(t, t_m, v_2 / v, E, eta)
+    t_1 = earlier(t, t_m, lag)
+    back = normal._force_from_depth(v * t_1, R, 1.0) * E
+    return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), _ramp_force_kelvin_voigt(t, v, R, E, eta))
+
+
+def _contact_time_kelvin_voigt(v: Array, v_2: Array, t_m: Array, E: Array, eta: Array) -> Array:
+    return end_kelvin_voigt(v_2 / v, t_m, E, eta)
+
+
+def _pressed_standard_solid(
+    t_1: Array, since: Array, v: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    a = normal._radius_from_depth(v * t_1, R)
+
+    def left(x: Array) -> Array:
+        pressed = t_1 - normal._depth(x, R) / v
+        return left_standard_solid(np.maximum(pressed, 0.0), since, E_inf, E_1, tau)
+
+    return 2.0 * v * springs(left, 0.0 * a, a)
+
+
+def _ramp_force_standard_solid(t: Array, v: Array, R: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+    return _pressed_standard_solid(t, 0.0 * t, v, R, E_inf, E_1, tau)
+
+
 def _step_force_standard_solid(t: Array, d: Array, R: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
     return relaxation_standard_solid(t, E_inf, E_1, tau) * normal._force_from_depth(d, R, 1.0)
 
@@ -468,9 +1700,73 @@ def _step_load_radius_standard_solid(t: Array, F: Array, R: Array, E_inf: Array,
     return normal._radius_from_force(F * creep_standard_solid(t, E_inf, E_1, tau), R, 1.0)
 
 
+def _earlier_time_standard_solid(
+    t: Array, v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    return earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+
+
+def _retract_radius_standard_solid(
+    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau))
+    return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
+
+
+def _retract_force_standard_solid(
+    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E_inf: Array, E_1: Array, tau: Array
+) -> Array:
+    lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
+    t_1 = earlier(t, t_m, lag)
+    since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
+    return np.where(t_1 > 0.0, _pressed_standard_solid(t_1, since, v, R, E_inf, E_1, tau), 0.0)
+
+
+def _contact_time_standard_solid(v: Array, v_2: Array, t_m: Array, E_inf: Array, E_1: Array, tau: Array) -> Array:
+    return end_standard_solid(v_2 / v, t_m, E_inf, E_1, tau)
+
+
+def _pressed_power_creep(t_1: Array, since: Array, v: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    a = normal._radius_from_depth(v * t_1, R)
+
+    def left(x: Array) -> Array:
+        pressed = t_1 - normal._depth(x, R) / v
+        return left_power_creep(np.maximum(pressed, 0.0), since, E, alpha, t_0)
+
+    return 2.0 * v * springs(left, 0.0 * a, a)
+
+
+def _ramp_force_power_creep(t: Array, v: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    return _pressed_power_creep(t, 0.0 * t, v, R, E, alpha, t_0)
+
+
 def _step_force_power_creep(t: Array, d: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return relaxation_power_creep(t, E, alpha, t_0) * normal._force_from_depth(d, R, 1.0)
 
 
 def _step_load_radius_power_creep(t: Array, F: Array, R: Array, E: Array, alpha: Array, t_0: Array) -> Array:
     return normal._radius_from_force(F * creep_power_creep(t, E, alpha, t_0), R, 1.0)
+
+
+def _earlier_time_power_creep(t: Array, v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    return earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+
+
+def _retract_radius_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    t_1 = earlier(t, t_m, lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0))
+    return np.where(t_1 <= 0.0, 0.0, normal._radius_from_depth(v * t_1, R))
+
+
+def _retract_force_power_creep(
+    t: Array, v: Array, v_2: Array, t_m: Array, R: Array, E: Array, alpha: Array, t_0: Array
+) -> Array:
+    lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
+    t_1 = earlier(t, t_m, lag)
+    since = np.where(t > t_m, passed(t, t_m, lag), 0.0)
+    return np.where(t_1 > 0.0, _pressed_power_creep(t_1, since, v, R, E, alpha, t_0), 0.0)
+
+
+def _contact_time_power_creep(v: Array, v_2: Array, t_m: Array, E: Array, alpha: Array, t_0: Array) -> Array:
+    return end_power_creep(v_2 / v, t_m, E, alpha, t_0)

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from math import asinh, atan2, cos, cosh, fsum, hypot, inf, nan, sin, sinh, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import capped_paraboloid as bodies
 
+C0 = np.array(2.0)
+C1 = np.array(3.0)
+C2 = np.array(4.0)
 RULE_0 = rule(((inf, 16),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
@@ -64,26 +69,195 @@ def force(a, R1, R2, b, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R1, R2, b, E_star, dgamma, sigma_0)
+            v11 = 3.0 * R1
+            v14 = a * a
+            v15 = a * v14
+            v35 = hypot(a, q)
+            value = (4.0 * E_star / v11 * v15 if a < b else 2.0 * E_star / v11 * (2.0 * v15 + (R1 - R2) / R2 * (2.0 * v14 + b * b) * sqrt((a - b) * (a + b)))) - 2.0 * sigma_0 * (v35 * v35 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, R1, R2, b, E_star, dgamma, sigma_0):
+    v8 = (4.0) * E_star
+    v10 = (3.0) * R1
+    v11 = v8 / v10
+    v20 = (2.0) * E_star
+    v21 = v20 / v10
+    v23 = R1 - R2
+    v24 = v23 / R2
+    v26 = np.square(b)
+    v35 = (2.0) * sigma_0
+    return (q, b, v11, v21, v24, v26, v35)
+
+
+def block_force_of_a(out, a, q, b, v11, v21, v24, v26, v35, t0, t1, t2, t3, t4, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, t0)
+    np.less(a, b, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.multiply(v11, t0, t1)
+    if some33 != size:
+        other33 = t2 if some33 else t1
+        np.subtract(a, b, other33)
+        np.add(a, b, t3)
+        np.multiply(other33, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(C0, t0, other33)
+        np.multiply(C0, out, t4)
+        np.add(t4, v26, t4)
+        np.multiply(v24, t4, t4)
+        np.multiply(t4, t3, t3)
+        np.add(other33, t3, t3)
+        np.multiply(v21, t3, other33)
+        if some33:
+            np.copyto(t1, other33, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, out)
+    np.multiply(t0, out, out)
+    np.multiply(a, q, t0)
+    np.add(out, t0, t0)
+    np.multiply(v35, t0, t0)
+    np.subtract(t1, t0, out)
+
+
+def prepare_force_of_a_q(R1, R2, b, E_star, dgamma, sigma_0):
+    v8 = (4.0) * E_star
+    v10 = (3.0) * R1
+    v11 = v8 / v10
+    v20 = (2.0) * E_star
+    v21 = v20 / v10
+    v23 = R1 - R2
+    v24 = v23 / R2
+    v26 = np.square(b)
+    v35 = (2.0) * sigma_0
+    return (b, v11, v21, v24, v26, v35)
+
+
+def block_force_of_a_q(out, a, q, b, v11, v21, v24, v26, v35, t0, t1, t2, t3, t4, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, t0)
+    np.less(a, b, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.multiply(v11, t0, t1)
+    if some33 != size:
+        other33 = t2 if some33 else t1
+        np.subtract(a, b, other33)
+        np.add(a, b, t3)
+        np.multiply(other33, t3, t3)
+        np.sqrt(t3, t3)
+        np.multiply(C0, t0, other33)
+        np.multiply(C0, out, t4)
+        np.add(t4, v26, t4)
+        np.multiply(v24, t4, t4)
+        np.multiply(t4, t3, t3)
+        np.add(other33, t3, t3)
+        np.multiply(v21, t3, other33)
+        if some33:
+            np.copyto(t1, other33, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, out)
+    np.multiply(t0, out, out)
+    np.multiply(a, q, t0)
+    np.add(out, t0, t0)
+    np.multiply(v35, t0, t0)
+    np.subtract(t1, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, R1, R2, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0):
+    size = out.size
+    np.multiply(C1, R1, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.square(a, t0)
+    np.multiply(a, t0, t1)
+    np.less(a, b, m0)
+    some33 = np.count_nonzero(m0)
+    if some33:
+        np.multiply(C2, E_star, t2)
+        np.divide(t2, out, t2)
+        np.multiply(t2, t1, t2)
+    if some33 != size:
+        other33 = t3 if some33 else t2
+        np.subtract(a, b, other33)
+        np.add(a, b, t4)
+        np.multiply(other33, t4, t4)
+        np.sqrt(t4, t4)
+        np.multiply(C0, E_star, other33)
+        np.divide(other33, out, other33)
+        np.multiply(C0, t1, t5)
+        np.subtract(R1, R2, t6)
+        np.divide(t6, R2, t6)
+        np.multiply(C0, t0, t7)
+        np.square(b, t8)
+        np.add(t7, t8, t8)
+        np.multiply(t6, t8, t8)
+        np.multiply(t8, t4, t4)
+        np.add(t5, t4, t4)
+        np.multiply(other33, t4, other33)
+        if some33:
+            np.copyto(t2, other33, where=~m0)
+    np.hypot(a, q, t1)
+    np.multiply(C0, sigma_0, t0)
+    np.multiply(t1, t1, t1)
+    np.arctan2(q, a, out)
+    np.multiply(t1, out, out)
+    np.multiply(a, q, t1)
+    np.add(out, t1, t1)
+    np.multiply(t0, t1, t1)
+    np.subtract(t2, t1, out)
+
+
+def pressure(r, a, R1, R2, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R1, R2, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, R1, R2, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, R1, R2, b, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -97,6 +271,19 @@ def pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R1, R2, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R1.__class__ is R2.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R1 > 1e-30) and (R1 < 1e+30) and (R2 > 1e-30) and (R2 < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R1, R2, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -161,10 +348,10 @@ def without_contact_depth(c, R1, R2, b, E_star, dgamma, sigma_0):
                 v66 = v63 if v65 else b
                 v67 = v64 if v65 else b
                 v69 = asinh(b / v66)
-                v72 = 1.5707963267948966 / v69
+                v73 = 1.5707963267948966 / v69
                 v74 = atan2(v61, v67) / v69
-                v75 = asinh(v72)
-                v89 = asinh(atan2(v67, v61) / v69 * (v72 + v74) / (v72 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v72 * v72)))
+                v75 = asinh(v73)
+                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
                 v91 = 2.0 * v69
                 v103 = b * b
                 v109 = R1 - R2
@@ -237,10 +424,10 @@ def without_contact_force(c, R1, R2, b, E_star, dgamma, sigma_0):
                 v66 = v63 if v65 else b
                 v67 = v64 if v65 else b
                 v69 = asinh(b / v66)
-                v72 = 1.5707963267948966 / v69
+                v73 = 1.5707963267948966 / v69
                 v74 = atan2(v61, v67) / v69
-                v75 = asinh(v72)
-                v89 = asinh(atan2(v67, v61) / v69 * (v72 + v74) / (v72 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v72 * v72)))
+                v75 = asinh(v73)
+                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
                 v91 = 2.0 * v69
                 v103 = b * b
                 v109 = R1 - R2
@@ -314,10 +501,10 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
                 v71 = v68 if v70 else b
                 v72 = v69 if v70 else b
                 v74 = asinh(b / v71)
-                v77 = 1.5707963267948966 / v74
+                v78 = 1.5707963267948966 / v74
                 v79 = atan2(v66, v72) / v74
-                v80 = asinh(v77)
-                v94 = asinh(atan2(v72, v66) / v74 * (v77 + v79) / (v77 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v77 * v77)))
+                v80 = asinh(v78)
+                v94 = asinh(atan2(v72, v66) / v74 * (v78 + v79) / (v78 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v78 * v78)))
                 v96 = 2.0 * v74
                 v108 = b * b
                 v114 = R1 - R2
@@ -347,3 +534,12 @@ def work_of_separation(a, c, R1, R2, b, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 5, 1, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 5, 1, (), False),
+        ('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R1', 'R2', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 9, 1, (), False),
+    },
+}

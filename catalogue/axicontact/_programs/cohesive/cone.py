@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from math import atan2, fsum, hypot, inf, nan, sin, sqrt, tan
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import cone as bodies
 
+C0 = np.array(2.0)
+C1 = np.array(3.141592653589793)
+C2 = np.array(0.5)
 RULE_0 = rule(((inf, 16),))
 
 
@@ -63,6 +68,100 @@ def force(a, theta, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v14 = hypot(a, q)
+            value = 3.141592653589793 * E_star * tan(theta) * (a * a) / 2.0 - 2.0 * sigma_0 * (v14 * v14 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, theta, E_star, dgamma, sigma_0):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v13 = v8 * (0.5)
+    v16 = (2.0) * sigma_0
+    return (q, v13, v16)
+
+
+def block_force_of_a(out, a, q, v13, v16, t0, t1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v13, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v16, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(theta, E_star, dgamma, sigma_0):
+    v6 = (3.141592653589793) * E_star
+    v7 = np.tan(theta)
+    v8 = v6 * v7
+    v13 = v8 * (0.5)
+    v16 = (2.0) * sigma_0
+    return (v13, v16)
+
+
+def block_force_of_a_q(out, a, q, v13, v16, t0, t1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(v13, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v16, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, theta, E_star, dgamma, sigma_0, t0, t1, t2):
+    np.multiply(C1, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.tan(theta, t0)
+    np.multiply(out, t0, t0)
+    np.square(a, out)
+    np.multiply(t0, out, out)
+    np.multiply(out, C2, out)
+    np.hypot(a, q, t0)
+    np.multiply(C0, sigma_0, t1)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(t1, t0, t0)
+    np.subtract(out, t0, out)
+
+
 def pressure(r, a, theta, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +175,13 @@ def pressure(r, a, theta, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, theta, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, theta, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, theta, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, theta, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +195,19 @@ def pull_off_radius(theta, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(theta, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, theta, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -145,17 +244,18 @@ def without_contact_depth(c, theta, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             v7 = atan2(c, 0.0)
-            v16 = 3.141592653589793 * tan(theta) / 2.0
-            v21 = []
+            v17 = 3.141592653589793 * tan(theta) / 2.0
+            v22 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v19 = v16 * v9 * sin(v9)
-                v21.append(weight * v19)
-            v21 = fsum(v21) * v7
-            v36 = sigma_0 / E_star
-            v40 = 0.6366197723675814 * hypot(0.0, c) * v21 - dgamma / sigma_0 - 1.2732395447351628 * v36 * c
-            if v40 <= -(2.0 * v36 * c):
-                value = v40
+                v10 = 0.0 + v9
+                v20 = v17 * v10 * sin(v10)
+                v22.append(weight * v20)
+            v22 = fsum(v22) * v7
+            v38 = sigma_0 / E_star
+            v42 = 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c
+            if v42 <= -(2.0 * v38 * c):
+                value = v42
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, theta, E_star, dgamma, sigma_0):
@@ -176,15 +276,16 @@ def without_contact_force(c, theta, E_star, dgamma, sigma_0):
     if c.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             v7 = atan2(c, 0.0)
-            v16 = 3.141592653589793 * tan(theta) / 2.0
-            v21 = []
+            v17 = 3.141592653589793 * tan(theta) / 2.0
+            v22 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v19 = v16 * v9 * sin(v9)
-                v21.append(weight * v19)
-            v21 = fsum(v21) * v7
-            v36 = sigma_0 / E_star
-            if 0.6366197723675814 * hypot(0.0, c) * v21 - dgamma / sigma_0 - 1.2732395447351628 * v36 * c <= -(2.0 * v36 * c):
+                v10 = 0.0 + v9
+                v20 = v17 * v10 * sin(v10)
+                v22.append(weight * v20)
+            v22 = fsum(v22) * v7
+            v38 = sigma_0 / E_star
+            if 0.6366197723675814 * hypot(0.0, c) * v22 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c <= -(2.0 * v38 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -209,14 +310,15 @@ def work_of_separation(a, c, theta, E_star, sigma_0):
             v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (c + a))
             v11 = hypot(a, v10)
             v12 = atan2(v10, a)
-            v21 = 3.141592653589793 * tan(theta) / 2.0
-            v26 = []
+            v22 = 3.141592653589793 * tan(theta) / 2.0
+            v27 = []
             for node, weight in RULE_0(v12 / 1.0):
                 v14 = node * v12
-                v24 = v21 * v14 * sin(v14)
-                v26.append(weight * v24)
-            v26 = fsum(v26) * v12
-            value = sigma_0 * (0.6366197723675814 * v11 * v26 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
+                v15 = 0.0 + v14
+                v25 = v22 * v15 * sin(v15)
+                v27.append(weight * v25)
+            v27 = fsum(v27) * v12
+            value = sigma_0 * (0.6366197723675814 * v11 * v27 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, theta, E_star, sigma_0):
@@ -225,3 +327,12 @@ def work_of_separation(a, c, theta, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'theta', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
+        ('a', 'q', 'theta', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 3, 0, (), False),
+    },
+}

@@ -63,6 +63,36 @@ def force(a, h, s, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, h, s, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            if a <= 1.5019752682686114 * s:
+                v13 = 2.0 * h / s
+                v77 = []
+                for node, weight in RULE_0(a / 1.0):
+                    v10 = node * a
+                    v11 = v10 / s
+                    v14 = v11 * v11
+                    v52 = ((((((((((((1.567077144036674e-13 * v14 + -3.840375691006307e-12) * v14 + 3.8015754128174666e-11) * v14 + -1.8423006918213799e-10) * v14 + 4.472469827763728e-10) * v14 + -1.1927516362741588e-09) * v14 + 6.225892246861416e-09) * v14 + 3.4413148480148793e-09) * v14 + -9.933344851449817e-08) * v14 + -5.127541706569233e-07) * v14 + 1.8119768160503268e-06) * v14 + 2.151585040783394e-05) * v14 + 4.61098799999374e-06) * v14
+                    v69 = v11 / ((((((v52 + -0.000684089638073553) * v14 + -0.002257495580553435) * v14 + 0.016931216930225715) * v14 + 0.17777777777782838) * v14 + 0.6666666666666656) * v14 + 1.0)
+                    v76 = v10 * (v13 * (v69 + (1.0 - 2.0 * v69 * v11) * v11))
+                    v77.append(weight * v76)
+                v77 = fsum(v77) * a
+                v83 = 2.0 * E_star * v77
+            else:
+                v83 = nan
+            v84 = hypot(a, q)
+            value = v83 - 2.0 * sigma_0 * (v84 * v84 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, q, h, s, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def pressure(r, a, h, s, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +106,13 @@ def pressure(r, a, h, s, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, h, s, E_star, dgamma, sigma_0):
-    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, h, s, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, h, s, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, h, s, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, h, s, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, h, s, E_star, dgamma, sigma_0):
-    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, h, s, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, h, s, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, h, s, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +126,19 @@ def pull_off_radius(h, s, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(h, s, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, h, s, E_star, dgamma, sigma_0):
+    if a.__class__ is h.__class__ is s.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (h > 1e-30) and (h < 1e+30) and (s > 1e-30) and (s < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, h, s, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, h, s, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -146,21 +176,22 @@ def without_contact_depth(c, h, s, E_star, dgamma, sigma_0):
         try:
             v7 = hypot(0.0, c)
             v8 = atan2(c, 0.0)
-            v16 = 2.0 * h / s
-            v83 = []
+            v17 = 2.0 * h / s
+            v84 = []
             for node, weight in RULE_0(v8 / 1.0):
                 v10 = node * v8
-                v13 = v7 * cos(v10) / s
-                v17 = v13 * v13
-                v55 = ((((((((((((1.567077144036674e-13 * v17 + -3.840375691006307e-12) * v17 + 3.8015754128174666e-11) * v17 + -1.8423006918213799e-10) * v17 + 4.472469827763728e-10) * v17 + -1.1927516362741588e-09) * v17 + 6.225892246861416e-09) * v17 + 3.4413148480148793e-09) * v17 + -9.933344851449817e-08) * v17 + -5.127541706569233e-07) * v17 + 1.8119768160503268e-06) * v17 + 2.151585040783394e-05) * v17 + 4.61098799999374e-06) * v17
-                v72 = v13 / ((((((v55 + -0.000684089638073553) * v17 + -0.002257495580553435) * v17 + 0.016931216930225715) * v17 + 0.17777777777782838) * v17 + 0.6666666666666656) * v17 + 1.0)
-                v81 = v16 * (v72 + (1.0 - 2.0 * v72 * v13) * v13) * v10 * sin(v10)
-                v83.append(weight * v81)
-            v83 = fsum(v83) * v8
-            v143 = sigma_0 / E_star
-            v147 = 0.6366197723675814 * v7 * v83 - dgamma / sigma_0 - 1.2732395447351628 * v143 * c
-            if v147 <= -(2.0 * v143 * c):
-                value = v147
+                v11 = 0.0 + v10
+                v14 = v7 * cos(v11) / s
+                v18 = v14 * v14
+                v56 = ((((((((((((1.567077144036674e-13 * v18 + -3.840375691006307e-12) * v18 + 3.8015754128174666e-11) * v18 + -1.8423006918213799e-10) * v18 + 4.472469827763728e-10) * v18 + -1.1927516362741588e-09) * v18 + 6.225892246861416e-09) * v18 + 3.4413148480148793e-09) * v18 + -9.933344851449817e-08) * v18 + -5.127541706569233e-07) * v18 + 1.8119768160503268e-06) * v18 + 2.151585040783394e-05) * v18 + 4.61098799999374e-06) * v18
+                v73 = v14 / ((((((v56 + -0.000684089638073553) * v18 + -0.002257495580553435) * v18 + 0.016931216930225715) * v18 + 0.17777777777782838) * v18 + 0.6666666666666656) * v18 + 1.0)
+                v82 = v17 * (v73 + (1.0 - 2.0 * v73 * v14) * v14) * v11 * sin(v11)
+                v84.append(weight * v82)
+            v84 = fsum(v84) * v8
+            v145 = sigma_0 / E_star
+            v149 = 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v145 * c
+            if v149 <= -(2.0 * v145 * c):
+                value = v149
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, h, s, E_star, dgamma, sigma_0):
@@ -182,19 +213,20 @@ def without_contact_force(c, h, s, E_star, dgamma, sigma_0):
         try:
             v7 = hypot(0.0, c)
             v8 = atan2(c, 0.0)
-            v16 = 2.0 * h / s
-            v83 = []
+            v17 = 2.0 * h / s
+            v84 = []
             for node, weight in RULE_0(v8 / 1.0):
                 v10 = node * v8
-                v13 = v7 * cos(v10) / s
-                v17 = v13 * v13
-                v55 = ((((((((((((1.567077144036674e-13 * v17 + -3.840375691006307e-12) * v17 + 3.8015754128174666e-11) * v17 + -1.8423006918213799e-10) * v17 + 4.472469827763728e-10) * v17 + -1.1927516362741588e-09) * v17 + 6.225892246861416e-09) * v17 + 3.4413148480148793e-09) * v17 + -9.933344851449817e-08) * v17 + -5.127541706569233e-07) * v17 + 1.8119768160503268e-06) * v17 + 2.151585040783394e-05) * v17 + 4.61098799999374e-06) * v17
-                v72 = v13 / ((((((v55 + -0.000684089638073553) * v17 + -0.002257495580553435) * v17 + 0.016931216930225715) * v17 + 0.17777777777782838) * v17 + 0.6666666666666656) * v17 + 1.0)
-                v81 = v16 * (v72 + (1.0 - 2.0 * v72 * v13) * v13) * v10 * sin(v10)
-                v83.append(weight * v81)
-            v83 = fsum(v83) * v8
-            v143 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v83 - dgamma / sigma_0 - 1.2732395447351628 * v143 * c <= -(2.0 * v143 * c):
+                v11 = 0.0 + v10
+                v14 = v7 * cos(v11) / s
+                v18 = v14 * v14
+                v56 = ((((((((((((1.567077144036674e-13 * v18 + -3.840375691006307e-12) * v18 + 3.8015754128174666e-11) * v18 + -1.8423006918213799e-10) * v18 + 4.472469827763728e-10) * v18 + -1.1927516362741588e-09) * v18 + 6.225892246861416e-09) * v18 + 3.4413148480148793e-09) * v18 + -9.933344851449817e-08) * v18 + -5.127541706569233e-07) * v18 + 1.8119768160503268e-06) * v18 + 2.151585040783394e-05) * v18 + 4.61098799999374e-06) * v18
+                v73 = v14 / ((((((v56 + -0.000684089638073553) * v18 + -0.002257495580553435) * v18 + 0.016931216930225715) * v18 + 0.17777777777782838) * v18 + 0.6666666666666656) * v18 + 1.0)
+                v82 = v17 * (v73 + (1.0 - 2.0 * v73 * v14) * v14) * v11 * sin(v11)
+                v84.append(weight * v82)
+            v84 = fsum(v84) * v8
+            v145 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v84 - dgamma / sigma_0 - 1.2732395447351628 * v145 * c <= -(2.0 * v145 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -219,18 +251,19 @@ def work_of_separation(a, c, h, s, E_star, sigma_0):
             v11 = sqrt((v6 if v6 > 0.0 or v6 != v6 else 0.0) * (c + a))
             v12 = hypot(a, v11)
             v13 = atan2(v11, a)
-            v21 = 2.0 * h / s
-            v88 = []
+            v22 = 2.0 * h / s
+            v89 = []
             for node, weight in RULE_0(v13 / 1.0):
                 v15 = node * v13
-                v18 = v12 * cos(v15) / s
-                v22 = v18 * v18
-                v60 = ((((((((((((1.567077144036674e-13 * v22 + -3.840375691006307e-12) * v22 + 3.8015754128174666e-11) * v22 + -1.8423006918213799e-10) * v22 + 4.472469827763728e-10) * v22 + -1.1927516362741588e-09) * v22 + 6.225892246861416e-09) * v22 + 3.4413148480148793e-09) * v22 + -9.933344851449817e-08) * v22 + -5.127541706569233e-07) * v22 + 1.8119768160503268e-06) * v22 + 2.151585040783394e-05) * v22 + 4.61098799999374e-06) * v22
-                v77 = v18 / ((((((v60 + -0.000684089638073553) * v22 + -0.002257495580553435) * v22 + 0.016931216930225715) * v22 + 0.17777777777782838) * v22 + 0.6666666666666656) * v22 + 1.0)
-                v86 = v21 * (v77 + (1.0 - 2.0 * v77 * v18) * v18) * v15 * sin(v15)
-                v88.append(weight * v86)
-            v88 = fsum(v88) * v13
-            value = sigma_0 * (0.6366197723675814 * v12 * v88 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
+                v16 = 0.0 + v15
+                v19 = v12 * cos(v16) / s
+                v23 = v19 * v19
+                v61 = ((((((((((((1.567077144036674e-13 * v23 + -3.840375691006307e-12) * v23 + 3.8015754128174666e-11) * v23 + -1.8423006918213799e-10) * v23 + 4.472469827763728e-10) * v23 + -1.1927516362741588e-09) * v23 + 6.225892246861416e-09) * v23 + 3.4413148480148793e-09) * v23 + -9.933344851449817e-08) * v23 + -5.127541706569233e-07) * v23 + 1.8119768160503268e-06) * v23 + 2.151585040783394e-05) * v23 + 4.61098799999374e-06) * v23
+                v78 = v19 / ((((((v61 + -0.000684089638073553) * v23 + -0.002257495580553435) * v23 + 0.016931216930225715) * v23 + 0.17777777777782838) * v23 + 0.6666666666666656) * v23 + 1.0)
+                v87 = v22 * (v78 + (1.0 - 2.0 * v78 * v19) * v19) * v16 * sin(v16)
+                v89.append(weight * v87)
+            v89 = fsum(v89) * v13
+            value = sigma_0 * (0.6366197723675814 * v12 * v89 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (v13 - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, h, s, E_star, sigma_0):

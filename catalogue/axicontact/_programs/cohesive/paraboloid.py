@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from math import atan2, cos, fsum, hypot, inf, nan, sin, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import paraboloid as bodies
 
+C0 = np.array(2.0)
+C1 = np.array(4.0)
+C2 = np.array(3.0)
 RULE_0 = rule(((inf, 16),))
 
 
@@ -63,6 +68,100 @@ def force(a, R, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, R, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v15 = hypot(a, q)
+            value = 4.0 * E_star / (3.0 * R) * (a * (a * a)) - 2.0 * sigma_0 * (v15 * v15 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, R, E_star, dgamma, sigma_0):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    v15 = (2.0) * sigma_0
+    return (q, v9, v15)
+
+
+def block_force_of_a(out, a, q, v9, v15, t0, t1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v9, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v15, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(R, E_star, dgamma, sigma_0):
+    v6 = (4.0) * E_star
+    v8 = (3.0) * R
+    v9 = v6 / v8
+    v15 = (2.0) * sigma_0
+    return (v9, v15)
+
+
+def block_force_of_a_q(out, a, q, v9, v15, t0, t1):
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(a, out, out)
+    np.multiply(v9, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v15, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, R, E_star, dgamma, sigma_0, t0, t1, t2):
+    np.multiply(C1, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(C2, R, t0)
+    np.divide(out, t0, t0)
+    np.square(a, out)
+    np.multiply(a, out, out)
+    np.multiply(t0, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(C0, sigma_0, t1)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(t1, t0, t0)
+    np.subtract(out, t0, out)
+
+
 def pressure(r, a, R, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +175,13 @@ def pressure(r, a, R, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, R, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, R, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +195,19 @@ def pull_off_radius(R, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -146,16 +245,17 @@ def without_contact_depth(c, R, E_star, dgamma, sigma_0):
         try:
             v6 = hypot(0.0, c)
             v7 = atan2(c, 0.0)
-            v19 = []
+            v20 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v17 = 2.0 * (v6 * cos(v9)) / R * v9 * sin(v9)
-                v19.append(weight * v17)
-            v19 = fsum(v19) * v7
-            v36 = sigma_0 / E_star
-            v40 = 0.6366197723675814 * v6 * v19 - dgamma / sigma_0 - 1.2732395447351628 * v36 * c
-            if v40 <= -(2.0 * v36 * c):
-                value = v40
+                v10 = 0.0 + v9
+                v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
+                v20.append(weight * v18)
+            v20 = fsum(v20) * v7
+            v38 = sigma_0 / E_star
+            v42 = 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c
+            if v42 <= -(2.0 * v38 * c):
+                value = v42
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, R, E_star, dgamma, sigma_0):
@@ -177,14 +277,15 @@ def without_contact_force(c, R, E_star, dgamma, sigma_0):
         try:
             v6 = hypot(0.0, c)
             v7 = atan2(c, 0.0)
-            v19 = []
+            v20 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v17 = 2.0 * (v6 * cos(v9)) / R * v9 * sin(v9)
-                v19.append(weight * v17)
-            v19 = fsum(v19) * v7
-            v36 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v19 - dgamma / sigma_0 - 1.2732395447351628 * v36 * c <= -(2.0 * v36 * c):
+                v10 = 0.0 + v9
+                v18 = 2.0 * (v6 * cos(v10)) / R * v10 * sin(v10)
+                v20.append(weight * v18)
+            v20 = fsum(v20) * v7
+            v38 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v20 - dgamma / sigma_0 - 1.2732395447351628 * v38 * c <= -(2.0 * v38 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -209,13 +310,14 @@ def work_of_separation(a, c, R, E_star, sigma_0):
             v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (c + a))
             v11 = hypot(a, v10)
             v12 = atan2(v10, a)
-            v24 = []
+            v25 = []
             for node, weight in RULE_0(v12 / 1.0):
                 v14 = node * v12
-                v22 = 2.0 * (v11 * cos(v14)) / R * v14 * sin(v14)
-                v24.append(weight * v22)
-            v24 = fsum(v24) * v12
-            value = sigma_0 * (0.6366197723675814 * v11 * v24 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
+                v15 = 0.0 + v14
+                v23 = 2.0 * (v11 * cos(v15)) / R * v15 * sin(v15)
+                v25.append(weight * v23)
+            v25 = fsum(v25) * v12
+            value = sigma_0 * (0.6366197723675814 * v11 * v25 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, R, E_star, sigma_0):
@@ -224,3 +326,12 @@ def work_of_separation(a, c, R, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
+        ('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 3, 0, (), False),
+    },
+}

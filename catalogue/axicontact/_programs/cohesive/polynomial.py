@@ -58,6 +58,19 @@ def force(a, E_star, dgamma, sigma_0, A):
     return None
 
 
+def force_of(a, q, E_star, dgamma, sigma_0, A):
+    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._force_of(a, q, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(a, q, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 def pressure(r, a, E_star, dgamma, sigma_0, A):
     if r.__class__ is a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
@@ -71,26 +84,13 @@ def pressure(r, a, E_star, dgamma, sigma_0, A):
     return None
 
 
-def pull_off_depth(a, E_star, dgamma, sigma_0, A):
-    if a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+def pull_off_depth(a, q, E_star, dgamma, sigma_0, A):
+    if a.__class__ is q.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
         try:
-            value = bodies._pull_off_depth(a, A, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if (value != value or value == 0.0) and ordinary(a, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, E_star, dgamma, sigma_0, A):
-    if a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
-        try:
-            value = bodies._pull_off_force(a, A, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if (value != value or value == 0.0) and ordinary(a, E_star, dgamma, sigma_0):
+            if (value != value or value == 0.0) and ordinary(a, q, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -104,6 +104,19 @@ def pull_off_radius(E_star, dgamma, sigma_0, A, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, E_star, dgamma, sigma_0, A):
+    if a.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30) and all([x.__class__ is float and (x == 0.0 or 1e-30 < x < 1e+30) for x in A]):
+        try:
+            value = bodies._pull_off_zone(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or value == 0.0) and ordinary(a, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass

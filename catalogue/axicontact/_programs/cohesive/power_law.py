@@ -4,10 +4,32 @@ from __future__ import annotations
 
 from math import asinh, atan, atan2, cosh, fsum, hypot, inf, nan, pow, sinh, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import power_law as bodies
 
+C0 = np.array(0.5)
+C1 = np.array(1.75)
+C2 = np.array(1.5)
+C3 = np.array(1.0)
+C4 = np.array(0.75)
+C5 = np.array(0.01524698625788054)
+C6 = np.array(0.5334320651111477)
+C7 = np.array(2.250488865813539)
+C8 = np.array(2.8612106440066865)
+C9 = np.array(1.3794681629043655)
+C10 = np.array(0.2596058532893223)
+C11 = np.array(0.015624999999999823)
+C12 = np.array(3.278794792785737)
+C13 = np.array(49.328555418276075)
+C14 = np.array(167.28648538571198)
+C15 = np.array(195.37226190335065)
+C16 = np.array(90.69722535867314)
+C17 = np.array(16.763212110504565)
+C18 = np.array(3.5449077018110318)
+C19 = np.array(2.0)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -63,6 +85,257 @@ def force(a, A, n, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, A, n, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v10 = n / 2.0 + 0.5
+            v12 = v10 + 1.75
+            v16 = (v10 + 0.5) * (v10 + 1.5)
+            v30 = 1.0 / (v12 * v12)
+            v82 = hypot(a, q)
+            value = 3.5449077018110318 * E_star * n * A / (n + 1.0) * a * pow(a, n) * ((v10 * (v10 + 1.0) / v16 if v10 < 1.0 else 1.0 - (v10 + 0.75) / v16) * sqrt(v12) * (1.0 + v30 * (((((((0.01524698625788054 * v30 + 0.5334320651111477) * v30 + 2.250488865813539) * v30 + 2.8612106440066865) * v30 + 1.3794681629043655) * v30 + 0.2596058532893223) * v30 + 0.015624999999999823) / ((((((3.278794792785737 * v30 + 49.328555418276075) * v30 + 167.28648538571198) * v30 + 195.37226190335065) * v30 + 90.69722535867314) * v30 + 16.763212110504565) * v30 + 1.0)))) - 2.0 * sigma_0 * (v82 * v82 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, A, n, E_star, dgamma, sigma_0):
+    v7 = n / (2.0)
+    v9 = v7 + (0.5)
+    v11 = v9 + (1.75)
+    v12 = v9 + (0.5)
+    v14 = v9 + (1.5)
+    v15 = v12 * v14
+    v17 = np.less(v9, (1.0))
+    v18 = v9 + (1.0)
+    v19 = v9 * v18
+    v20 = v19 / v15
+    v22 = v9 + (0.75)
+    v23 = v22 / v15
+    v24 = (1.0) - v23
+    v25 = v20 if v17 else v24
+    v26 = np.sqrt(v11)
+    v27 = v25 * v26
+    v28 = v11 * v11
+    v29 = (1.0) / v28
+    v31 = (0.01524698625788054) * v29
+    v33 = v31 + (0.5334320651111477)
+    v34 = v33 * v29
+    v36 = v34 + (2.250488865813539)
+    v37 = v36 * v29
+    v39 = v37 + (2.8612106440066865)
+    v40 = v39 * v29
+    v42 = v40 + (1.3794681629043655)
+    v43 = v42 * v29
+    v45 = v43 + (0.2596058532893223)
+    v46 = v45 * v29
+    v48 = v46 + (0.015624999999999823)
+    v50 = (3.278794792785737) * v29
+    v52 = v50 + (49.328555418276075)
+    v53 = v52 * v29
+    v55 = v53 + (167.28648538571198)
+    v56 = v55 * v29
+    v58 = v56 + (195.37226190335065)
+    v59 = v58 * v29
+    v61 = v59 + (90.69722535867314)
+    v62 = v61 * v29
+    v64 = v62 + (16.763212110504565)
+    v65 = v64 * v29
+    v66 = v65 + (1.0)
+    v67 = v48 / v66
+    v68 = v29 * v67
+    v69 = (1.0) + v68
+    v70 = v27 * v69
+    v72 = (3.5449077018110318) * E_star
+    v73 = v72 * n
+    v74 = v73 * A
+    v75 = n + (1.0)
+    v76 = v74 / v75
+    v82 = (2.0) * sigma_0
+    return (q, n, v70, v76, v82)
+
+
+def block_force_of_a(out, a, q, n, v70, v76, v82, t0, t1):
+    np.multiply(v76, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.power(a, n, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, v70, t0)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v82, out, out)
+    np.subtract(t0, out, out)
+
+
+def prepare_force_of_a_q(A, n, E_star, dgamma, sigma_0):
+    v7 = n / (2.0)
+    v9 = v7 + (0.5)
+    v11 = v9 + (1.75)
+    v12 = v9 + (0.5)
+    v14 = v9 + (1.5)
+    v15 = v12 * v14
+    v17 = np.less(v9, (1.0))
+    v18 = v9 + (1.0)
+    v19 = v9 * v18
+    v20 = v19 / v15
+    v22 = v9 + (0.75)
+    v23 = v22 / v15
+    v24 = (1.0) - v23
+    v25 = v20 if v17 else v24
+    v26 = np.sqrt(v11)
+    v27 = v25 * v26
+    v28 = v11 * v11
+    v29 = (1.0) / v28
+    v31 = (0.01524698625788054) * v29
+    v33 = v31 + (0.5334320651111477)
+    v34 = v33 * v29
+    v36 = v34 + (2.250488865813539)
+    v37 = v36 * v29
+    v39 = v37 + (2.8612106440066865)
+    v40 = v39 * v29
+    v42 = v40 + (1.3794681629043655)
+    v43 = v42 * v29
+    v45 = v43 + (0.2596058532893223)
+    v46 = v45 * v29
+    v48 = v46 + (0.015624999999999823)
+    v50 = (3.278794792785737) * v29
+    v52 = v50 + (49.328555418276075)
+    v53 = v52 * v29
+    v55 = v53 + (167.28648538571198)
+    v56 = v55 * v29
+    v58 = v56 + (195.37226190335065)
+    v59 = v58 * v29
+    v61 = v59 + (90.69722535867314)
+    v62 = v61 * v29
+    v64 = v62 + (16.763212110504565)
+    v65 = v64 * v29
+    v66 = v65 + (1.0)
+    v67 = v48 / v66
+    v68 = v29 * v67
+    v69 = (1.0) + v68
+    v70 = v27 * v69
+    v72 = (3.5449077018110318) * E_star
+    v73 = v72 * n
+    v74 = v73 * A
+    v75 = n + (1.0)
+    v76 = v74 / v75
+    v82 = (2.0) * sigma_0
+    return (n, v70, v76, v82)
+
+
+def block_force_of_a_q(out, a, q, n, v70, v76, v82, t0, t1):
+    np.multiply(v76, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.power(a, n, t0)
+    np.multiply(out, t0, t0)
+    np.multiply(t0, v70, t0)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v82, out, out)
+    np.subtract(t0, out, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, A, n, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+    size = out.size
+    np.multiply(n, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.add(out, C0, out)
+    np.add(out, C1, t0)
+    np.add(out, C0, t1)
+    np.add(out, C2, t2)
+    np.multiply(t1, t2, t2)
+    np.less(out, C3, m0)
+    some25 = np.count_nonzero(m0)
+    if some25:
+        np.add(out, C3, t1)
+        np.multiply(out, t1, t1)
+        np.divide(t1, t2, t1)
+    if some25 != size:
+        other25 = t3 if some25 else t1
+        np.add(out, C4, other25)
+        np.divide(other25, t2, other25)
+        np.subtract(C3, other25, other25)
+        if some25:
+            np.copyto(t1, other25, where=~m0)
+    np.sqrt(t0, t2)
+    np.multiply(t1, t2, t2)
+    np.multiply(t0, t0, t0)
+    np.divide(C3, t0, t0)
+    np.multiply(C5, t0, t1)
+    np.add(t1, C6, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C7, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C8, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C9, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C10, t1)
+    np.multiply(t1, t0, t1)
+    np.add(t1, C11, t1)
+    np.multiply(C12, t0, out)
+    np.add(out, C13, out)
+    np.multiply(out, t0, out)
+    np.add(out, C14, out)
+    np.multiply(out, t0, out)
+    np.add(out, C15, out)
+    np.multiply(out, t0, out)
+    np.add(out, C16, out)
+    np.multiply(out, t0, out)
+    np.add(out, C17, out)
+    np.multiply(out, t0, out)
+    np.add(out, C3, out)
+    np.divide(t1, out, out)
+    np.multiply(t0, out, out)
+    np.add(C3, out, out)
+    np.multiply(t2, out, out)
+    np.multiply(C18, E_star, t2)
+    np.multiply(t2, n, t2)
+    np.multiply(t2, A, t2)
+    np.add(n, C3, t0)
+    np.divide(t2, t0, t0)
+    np.multiply(t0, a, t0)
+    np.power(a, n, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(t2, out, out)
+    np.hypot(a, q, t2)
+    np.multiply(C19, sigma_0, t0)
+    np.multiply(t2, t2, t2)
+    np.arctan2(q, a, t1)
+    np.multiply(t2, t1, t1)
+    np.multiply(a, q, t2)
+    np.add(t1, t2, t2)
+    np.multiply(t0, t2, t2)
+    np.subtract(out, t2, out)
+
+
 def pressure(r, a, A, n, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +349,13 @@ def pressure(r, a, A, n, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, A, n, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, A, n, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, n, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, A, n, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, A, n, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, A, n, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, A, n, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +369,19 @@ def pull_off_radius(A, n, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(A, n, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, A, n, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, A, n, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, n, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -145,26 +418,27 @@ def without_contact_depth(c, A, n, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             v7 = hypot(0.0, c)
-            v13 = 40.0 / (n if n < 1.0 or n != n else 1.0)
-            v14 = inf if inf < v13 or inf != inf else v13
-            v25 = n / 2.0 + 0.5
-            v27 = v25 + 1.75
-            v31 = (v25 + 0.5) * (v25 + 1.5)
-            v44 = 1.0 / (v27 * v27)
-            v86 = 1.7724538509055159 * n * A * ((v25 * (v25 + 1.0) / v31 if v25 < 1.0 else 1.0 - (v25 + 0.75) / v31) * sqrt(v27) * (1.0 + v44 * (((((((0.01524698625788054 * v44 + 0.5334320651111477) * v44 + 2.250488865813539) * v44 + 2.8612106440066865) * v44 + 1.3794681629043655) * v44 + 0.2596058532893223) * v44 + 0.015624999999999823) / ((((((3.278794792785737 * v44 + 49.328555418276075) * v44 + 167.28648538571198) * v44 + 195.37226190335065) * v44 + 90.69722535867314) * v44 + 16.763212110504565) * v44 + 1.0))))
-            v96 = []
-            for node, weight in RULE_0(v14 / 1.0):
-                v15 = node * v14
-                v16 = sinh(v15)
-                v17 = cosh(v15)
-                v18 = v7 / v17
-                v94 = v86 * pow(v18, n) / v18 / v17 * atan(v16) * (v16 / v17)
-                v96.append(weight * v94)
-            v96 = fsum(v96) * v14
-            v117 = sigma_0 / E_star
-            v121 = 0.6366197723675814 * v7 * v96 - dgamma / sigma_0 - 1.2732395447351628 * v117 * c
-            if v121 <= -(2.0 * v117 * c):
-                value = v121
+            v14 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+            v16 = asinh(inf if inf < v14 or inf != inf else v14)
+            v28 = n / 2.0 + 0.5
+            v30 = v28 + 1.75
+            v34 = (v28 + 0.5) * (v28 + 1.5)
+            v47 = 1.0 / (v30 * v30)
+            v89 = 1.7724538509055159 * n * A * ((v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0))))
+            v101 = []
+            for node, weight in RULE_0(v16 / 1.0):
+                v17 = node * v16
+                v18 = sinh(v17)
+                v19 = sinh(v18)
+                v20 = cosh(v18)
+                v21 = v7 / v20
+                v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
+                v101.append(weight * v99)
+            v101 = fsum(v101) * v16
+            v125 = sigma_0 / E_star
+            v129 = 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c
+            if v129 <= -(2.0 * v125 * c):
+                value = v129
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, n, E_star, dgamma, sigma_0):
@@ -185,24 +459,25 @@ def without_contact_force(c, A, n, E_star, dgamma, sigma_0):
     if c.__class__ is A.__class__ is n.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and c > 1e-30 and (c < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
             v7 = hypot(0.0, c)
-            v13 = 40.0 / (n if n < 1.0 or n != n else 1.0)
-            v14 = inf if inf < v13 or inf != inf else v13
-            v25 = n / 2.0 + 0.5
-            v27 = v25 + 1.75
-            v31 = (v25 + 0.5) * (v25 + 1.5)
-            v44 = 1.0 / (v27 * v27)
-            v86 = 1.7724538509055159 * n * A * ((v25 * (v25 + 1.0) / v31 if v25 < 1.0 else 1.0 - (v25 + 0.75) / v31) * sqrt(v27) * (1.0 + v44 * (((((((0.01524698625788054 * v44 + 0.5334320651111477) * v44 + 2.250488865813539) * v44 + 2.8612106440066865) * v44 + 1.3794681629043655) * v44 + 0.2596058532893223) * v44 + 0.015624999999999823) / ((((((3.278794792785737 * v44 + 49.328555418276075) * v44 + 167.28648538571198) * v44 + 195.37226190335065) * v44 + 90.69722535867314) * v44 + 16.763212110504565) * v44 + 1.0))))
-            v96 = []
-            for node, weight in RULE_0(v14 / 1.0):
-                v15 = node * v14
-                v16 = sinh(v15)
-                v17 = cosh(v15)
-                v18 = v7 / v17
-                v94 = v86 * pow(v18, n) / v18 / v17 * atan(v16) * (v16 / v17)
-                v96.append(weight * v94)
-            v96 = fsum(v96) * v14
-            v117 = sigma_0 / E_star
-            if 0.6366197723675814 * v7 * v96 - dgamma / sigma_0 - 1.2732395447351628 * v117 * c <= -(2.0 * v117 * c):
+            v14 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+            v16 = asinh(inf if inf < v14 or inf != inf else v14)
+            v28 = n / 2.0 + 0.5
+            v30 = v28 + 1.75
+            v34 = (v28 + 0.5) * (v28 + 1.5)
+            v47 = 1.0 / (v30 * v30)
+            v89 = 1.7724538509055159 * n * A * ((v28 * (v28 + 1.0) / v34 if v28 < 1.0 else 1.0 - (v28 + 0.75) / v34) * sqrt(v30) * (1.0 + v47 * (((((((0.01524698625788054 * v47 + 0.5334320651111477) * v47 + 2.250488865813539) * v47 + 2.8612106440066865) * v47 + 1.3794681629043655) * v47 + 0.2596058532893223) * v47 + 0.015624999999999823) / ((((((3.278794792785737 * v47 + 49.328555418276075) * v47 + 167.28648538571198) * v47 + 195.37226190335065) * v47 + 90.69722535867314) * v47 + 16.763212110504565) * v47 + 1.0))))
+            v101 = []
+            for node, weight in RULE_0(v16 / 1.0):
+                v17 = node * v16
+                v18 = sinh(v17)
+                v19 = sinh(v18)
+                v20 = cosh(v18)
+                v21 = v7 / v20
+                v99 = v89 * pow(v21, n) / v21 / v20 * cosh(v17) * atan(v19) * (v19 / v20)
+                v101.append(weight * v99)
+            v101 = fsum(v101) * v16
+            v125 = sigma_0 / E_star
+            if 0.6366197723675814 * v7 * v101 - dgamma / sigma_0 - 1.2732395447351628 * v125 * c <= -(2.0 * v125 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -228,23 +503,24 @@ def work_of_separation(a, c, A, n, E_star, sigma_0):
             v12 = hypot(a, v11)
             v14 = a > 0.0
             v20 = asinh(v11 / (a if v14 else 1.0) if v14 else inf)
-            v23 = 40.0 / (n if n < 1.0 or n != n else 1.0)
-            v24 = v20 if v20 < v23 or v20 != v20 else v23
-            v35 = n / 2.0 + 0.5
-            v37 = v35 + 1.75
-            v41 = (v35 + 0.5) * (v35 + 1.5)
-            v54 = 1.0 / (v37 * v37)
-            v96 = 1.7724538509055159 * n * A * ((v35 * (v35 + 1.0) / v41 if v35 < 1.0 else 1.0 - (v35 + 0.75) / v41) * sqrt(v37) * (1.0 + v54 * (((((((0.01524698625788054 * v54 + 0.5334320651111477) * v54 + 2.250488865813539) * v54 + 2.8612106440066865) * v54 + 1.3794681629043655) * v54 + 0.2596058532893223) * v54 + 0.015624999999999823) / ((((((3.278794792785737 * v54 + 49.328555418276075) * v54 + 167.28648538571198) * v54 + 195.37226190335065) * v54 + 90.69722535867314) * v54 + 16.763212110504565) * v54 + 1.0))))
-            v106 = []
-            for node, weight in RULE_0(v24 / 1.0):
-                v25 = node * v24
-                v26 = sinh(v25)
-                v27 = cosh(v25)
-                v28 = v12 / v27
-                v104 = v96 * pow(v28, n) / v28 / v27 * atan(v26) * (v26 / v27)
-                v106.append(weight * v104)
-            v106 = fsum(v106) * v24
-            value = sigma_0 * (0.6366197723675814 * v12 * v106 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (v12 + a)))
+            v24 = 40.0 / (n if n < 1.2 or n != n else 1.2)
+            v26 = asinh(v20 if v20 < v24 or v20 != v20 else v24)
+            v38 = n / 2.0 + 0.5
+            v40 = v38 + 1.75
+            v44 = (v38 + 0.5) * (v38 + 1.5)
+            v57 = 1.0 / (v40 * v40)
+            v99 = 1.7724538509055159 * n * A * ((v38 * (v38 + 1.0) / v44 if v38 < 1.0 else 1.0 - (v38 + 0.75) / v44) * sqrt(v40) * (1.0 + v57 * (((((((0.01524698625788054 * v57 + 0.5334320651111477) * v57 + 2.250488865813539) * v57 + 2.8612106440066865) * v57 + 1.3794681629043655) * v57 + 0.2596058532893223) * v57 + 0.015624999999999823) / ((((((3.278794792785737 * v57 + 49.328555418276075) * v57 + 167.28648538571198) * v57 + 195.37226190335065) * v57 + 90.69722535867314) * v57 + 16.763212110504565) * v57 + 1.0))))
+            v111 = []
+            for node, weight in RULE_0(v26 / 1.0):
+                v27 = node * v26
+                v28 = sinh(v27)
+                v29 = sinh(v28)
+                v30 = cosh(v28)
+                v31 = v12 / v30
+                v109 = v99 * pow(v31, n) / v31 / v30 * cosh(v27) * atan(v29) * (v29 / v30)
+                v111.append(weight * v109)
+            v111 = fsum(v111) * v26
+            value = sigma_0 * (0.6366197723675814 * v12 * v111 + 1.2732395447351628 * (sigma_0 / E_star) * v11 * (atan2(v11, a) - v11 / (v12 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, A, n, E_star, sigma_0):
@@ -253,3 +529,12 @@ def work_of_separation(a, c, A, n, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
+        ('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'n', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    },
+}

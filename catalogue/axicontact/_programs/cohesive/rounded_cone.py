@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from math import asinh, atan, atan2, cos, cosh, fsum, hypot, inf, nan, sin, sinh, sqrt, tan
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import rounded_cone as bodies
 
+C0 = np.array(2.0)
+C1 = np.array(3.0)
+C2 = np.array(4.0)
 RULE_0 = rule(((inf, 16),))
 RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
@@ -64,26 +69,211 @@ def force(a, theta, b, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, theta, b, E_star, dgamma, sigma_0)
+            v9 = tan(theta)
+            v15 = a * a
+            if a < b:
+                v37 = 4.0 * E_star * v9 / (3.0 * b) * (a * v15)
+            else:
+                v21 = sqrt((a - b) * (a + b))
+                v37 = E_star * v9 * (v15 * atan(v21 / b) + 4.0 * b * v15 / (3.0 * (v21 + a)) + b / 3.0 * v21)
+            v38 = hypot(a, q)
+            value = v37 - 2.0 * sigma_0 * (v38 * v38 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, theta, b, E_star, dgamma, sigma_0):
+    v7 = (4.0) * E_star
+    v8 = np.tan(theta)
+    v9 = v7 * v8
+    v11 = (3.0) * b
+    v12 = v9 / v11
+    v23 = E_star * v8
+    v25 = (4.0) * b
+    v31 = b / (3.0)
+    v38 = (2.0) * sigma_0
+    return (q, b, v12, v23, v25, v31, v38)
+
+
+def block_force_of_a(out, a, q, b, v12, v23, v25, v31, v38, t0, t1, t2, t3, t4, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.multiply(a, out, t0)
+        np.multiply(v12, t0, t0)
+    if some36 != size:
+        other36 = t1 if some36 else t0
+        np.subtract(a, b, other36)
+        np.add(a, b, t2)
+        np.multiply(other36, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other36)
+        np.arctan(other36, other36)
+        np.multiply(out, other36, other36)
+        np.multiply(v25, out, t3)
+        np.add(t2, a, t4)
+        np.multiply(C1, t4, t4)
+        np.divide(t3, t4, t4)
+        np.add(other36, t4, t4)
+        np.multiply(v31, t2, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v23, t2, other36)
+        if some36:
+            np.copyto(t0, other36, where=~m0)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v38, out, out)
+    np.subtract(t0, out, out)
+
+
+def prepare_force_of_a_q(theta, b, E_star, dgamma, sigma_0):
+    v7 = (4.0) * E_star
+    v8 = np.tan(theta)
+    v9 = v7 * v8
+    v11 = (3.0) * b
+    v12 = v9 / v11
+    v23 = E_star * v8
+    v25 = (4.0) * b
+    v31 = b / (3.0)
+    v38 = (2.0) * sigma_0
+    return (b, v12, v23, v25, v31, v38)
+
+
+def block_force_of_a_q(out, a, q, b, v12, v23, v25, v31, v38, t0, t1, t2, t3, t4, m0):
+    size = out.size
+    np.square(a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.less(a, b, m0)
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.multiply(a, out, t0)
+        np.multiply(v12, t0, t0)
+    if some36 != size:
+        other36 = t1 if some36 else t0
+        np.subtract(a, b, other36)
+        np.add(a, b, t2)
+        np.multiply(other36, t2, t2)
+        np.sqrt(t2, t2)
+        np.divide(t2, b, other36)
+        np.arctan(other36, other36)
+        np.multiply(out, other36, other36)
+        np.multiply(v25, out, t3)
+        np.add(t2, a, t4)
+        np.multiply(C1, t4, t4)
+        np.divide(t3, t4, t4)
+        np.add(other36, t4, t4)
+        np.multiply(v31, t2, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v23, t2, other36)
+        if some36:
+            np.copyto(t0, other36, where=~m0)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v38, out, out)
+    np.subtract(t0, out, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0):
+    size = out.size
+    np.tan(theta, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.square(a, t0)
+    np.less(a, b, m0)
+    some36 = np.count_nonzero(m0)
+    if some36:
+        np.multiply(C2, E_star, t1)
+        np.multiply(t1, out, t1)
+        np.multiply(C1, b, t2)
+        np.divide(t1, t2, t2)
+        np.multiply(a, t0, t1)
+        np.multiply(t2, t1, t1)
+    if some36 != size:
+        other36 = t2 if some36 else t1
+        np.subtract(a, b, other36)
+        np.add(a, b, t3)
+        np.multiply(other36, t3, t3)
+        np.sqrt(t3, t3)
+        np.divide(t3, b, other36)
+        np.arctan(other36, other36)
+        np.multiply(E_star, out, t4)
+        np.multiply(t0, other36, other36)
+        np.multiply(C2, b, t5)
+        np.multiply(t5, t0, t5)
+        np.add(t3, a, t6)
+        np.multiply(C1, t6, t6)
+        np.divide(t5, t6, t6)
+        np.add(other36, t6, t6)
+        np.divide(b, C1, other36)
+        np.multiply(other36, t3, t3)
+        np.add(t6, t3, t3)
+        np.multiply(t4, t3, other36)
+        if some36:
+            np.copyto(t1, other36, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(C0, sigma_0, out)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(out, t0, t0)
+    np.subtract(t1, t0, out)
+
+
+def pressure(r, a, theta, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, theta, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, theta, b, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -97,6 +287,19 @@ def pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(theta, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, theta, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -163,10 +366,10 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
                 v66 = v63 if v65 else b
                 v67 = v64 if v65 else b
                 v69 = asinh(b / v66)
-                v72 = 1.5707963267948966 / v69
+                v73 = 1.5707963267948966 / v69
                 v74 = atan2(v61, v67) / v69
-                v75 = asinh(v72)
-                v89 = asinh(atan2(v67, v61) / v69 * (v72 + v74) / (v72 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v72 * v72)))
+                v75 = asinh(v73)
+                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
                 v91 = 2.0 * v69
                 v103 = b * b
                 v109 = 2.0 * b
@@ -238,10 +441,10 @@ def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
                 v66 = v63 if v65 else b
                 v67 = v64 if v65 else b
                 v69 = asinh(b / v66)
-                v72 = 1.5707963267948966 / v69
+                v73 = 1.5707963267948966 / v69
                 v74 = atan2(v61, v67) / v69
-                v75 = asinh(v72)
-                v89 = asinh(atan2(v67, v61) / v69 * (v72 + v74) / (v72 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v72 * v72)))
+                v75 = asinh(v73)
+                v89 = asinh(atan2(v67, v61) / v69 * (v73 + v74) / (v73 * sqrt(1.0 + v74 * v74) + v74 * sqrt(1.0 + v73 * v73)))
                 v91 = 2.0 * v69
                 v103 = b * b
                 v109 = 2.0 * b
@@ -314,10 +517,10 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
                 v71 = v68 if v70 else b
                 v72 = v69 if v70 else b
                 v74 = asinh(b / v71)
-                v77 = 1.5707963267948966 / v74
+                v78 = 1.5707963267948966 / v74
                 v79 = atan2(v66, v72) / v74
-                v80 = asinh(v77)
-                v94 = asinh(atan2(v72, v66) / v74 * (v77 + v79) / (v77 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v77 * v77)))
+                v80 = asinh(v78)
+                v94 = asinh(atan2(v72, v66) / v74 * (v78 + v79) / (v78 * sqrt(1.0 + v79 * v79) + v79 * sqrt(1.0 + v78 * v78)))
                 v96 = 2.0 * v74
                 v108 = b * b
                 v114 = 2.0 * b
@@ -344,3 +547,12 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 5, 1, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 5, 1, (), False),
+        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 7, 1, (), False),
+    },
+}

@@ -2,12 +2,30 @@
 
 from __future__ import annotations
 
-from math import asinh, atan2, cos, cosh, fsum, hypot, nan, sin, sinh, sqrt
+from math import asinh, atan, atan2, cos, cosh, fsum, hypot, nan, sin, sinh, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import rounded_punch as bodies
 
+C0 = np.array(0.0)
+C1 = np.array(2.0)
+C2 = np.array(0.42)
+C3 = np.array(0.0005288491342179178)
+C4 = np.array(0.038096760299703034)
+C5 = np.array(0.4065213849117787)
+C6 = np.array(1.438682033198726)
+C7 = np.array(1.9979042349620892)
+C8 = np.array(0.9428090415820634)
+C9 = np.array(0.006421883194715949)
+C10 = np.array(0.15001504718401248)
+C11 = np.array(0.9450913324352289)
+C12 = np.array(2.37401087025821)
+C13 = np.array(2.569097449054519)
+C14 = np.array(1.0)
+C15 = np.array(3.0)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -63,26 +81,286 @@ def force(a, R, b, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R, b, E_star, dgamma, sigma_0)
+            if a < b:
+                v67 = 0.0
+            else:
+                v8 = a - b
+                v10 = v8 * (a + b)
+                v11 = sqrt(v10)
+                v16 = v8 / b
+                if v16 < 0.42:
+                    v59 = v16 * sqrt(v16) * ((((((0.0005288491342179178 * v16 + 0.038096760299703034) * v16 + 0.4065213849117787) * v16 + 1.438682033198726) * v16 + 1.9979042349620892) * v16 + 0.9428090415820634) / (((((0.006421883194715949 * v16 + 0.15001504718401248) * v16 + 0.9450913324352289) * v16 + 2.37401087025821) * v16 + 2.569097449054519) * v16 + 1.0))
+                else:
+                    v19 = v11 / b
+                    v59 = v19 - atan(v19)
+                v67 = E_star / R * (b * (a * a) * v59 + v10 * v11 / 3.0)
+            v68 = hypot(a, q)
+            value = v67 - 2.0 * sigma_0 * (v68 * v68 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, R, b, E_star, dgamma, sigma_0):
+    v11 = E_star / R
+    v68 = (2.0) * sigma_0
+    return (q, b, v11, v68)
+
+
+def block_force_of_a(out, a, q, b, v11, v68, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some66 = np.count_nonzero(m0)
+    if some66:
+        np.copyto(out, C0)
+    if some66 != size:
+        other66 = t0 if some66 else out
+        np.subtract(a, b, other66)
+        np.add(a, b, t1)
+        np.multiply(other66, t1, t1)
+        np.sqrt(t1, t2)
+        np.square(a, t3)
+        np.multiply(b, t3, t3)
+        np.divide(other66, b, other66)
+        np.less(other66, C2, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(other66, f0, out=t4)
+            np.sqrt(t4, t5)
+            np.multiply(t4, t5, t5)
+            np.multiply(C3, t4, t6)
+            np.add(t6, C4, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C5, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C6, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C7, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C8, t6)
+            np.multiply(C9, t4, t7)
+            np.add(t7, C10, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C11, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C12, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C13, t7)
+            np.multiply(t7, t4, t4)
+            np.add(t4, C14, t4)
+            np.divide(t6, t4, t4)
+            np.multiply(t5, t4, t4)
+        if some58 != size:
+            other58 = t5 if some58 else t4
+            np.divide(t2, b, other58)
+            np.arctan(other58, t6)
+            np.subtract(other58, t6, other58)
+            if some58:
+                np.copyto(t4, other58, where=~m1)
+        np.multiply(t3, t4, t4)
+        np.multiply(t1, t2, t2)
+        np.divide(t2, C15, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v11, t2, other66)
+        if some66:
+            np.copyto(out, other66, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(v68, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(R, b, E_star, dgamma, sigma_0):
+    v11 = E_star / R
+    v68 = (2.0) * sigma_0
+    return (b, v11, v68)
+
+
+def block_force_of_a_q(out, a, q, b, v11, v68, t0, t1, t2, t3, t4, t5, t6, t7, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some66 = np.count_nonzero(m0)
+    if some66:
+        np.copyto(out, C0)
+    if some66 != size:
+        other66 = t0 if some66 else out
+        np.subtract(a, b, other66)
+        np.add(a, b, t1)
+        np.multiply(other66, t1, t1)
+        np.sqrt(t1, t2)
+        np.square(a, t3)
+        np.multiply(b, t3, t3)
+        np.divide(other66, b, other66)
+        np.less(other66, C2, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(other66, f0, out=t4)
+            np.sqrt(t4, t5)
+            np.multiply(t4, t5, t5)
+            np.multiply(C3, t4, t6)
+            np.add(t6, C4, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C5, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C6, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C7, t6)
+            np.multiply(t6, t4, t6)
+            np.add(t6, C8, t6)
+            np.multiply(C9, t4, t7)
+            np.add(t7, C10, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C11, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C12, t7)
+            np.multiply(t7, t4, t7)
+            np.add(t7, C13, t7)
+            np.multiply(t7, t4, t4)
+            np.add(t4, C14, t4)
+            np.divide(t6, t4, t4)
+            np.multiply(t5, t4, t4)
+        if some58 != size:
+            other58 = t5 if some58 else t4
+            np.divide(t2, b, other58)
+            np.arctan(other58, t6)
+            np.subtract(other58, t6, other58)
+            if some58:
+                np.copyto(t4, other58, where=~m1)
+        np.multiply(t3, t4, t4)
+        np.multiply(t1, t2, t2)
+        np.divide(t2, C15, t2)
+        np.add(t4, t2, t2)
+        np.multiply(v11, t2, other66)
+        if some66:
+            np.copyto(out, other66, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(v68, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, t7, t8, m0, m1, f0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some66 = np.count_nonzero(m0)
+    if some66:
+        np.copyto(out, C0)
+    if some66 != size:
+        other66 = t0 if some66 else out
+        np.subtract(a, b, other66)
+        np.add(a, b, t1)
+        np.multiply(other66, t1, t1)
+        np.sqrt(t1, t2)
+        np.divide(E_star, R, t3)
+        np.square(a, t4)
+        np.multiply(b, t4, t4)
+        np.divide(other66, b, other66)
+        np.less(other66, C2, m1)
+        some58 = np.count_nonzero(m1)
+        if some58:
+            np.minimum(other66, f0, out=t5)
+            np.sqrt(t5, t6)
+            np.multiply(t5, t6, t6)
+            np.multiply(C3, t5, t7)
+            np.add(t7, C4, t7)
+            np.multiply(t7, t5, t7)
+            np.add(t7, C5, t7)
+            np.multiply(t7, t5, t7)
+            np.add(t7, C6, t7)
+            np.multiply(t7, t5, t7)
+            np.add(t7, C7, t7)
+            np.multiply(t7, t5, t7)
+            np.add(t7, C8, t7)
+            np.multiply(C9, t5, t8)
+            np.add(t8, C10, t8)
+            np.multiply(t8, t5, t8)
+            np.add(t8, C11, t8)
+            np.multiply(t8, t5, t8)
+            np.add(t8, C12, t8)
+            np.multiply(t8, t5, t8)
+            np.add(t8, C13, t8)
+            np.multiply(t8, t5, t5)
+            np.add(t5, C14, t5)
+            np.divide(t7, t5, t5)
+            np.multiply(t6, t5, t5)
+        if some58 != size:
+            other58 = t6 if some58 else t5
+            np.divide(t2, b, other58)
+            np.arctan(other58, t7)
+            np.subtract(other58, t7, other58)
+            if some58:
+                np.copyto(t5, other58, where=~m1)
+        np.multiply(t4, t5, t5)
+        np.multiply(t1, t2, t2)
+        np.divide(t2, C15, t2)
+        np.add(t5, t2, t2)
+        np.multiply(t3, t2, other66)
+        if some66:
+            np.copyto(out, other66, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(C1, sigma_0, t2)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t3)
+    np.multiply(t0, t3, t3)
+    np.multiply(a, q, t0)
+    np.add(t3, t0, t0)
+    np.multiply(t2, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def pressure(r, a, R, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, R, b, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -96,6 +374,19 @@ def pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -147,10 +438,10 @@ def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v74 = b / R
@@ -207,10 +498,10 @@ def without_contact_force(c, R, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v74 = b / R
@@ -268,10 +559,10 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
                 v34 = v31 if v33 else b
                 v35 = v32 if v33 else b
                 v37 = asinh(b / v34)
-                v40 = 1.5707963267948966 / v37
+                v41 = 1.5707963267948966 / v37
                 v42 = atan2(v18, v35) / v37
-                v43 = asinh(v40)
-                v58 = asinh(atan2(v35, v18) / v37 * (v40 + v42) / (v40 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v40 * v40)))
+                v43 = asinh(v41)
+                v58 = asinh(atan2(v35, v18) / v37 * (v41 + v42) / (v41 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v41 * v41)))
                 v61 = 2.0 * v37
                 v73 = b * b
                 v80 = b / R
@@ -298,3 +589,12 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 8, 2, (0.42,), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 8, 2, (0.42,), False),
+        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 9, 2, (0.42,), False),
+    },
+}

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from math import atan2, cos, fsum, hypot, inf, nan, pow, sin, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import sextic as bodies
 
+C0 = np.array(7.0)
+C1 = np.array(192.0)
+C2 = np.array(35.0)
+C3 = np.array(2.0)
 RULE_0 = rule(((inf, 16),))
 
 
@@ -63,6 +69,97 @@ def force(a, A, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, A, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v14 = hypot(a, q)
+            value = 192.0 * E_star * A / 35.0 * pow(a, 7.0) - 2.0 * sigma_0 * (v14 * v14 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, A, E_star, dgamma, sigma_0):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    v15 = (2.0) * sigma_0
+    return (q, v9, v15)
+
+
+def block_force_of_a(out, a, q, v9, v15, t0, t1):
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v15, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(A, E_star, dgamma, sigma_0):
+    v6 = (192.0) * E_star
+    v7 = v6 * A
+    v9 = v7 / (35.0)
+    v15 = (2.0) * sigma_0
+    return (v9, v15)
+
+
+def block_force_of_a_q(out, a, q, v9, v15, t0, t1):
+    np.power(a, C0, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(v9, out, out)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v15, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, A, E_star, dgamma, sigma_0, t0, t1, t2):
+    np.multiply(C1, E_star, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.multiply(out, A, out)
+    np.divide(out, C2, out)
+    np.power(a, C0, t0)
+    np.multiply(out, t0, t0)
+    np.hypot(a, q, out)
+    np.multiply(C3, sigma_0, t1)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(a, q, out)
+    np.add(t2, out, out)
+    np.multiply(t1, out, out)
+    np.subtract(t0, out, out)
+
+
 def pressure(r, a, A, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +173,13 @@ def pressure(r, a, A, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, A, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, A, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, A, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, A, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, A, E_star, dgamma, sigma_0):
-    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, A, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, A, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +193,19 @@ def pull_off_radius(A, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(A, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, A, E_star, dgamma, sigma_0):
+    if a.__class__ is A.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (A > 1e-30) and (A < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, A, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, A, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -146,17 +243,18 @@ def without_contact_depth(c, A, E_star, dgamma, sigma_0):
         try:
             v6 = hypot(0.0, c)
             v7 = atan2(c, 0.0)
-            v15 = 96.0 * A / 5.0
-            v22 = []
+            v16 = 96.0 * A / 5.0
+            v23 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v20 = v15 * pow(v6 * cos(v9), 5.0) * v9 * sin(v9)
-                v22.append(weight * v20)
-            v22 = fsum(v22) * v7
-            v39 = sigma_0 / E_star
-            v43 = 0.6366197723675814 * v6 * v22 - dgamma / sigma_0 - 1.2732395447351628 * v39 * c
-            if v43 <= -(2.0 * v39 * c):
-                value = v43
+                v10 = 0.0 + v9
+                v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
+                v23.append(weight * v21)
+            v23 = fsum(v23) * v7
+            v41 = sigma_0 / E_star
+            v45 = 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v41 * c
+            if v45 <= -(2.0 * v41 * c):
+                value = v45
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
                 if value != value and ordinary(c, A, E_star, dgamma, sigma_0):
@@ -178,15 +276,16 @@ def without_contact_force(c, A, E_star, dgamma, sigma_0):
         try:
             v6 = hypot(0.0, c)
             v7 = atan2(c, 0.0)
-            v15 = 96.0 * A / 5.0
-            v22 = []
+            v16 = 96.0 * A / 5.0
+            v23 = []
             for node, weight in RULE_0(v7 / 1.0):
                 v9 = node * v7
-                v20 = v15 * pow(v6 * cos(v9), 5.0) * v9 * sin(v9)
-                v22.append(weight * v20)
-            v22 = fsum(v22) * v7
-            v39 = sigma_0 / E_star
-            if 0.6366197723675814 * v6 * v22 - dgamma / sigma_0 - 1.2732395447351628 * v39 * c <= -(2.0 * v39 * c):
+                v10 = 0.0 + v9
+                v21 = v16 * pow(v6 * cos(v10), 5.0) * v10 * sin(v10)
+                v23.append(weight * v21)
+            v23 = fsum(v23) * v7
+            v41 = sigma_0 / E_star
+            if 0.6366197723675814 * v6 * v23 - dgamma / sigma_0 - 1.2732395447351628 * v41 * c <= -(2.0 * v41 * c):
                 value = -3.141592653589793 * sigma_0 * c * c
                 if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                     return value
@@ -211,14 +310,15 @@ def work_of_separation(a, c, A, E_star, sigma_0):
             v10 = sqrt((v5 if v5 > 0.0 or v5 != v5 else 0.0) * (c + a))
             v11 = hypot(a, v10)
             v12 = atan2(v10, a)
-            v20 = 96.0 * A / 5.0
-            v27 = []
+            v21 = 96.0 * A / 5.0
+            v28 = []
             for node, weight in RULE_0(v12 / 1.0):
                 v14 = node * v12
-                v25 = v20 * pow(v11 * cos(v14), 5.0) * v14 * sin(v14)
-                v27.append(weight * v25)
-            v27 = fsum(v27) * v12
-            value = sigma_0 * (0.6366197723675814 * v11 * v27 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
+                v15 = 0.0 + v14
+                v26 = v21 * pow(v11 * cos(v15), 5.0) * v15 * sin(v15)
+                v28.append(weight * v26)
+            v28 = fsum(v28) * v12
+            value = sigma_0 * (0.6366197723675814 * v11 * v28 + 1.2732395447351628 * (sigma_0 / E_star) * v10 * (v12 - v10 / (v11 + a)))
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if value != value and ordinary(a, c, A, E_star, sigma_0):
@@ -227,3 +327,12 @@ def work_of_separation(a, c, A, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 0, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 0, (), False),
+        ('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'A', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 3, 0, (), False),
+    },
+}

@@ -2,12 +2,28 @@
 
 from __future__ import annotations
 
-from math import asinh, atan2, cos, cosh, fsum, hypot, inf, nan, sin, sinh, sqrt
+from math import asinh, atan2, cos, cosh, fsum, hypot, inf, log1p, nan, sin, sinh, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import sphere as bodies
 
+C0 = np.array(2.0)
+C1 = np.array(0.5)
+C2 = np.array(1.0)
+C3 = np.array(1.0716932453474512e-06)
+C4 = np.array(0.00019982814521087247)
+C5 = np.array(0.007076196047699156)
+C6 = np.array(0.08608622548411103)
+C7 = np.array(0.3073858328214721)
+C8 = np.array(0.3333333333333333)
+C9 = np.array(2.565078604208634e-08)
+C10 = np.array(2.0203143566039827e-05)
+C11 = np.array(0.001617010334189783)
+C12 = np.array(0.03639274880225476)
+C13 = np.array(0.32215749846441627)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -63,6 +79,230 @@ def force(a, R, E_star, dgamma, sigma_0):
     return None
 
 
+def force_of(a, q, R, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            v11 = log1p(2.0 * a / (R - a)) / 2.0
+            v15 = a / R
+            if v11 < 1.0:
+                v21 = v11 * v11
+                v56 = v15 * (v15 * v15) * ((((((1.0716932453474512e-06 * v21 + 0.00019982814521087247) * v21 + 0.007076196047699156) * v21 + 0.08608622548411103) * v21 + 0.3073858328214721) * v21 + 0.3333333333333333) / (((((2.565078604208634e-08 * v21 + 2.0203143566039827e-05) * v21 + 0.001617010334189783) * v21 + 0.03639274880225476) * v21 + 0.32215749846441627) * v21 + 1.0))
+            else:
+                v56 = v11 - v15
+            v60 = hypot(a, q)
+            value = E_star * (a * a * v11 + R * R * v56) - 2.0 * sigma_0 * (v60 * v60 * atan2(q, a) + a * q)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, R, E_star, dgamma, sigma_0):
+    v14 = np.square(R)
+    v61 = (2.0) * sigma_0
+    return (q, R, E_star, v14, v61)
+
+
+def block_force_of_a(out, a, q, R, E_star, v14, v61, t0, t1, t2, t3, t4, t5, m0, f0):
+    size = out.size
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    np.subtract(R, a, t0)
+    np.divide(out, t0, t0)
+    np.log1p(t0, t0)
+    np.multiply(t0, C1, t0)
+    np.square(a, out)
+    np.multiply(out, t0, out)
+    np.divide(a, R, t1)
+    np.less(t0, C2, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(t0, f0, out=t2)
+        np.multiply(t1, t1, t3)
+        np.multiply(t1, t3, t3)
+        np.multiply(t2, t2, t2)
+        np.multiply(C3, t2, t4)
+        np.add(t4, C4, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C5, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C6, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C7, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C8, t4)
+        np.multiply(C9, t2, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C13, t5)
+        np.multiply(t5, t2, t2)
+        np.add(t2, C2, t2)
+        np.divide(t4, t2, t2)
+        np.multiply(t3, t2, t2)
+    if some56 != size:
+        other56 = t3 if some56 else t2
+        np.subtract(t0, t1, other56)
+        if some56:
+            np.copyto(t2, other56, where=~m0)
+    np.multiply(v14, t2, t2)
+    np.add(out, t2, t2)
+    np.multiply(E_star, t2, t2)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v61, out, out)
+    np.subtract(t2, out, out)
+
+
+def prepare_force_of_a_q(R, E_star, dgamma, sigma_0):
+    v14 = np.square(R)
+    v61 = (2.0) * sigma_0
+    return (R, E_star, v14, v61)
+
+
+def block_force_of_a_q(out, a, q, R, E_star, v14, v61, t0, t1, t2, t3, t4, t5, m0, f0):
+    size = out.size
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.subtract(R, a, t0)
+    np.divide(out, t0, t0)
+    np.log1p(t0, t0)
+    np.multiply(t0, C1, t0)
+    np.square(a, out)
+    np.multiply(out, t0, out)
+    np.divide(a, R, t1)
+    np.less(t0, C2, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(t0, f0, out=t2)
+        np.multiply(t1, t1, t3)
+        np.multiply(t1, t3, t3)
+        np.multiply(t2, t2, t2)
+        np.multiply(C3, t2, t4)
+        np.add(t4, C4, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C5, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C6, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C7, t4)
+        np.multiply(t4, t2, t4)
+        np.add(t4, C8, t4)
+        np.multiply(C9, t2, t5)
+        np.add(t5, C10, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C11, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C12, t5)
+        np.multiply(t5, t2, t5)
+        np.add(t5, C13, t5)
+        np.multiply(t5, t2, t2)
+        np.add(t2, C2, t2)
+        np.divide(t4, t2, t2)
+        np.multiply(t3, t2, t2)
+    if some56 != size:
+        other56 = t3 if some56 else t2
+        np.subtract(t0, t1, other56)
+        if some56:
+            np.copyto(t2, other56, where=~m0)
+    np.multiply(v14, t2, t2)
+    np.add(out, t2, t2)
+    np.multiply(E_star, t2, t2)
+    np.hypot(a, q, out)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t1)
+    np.multiply(out, t1, t1)
+    np.multiply(a, q, out)
+    np.add(t1, out, out)
+    np.multiply(v61, out, out)
+    np.subtract(t2, out, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, R, E_star, dgamma, sigma_0, t0, t1, t2, t3, t4, t5, t6, m0, f0):
+    size = out.size
+    np.multiply(C0, a, out)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    np.subtract(R, a, t0)
+    np.divide(out, t0, t0)
+    np.log1p(t0, t0)
+    np.multiply(t0, C1, t0)
+    np.square(a, out)
+    np.multiply(out, t0, out)
+    np.square(R, t1)
+    np.divide(a, R, t2)
+    np.less(t0, C2, m0)
+    some56 = np.count_nonzero(m0)
+    if some56:
+        np.minimum(t0, f0, out=t3)
+        np.multiply(t2, t2, t4)
+        np.multiply(t2, t4, t4)
+        np.multiply(t3, t3, t3)
+        np.multiply(C3, t3, t5)
+        np.add(t5, C4, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C5, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C6, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C7, t5)
+        np.multiply(t5, t3, t5)
+        np.add(t5, C8, t5)
+        np.multiply(C9, t3, t6)
+        np.add(t6, C10, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C11, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C12, t6)
+        np.multiply(t6, t3, t6)
+        np.add(t6, C13, t6)
+        np.multiply(t6, t3, t3)
+        np.add(t3, C2, t3)
+        np.divide(t5, t3, t3)
+        np.multiply(t4, t3, t3)
+    if some56 != size:
+        other56 = t4 if some56 else t3
+        np.subtract(t0, t2, other56)
+        if some56:
+            np.copyto(t3, other56, where=~m0)
+    np.multiply(t1, t3, t3)
+    np.add(out, t3, t3)
+    np.multiply(E_star, t3, t3)
+    np.hypot(a, q, out)
+    np.multiply(C0, sigma_0, t1)
+    np.multiply(out, out, out)
+    np.arctan2(q, a, t2)
+    np.multiply(out, t2, t2)
+    np.multiply(a, q, out)
+    np.add(t2, out, out)
+    np.multiply(t1, out, out)
+    np.subtract(t3, out, out)
+
+
 def pressure(r, a, R, E_star, dgamma, sigma_0):
     if r.__class__ is a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
@@ -76,26 +316,13 @@ def pressure(r, a, R, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
-                return value
-        except (ArithmeticError, ValueError):
-            pass
-    return None
-
-
-def pull_off_force(a, R, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
-        try:
-            value = bodies._pull_off_force(a, R, E_star, dgamma, sigma_0)
-            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
-                return value
-            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -109,6 +336,19 @@ def pull_off_radius(R, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -270,3 +510,12 @@ def work_of_separation(a, c, R, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 6, 1, (1.0,), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 6, 1, (1.0,), False),
+        ('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 7, 1, (1.0,), False),
+    },
+}

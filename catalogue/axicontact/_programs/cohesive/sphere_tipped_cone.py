@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from math import asinh, atan2, cos, cosh, fsum, hypot, inf, log1p, nan, sin, sinh, sqrt
+from math import asinh, atan2, cos, cosh, exp, expm1, fsum, hypot, inf, log1p, nan, sin, sinh, sqrt, tanh
 
 from ..._runtime.interface import ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import sphere_tipped_cone as bodies
 
-RULE_0 = rule(((inf, 64),))
-RULE_1 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
+RULE_1 = rule(((inf, 64),))
 
 
 def cohesive_radius(a, R, theta, E_star, dgamma, sigma_0):
@@ -64,26 +64,70 @@ def force(a, R, theta, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, R, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R, theta, E_star, dgamma, sigma_0)
+            v8 = R * sin(theta)
+            v10 = R * cos(theta)
+            v20 = v10 * v10 - (R - a) * (R + a) if v10 < v8 else (a - v8) * (a + v8)
+            v23 = sqrt(v20 if v20 > 0.0 or v20 != v20 else 0.0)
+            v24 = a if a < v8 or a != a else v8
+            v32 = asinh(v24 / (sqrt((R - v24) * (v24 + R)) if a < v8 else v10))
+            v37 = tanh(v32)
+            if v32 < 1.0:
+                v43 = v32 * v32
+                v78 = v37 * (v37 * v37) * ((((((1.0716932453474512e-06 * v43 + 0.00019982814521087247) * v43 + 0.007076196047699156) * v43 + 0.08608622548411103) * v43 + 0.3073858328214721) * v43 + 0.3333333333333333) / (((((2.565078604208634e-08 * v43 + 2.0203143566039827e-05) * v43 + 0.001617010334189783) * v43 + 0.03639274880225476) * v43 + 0.32215749846441627) * v43 + 1.0))
+            else:
+                v78 = v32 - v37
+            v86 = 1.0 - 2.0 * theta / 3.141592653589793
+            v88 = asinh(v23 / v8)
+            v92 = 0.0 - expm1(-2.0 * v88)
+            v95 = v92 if v92 > 0.0 else inf
+            v106 = v8 * v8
+            v111 = v8 * v8
+            v115 = v111 / (v10 + R)
+            v123 = v111 * R
+            v124 = v10 * v10
+            v133 = []
+            for node, weight in RULE_0(v88 / v86):
+                v96 = node * v88
+                v105 = v23 * (exp(-v96) * (0.0 - expm1(-2.0 * (v88 - v96))) / v95)
+                v109 = sqrt(v106 + v105 * v105)
+                v132 = (log1p((v111 / (v105 + v109) + v115) / (v105 + v10)) + v8 * atan2(v105, v8) / v10 + v123 / (v109 * v124 + R * v105 * v10)) * v105 * v109
+                v133.append(weight * v132)
+            v133 = fsum(v133) * v88
+            v137 = hypot(a, q)
+            value = E_star * (v24 * v24 * v32 + R * R * v78) + 2.0 * E_star * v133 - 2.0 * sigma_0 * (v137 * v137 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, theta, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, theta, E_star, dgamma, sigma_0):
+                return value
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pressure(r, a, R, theta, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R, theta, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, R, theta, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, R, theta, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, theta, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -97,6 +141,19 @@ def pull_off_radius(R, theta, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R, theta, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R, theta, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R, theta, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, theta, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -147,7 +204,7 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
                 v28 = v10
             v29 = v10 - v28
             v50 = []
-            for node, weight in RULE_0(v29 / 1.0):
+            for node, weight in RULE_1(v29 / 1.0):
                 v31 = node * v29
                 v32 = v28 + v31
                 v34 = v9 * cos(v32)
@@ -164,10 +221,10 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
                 v83 = v80 if v82 else v8
                 v84 = v81 if v82 else v8
                 v86 = asinh(v8 / v83)
-                v89 = 1.5707963267948966 / v86
+                v90 = 1.5707963267948966 / v86
                 v91 = atan2(v78, v84) / v86
-                v92 = asinh(v89)
-                v106 = asinh(atan2(v84, v78) / v86 * (v89 + v91) / (v89 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v89 * v89)))
+                v92 = asinh(v90)
+                v106 = asinh(atan2(v84, v78) / v86 * (v90 + v91) / (v90 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v90 * v90)))
                 v108 = 2.0 * v86
                 v120 = v8 * v8
                 v125 = R * cos(theta)
@@ -176,7 +233,7 @@ def without_contact_depth(c, R, theta, E_star, dgamma, sigma_0):
                 v139 = v127 * R
                 v140 = v125 * v125
                 v157 = []
-                for node, weight in RULE_1(v106 / 1.0):
+                for node, weight in RULE_0(v106 / 1.0):
                     v107 = node * v106
                     v110 = 0.5 * v107
                     v115 = v108 * cosh(v92 - v110) * sinh(v110)
@@ -227,7 +284,7 @@ def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
                 v28 = v10
             v29 = v10 - v28
             v50 = []
-            for node, weight in RULE_0(v29 / 1.0):
+            for node, weight in RULE_1(v29 / 1.0):
                 v31 = node * v29
                 v32 = v28 + v31
                 v34 = v9 * cos(v32)
@@ -244,10 +301,10 @@ def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
                 v83 = v80 if v82 else v8
                 v84 = v81 if v82 else v8
                 v86 = asinh(v8 / v83)
-                v89 = 1.5707963267948966 / v86
+                v90 = 1.5707963267948966 / v86
                 v91 = atan2(v78, v84) / v86
-                v92 = asinh(v89)
-                v106 = asinh(atan2(v84, v78) / v86 * (v89 + v91) / (v89 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v89 * v89)))
+                v92 = asinh(v90)
+                v106 = asinh(atan2(v84, v78) / v86 * (v90 + v91) / (v90 * sqrt(1.0 + v91 * v91) + v91 * sqrt(1.0 + v90 * v90)))
                 v108 = 2.0 * v86
                 v120 = v8 * v8
                 v125 = R * cos(theta)
@@ -256,7 +313,7 @@ def without_contact_force(c, R, theta, E_star, dgamma, sigma_0):
                 v139 = v127 * R
                 v140 = v125 * v125
                 v157 = []
-                for node, weight in RULE_1(v106 / 1.0):
+                for node, weight in RULE_0(v106 / 1.0):
                     v107 = node * v106
                     v110 = 0.5 * v107
                     v115 = v108 * cosh(v92 - v110) * sinh(v110)
@@ -308,7 +365,7 @@ def work_of_separation(a, c, R, theta, E_star, sigma_0):
                 v33 = v13
             v34 = v13 - v33
             v55 = []
-            for node, weight in RULE_0(v34 / 1.0):
+            for node, weight in RULE_1(v34 / 1.0):
                 v36 = node * v34
                 v37 = v33 + v36
                 v39 = v12 * cos(v37)
@@ -325,10 +382,10 @@ def work_of_separation(a, c, R, theta, E_star, sigma_0):
                 v88 = v85 if v87 else v15
                 v89 = v86 if v87 else v15
                 v91 = asinh(v15 / v88)
-                v94 = 1.5707963267948966 / v91
+                v95 = 1.5707963267948966 / v91
                 v96 = atan2(v83, v89) / v91
-                v97 = asinh(v94)
-                v111 = asinh(atan2(v89, v83) / v91 * (v94 + v96) / (v94 * sqrt(1.0 + v96 * v96) + v96 * sqrt(1.0 + v94 * v94)))
+                v97 = asinh(v95)
+                v111 = asinh(atan2(v89, v83) / v91 * (v95 + v96) / (v95 * sqrt(1.0 + v96 * v96) + v96 * sqrt(1.0 + v95 * v95)))
                 v113 = 2.0 * v91
                 v125 = v15 * v15
                 v130 = R * cos(theta)
@@ -337,7 +394,7 @@ def work_of_separation(a, c, R, theta, E_star, sigma_0):
                 v144 = v132 * R
                 v145 = v130 * v130
                 v162 = []
-                for node, weight in RULE_1(v111 / 1.0):
+                for node, weight in RULE_0(v111 / 1.0):
                     v112 = node * v111
                     v115 = 0.5 * v112
                     v120 = v113 * cosh(v97 - v115) * sinh(v115)

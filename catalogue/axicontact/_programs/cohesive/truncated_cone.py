@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from math import asinh, atan, atan2, cos, cosh, fsum, hypot, nan, sin, sinh, sqrt, tan
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import truncated_cone as bodies
 
+C0 = np.array(0.0)
+C1 = np.array(2.0)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -63,26 +67,173 @@ def force(a, theta, b, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, theta, b, E_star, dgamma, sigma_0)
+            if a < b:
+                v23 = 0.0
+            else:
+                v11 = sqrt((a - b) * (a + b))
+                v23 = E_star * tan(theta) * (a * a * atan(v11 / b) + b * v11)
+            v24 = hypot(a, q)
+            value = v23 - 2.0 * sigma_0 * (v24 * v24 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, theta, b, E_star, dgamma, sigma_0):
+    v13 = np.tan(theta)
+    v14 = E_star * v13
+    v24 = (2.0) * sigma_0
+    return (q, b, v14, v24)
+
+
+def block_force_of_a(out, a, q, b, v14, v24, t0, t1, t2, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.copyto(out, C0)
+    if some22 != size:
+        other22 = t0 if some22 else out
+        np.subtract(a, b, other22)
+        np.add(a, b, t1)
+        np.multiply(other22, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other22)
+        np.arctan(other22, other22)
+        np.square(a, t2)
+        np.multiply(t2, other22, other22)
+        np.multiply(b, t1, t1)
+        np.add(other22, t1, t1)
+        np.multiply(v14, t1, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v24, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(theta, b, E_star, dgamma, sigma_0):
+    v13 = np.tan(theta)
+    v14 = E_star * v13
+    v24 = (2.0) * sigma_0
+    return (b, v14, v24)
+
+
+def block_force_of_a_q(out, a, q, b, v14, v24, t0, t1, t2, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.copyto(out, C0)
+    if some22 != size:
+        other22 = t0 if some22 else out
+        np.subtract(a, b, other22)
+        np.add(a, b, t1)
+        np.multiply(other22, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other22)
+        np.arctan(other22, other22)
+        np.square(a, t2)
+        np.multiply(t2, other22, other22)
+        np.multiply(b, t1, t1)
+        np.add(other22, t1, t1)
+        np.multiply(v14, t1, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v24, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, theta, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some22 = np.count_nonzero(m0)
+    if some22:
+        np.copyto(out, C0)
+    if some22 != size:
+        other22 = t0 if some22 else out
+        np.subtract(a, b, other22)
+        np.add(a, b, t1)
+        np.multiply(other22, t1, t1)
+        np.sqrt(t1, t1)
+        np.divide(t1, b, other22)
+        np.arctan(other22, other22)
+        np.tan(theta, t2)
+        np.multiply(E_star, t2, t2)
+        np.square(a, t3)
+        np.multiply(t3, other22, other22)
+        np.multiply(b, t1, t1)
+        np.add(other22, t1, t1)
+        np.multiply(t2, t1, other22)
+        if some22:
+            np.copyto(out, other22, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(C1, sigma_0, t1)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t2)
+    np.multiply(t0, t2, t2)
+    np.multiply(a, q, t0)
+    np.add(t2, t0, t0)
+    np.multiply(t1, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def pressure(r, a, theta, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, theta, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, theta, b, E_star, dgamma, sigma_0):
-    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, theta, b, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -96,6 +247,19 @@ def pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(theta, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
+    if a.__class__ is theta.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, theta, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, theta, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -147,10 +311,10 @@ def without_contact_depth(c, theta, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v73 = tan(theta)
@@ -208,10 +372,10 @@ def without_contact_force(c, theta, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v73 = tan(theta)
@@ -270,10 +434,10 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
                 v34 = v31 if v33 else b
                 v35 = v32 if v33 else b
                 v37 = asinh(b / v34)
-                v40 = 1.5707963267948966 / v37
+                v41 = 1.5707963267948966 / v37
                 v42 = atan2(v18, v35) / v37
-                v43 = asinh(v40)
-                v58 = asinh(atan2(v35, v18) / v37 * (v40 + v42) / (v40 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v40 * v40)))
+                v43 = asinh(v41)
+                v58 = asinh(atan2(v35, v18) / v37 * (v41 + v42) / (v41 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v41 * v41)))
                 v61 = 2.0 * v37
                 v73 = b * b
                 v79 = tan(theta)
@@ -301,3 +465,12 @@ def work_of_separation(a, c, theta, b, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 3, 1, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 3, 1, (), False),
+        ('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'theta', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    },
+}

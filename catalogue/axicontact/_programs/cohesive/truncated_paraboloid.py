@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from math import asinh, atan2, cos, cosh, fsum, hypot, nan, sin, sinh, sqrt
 
-from ..._runtime.interface import ordinary
+import numpy as np
+
+from ..._runtime.interface import largest, ordinary
 from ..._runtime.plain import rule
 from ..._programs.bodies.cohesive import truncated_paraboloid as bodies
 
+C0 = np.array(0.0)
+C1 = np.array(2.0)
+C2 = np.array(3.0)
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
@@ -63,26 +68,168 @@ def force(a, R, b, E_star, dgamma, sigma_0):
     return None
 
 
-def pull_off_depth(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def force_of(a, q, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_depth(a, R, b, E_star, dgamma, sigma_0)
+            v25 = hypot(a, q)
+            value = (0.0 if a < b else 2.0 * E_star / (3.0 * R) * (2.0 * (a * a) + b * b) * sqrt((a - b) * (a + b))) - 2.0 * sigma_0 * (v25 * v25 * atan2(q, a) + a * q)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            return None
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def prepare_force_of_a(q, R, b, E_star, dgamma, sigma_0):
+    v12 = (2.0) * E_star
+    v14 = (3.0) * R
+    v15 = v12 / v14
+    v18 = np.square(b)
+    v25 = (2.0) * sigma_0
+    return (q, b, v15, v18, v25)
+
+
+def block_force_of_a(out, a, q, b, v15, v18, v25, t0, t1, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.copyto(out, C0)
+    if some23 != size:
+        other23 = t0 if some23 else out
+        np.subtract(a, b, other23)
+        np.add(a, b, t1)
+        np.multiply(other23, t1, t1)
+        np.sqrt(t1, t1)
+        np.square(a, other23)
+        np.multiply(C1, other23, other23)
+        np.add(other23, v18, other23)
+        np.multiply(v15, other23, other23)
+        np.multiply(other23, t1, other23)
+        if some23:
+            np.copyto(out, other23, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v25, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_a_q(R, b, E_star, dgamma, sigma_0):
+    v12 = (2.0) * E_star
+    v14 = (3.0) * R
+    v15 = v12 / v14
+    v18 = np.square(b)
+    v25 = (2.0) * sigma_0
+    return (b, v15, v18, v25)
+
+
+def block_force_of_a_q(out, a, q, b, v15, v18, v25, t0, t1, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.copyto(out, C0)
+    if some23 != size:
+        other23 = t0 if some23 else out
+        np.subtract(a, b, other23)
+        np.add(a, b, t1)
+        np.multiply(other23, t1, t1)
+        np.sqrt(t1, t1)
+        np.square(a, other23)
+        np.multiply(C1, other23, other23)
+        np.add(other23, v18, other23)
+        np.multiply(v15, other23, other23)
+        np.multiply(other23, t1, other23)
+        if some23:
+            np.copyto(out, other23, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t1)
+    np.multiply(t0, t1, t1)
+    np.multiply(a, q, t0)
+    np.add(t1, t0, t0)
+    np.multiply(v25, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def prepare_force_of_all():
+    return ()
+
+
+def block_force_of_all(out, a, q, R, b, E_star, dgamma, sigma_0, t0, t1, t2, t3, m0):
+    size = out.size
+    np.less(a, b, m0)
+    largest_a = largest(a)
+    if largest_a == np.inf:
+        raise FloatingPointError
+    largest_q = largest(q)
+    if largest_q == np.inf:
+        raise FloatingPointError
+    some23 = np.count_nonzero(m0)
+    if some23:
+        np.copyto(out, C0)
+    if some23 != size:
+        other23 = t0 if some23 else out
+        np.subtract(a, b, other23)
+        np.add(a, b, t1)
+        np.multiply(other23, t1, t1)
+        np.sqrt(t1, t1)
+        np.multiply(C1, E_star, other23)
+        np.multiply(C2, R, t2)
+        np.divide(other23, t2, t2)
+        np.square(a, other23)
+        np.multiply(C1, other23, other23)
+        np.square(b, t3)
+        np.add(other23, t3, t3)
+        np.multiply(t2, t3, t3)
+        np.multiply(t3, t1, other23)
+        if some23:
+            np.copyto(out, other23, where=~m0)
+    np.hypot(a, q, t0)
+    np.multiply(C1, sigma_0, t1)
+    np.multiply(t0, t0, t0)
+    np.arctan2(q, a, t3)
+    np.multiply(t0, t3, t3)
+    np.multiply(a, q, t0)
+    np.add(t3, t0, t0)
+    np.multiply(t1, t0, t0)
+    np.subtract(out, t0, out)
+
+
+def pressure(r, a, R, b, E_star, dgamma, sigma_0):
+    if r.__class__ is a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pressure(r, a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
     return None
 
 
-def pull_off_force(a, R, b, E_star, dgamma, sigma_0):
-    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+def pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is q.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (q > 1e-30) and (q < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
         try:
-            value = bodies._pull_off_force(a, R, b, E_star, dgamma, sigma_0)
+            value = bodies._pull_off_depth(a, q, R, b, E_star, dgamma, sigma_0)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
-            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
+            if value != value and ordinary(a, q, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -96,6 +243,19 @@ def pull_off_radius(R, b, E_star, dgamma, sigma_0, control):
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             if (value != value or value == 0.0) and ordinary(R, b, E_star, dgamma, sigma_0):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
+def pull_off_zone(a, R, b, E_star, dgamma, sigma_0):
+    if a.__class__ is R.__class__ is b.__class__ is E_star.__class__ is dgamma.__class__ is sigma_0.__class__ is float and a > 1e-30 and (a < 1e+30) and (R > 1e-30) and (R < 1e+30) and (b > 1e-30) and (b < 1e+30) and (E_star > 1e-30) and (E_star < 1e+30) and (dgamma > 1e-30) and (dgamma < 1e+30) and (sigma_0 > 1e-30) and (sigma_0 < 1e+30):
+        try:
+            value = bodies._pull_off_zone(a, R, b, E_star, dgamma, sigma_0)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if value != value and ordinary(a, R, b, E_star, dgamma, sigma_0):
                 return value
         except (ArithmeticError, ValueError):
             pass
@@ -147,10 +307,10 @@ def without_contact_depth(c, R, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v73 = b * b
@@ -207,10 +367,10 @@ def without_contact_force(c, R, b, E_star, dgamma, sigma_0):
                 v28 = v25 if v27 else b
                 v29 = v26 if v27 else b
                 v31 = asinh(b / v28)
-                v34 = 1.5707963267948966 / v31
+                v35 = 1.5707963267948966 / v31
                 v36 = atan2(v12, v29) / v31
-                v37 = asinh(v34)
-                v52 = asinh(atan2(v29, v12) / v31 * (v34 + v36) / (v34 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v34 * v34)))
+                v37 = asinh(v35)
+                v52 = asinh(atan2(v29, v12) / v31 * (v35 + v36) / (v35 * sqrt(1.0 + v36 * v36) + v36 * sqrt(1.0 + v35 * v35)))
                 v55 = 2.0 * v31
                 v67 = b * b
                 v73 = b * b
@@ -268,10 +428,10 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
                 v34 = v31 if v33 else b
                 v35 = v32 if v33 else b
                 v37 = asinh(b / v34)
-                v40 = 1.5707963267948966 / v37
+                v41 = 1.5707963267948966 / v37
                 v42 = atan2(v18, v35) / v37
-                v43 = asinh(v40)
-                v58 = asinh(atan2(v35, v18) / v37 * (v40 + v42) / (v40 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v40 * v40)))
+                v43 = asinh(v41)
+                v58 = asinh(atan2(v35, v18) / v37 * (v41 + v42) / (v41 * sqrt(1.0 + v42 * v42) + v42 * sqrt(1.0 + v41 * v41)))
                 v61 = 2.0 * v37
                 v73 = b * b
                 v79 = b * b
@@ -298,3 +458,12 @@ def work_of_separation(a, c, R, b, E_star, sigma_0):
         except (ArithmeticError, ValueError):
             pass
     return None
+
+
+BLOCKS = {
+    ('_force_of', 2, 'a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): {
+        ('a',): (('a',), prepare_force_of_a, block_force_of_a, 2, 1, (), False),
+        ('a', 'q'): (('a', 'q'), prepare_force_of_a_q, block_force_of_a_q, 2, 1, (), False),
+        ('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'): (('a', 'q', 'R', 'b', 'E_star', 'dgamma', 'sigma_0'), prepare_force_of_all, block_force_of_all, 4, 1, (), False),
+    },
+}

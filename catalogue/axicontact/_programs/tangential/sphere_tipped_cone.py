@@ -414,6 +414,19 @@ def tangential_force(a, c, R, theta, E_star, mu):
     return None
 
 
+def traction(r, a, c, R, theta, E_star, mu):
+    if r.__class__ is a.__class__ is c.__class__ is R.__class__ is theta.__class__ is E_star.__class__ is mu.__class__ is float and r > 1e-30 and (r < 1e+30) and (a > 1e-30) and (a < 1e+30) and (c > 1e-30) and (c < 1e+30) and (R > 1e-30) and (R < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E_star > 1e-30) and (E_star < 1e+30) and (mu > 1e-30) and (mu < 1e+30):
+        try:
+            value = bodies._traction(r, a, c, R, theta, E_star, mu)
+            if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
+                return value
+            if (value != value or (value == 0.0 and r > a)) and ordinary(r, a, c, R, theta, E_star, mu):
+                return value
+        except (ArithmeticError, ValueError):
+            pass
+    return None
+
+
 BLOCKS = {
     ('_full_slip_displacement', 1, 'a', 'R', 'theta', 'E_star', 'G_star', 'mu'): {
         ('a',): (('a',), prepare_full_slip_displacement_a, block_full_slip_displacement_a, 4, 1, (0.0,), False),

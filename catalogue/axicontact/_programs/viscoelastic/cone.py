@@ -454,7 +454,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, theta, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is theta.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (theta > 1e-30) and (theta < 1.5707963267948966) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
             v14 = t > t_m
-            v26 = 2.0 / (3.141592653589793 * tan(theta))
+            v23 = 2.0 / (3.141592653589793 * tan(theta))
             if v14:
                 if v14:
                     v8 = t - t_m
@@ -463,8 +463,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, theta, E, eta):
                 else:
                     v17 = t
                 if v17 > 0.0:
-                    v21 = v * v17
-                    value = v26 * (v21 * v21) * (E + 0.0 * v17)
+                    v18 = v * v17
+                    value = v23 * (v18 * v18) * (E + 0.0 * v17)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -472,7 +472,7 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, theta, E, eta):
             if t == 0.0:
                 return 0.0
             v32 = v * t
-            return v26 * (v32 * v32) * (E + eta * 2.0 / t)
+            return v23 * (v32 * v32) * (E + eta * 2.0 / t)
         except (ArithmeticError, ValueError):
             pass
     return None
@@ -481,14 +481,14 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, theta, E, eta):
 def prepare_retract_force_kelvin_voigt_t(theta, v, v_2, t_m, E, eta):
     v7 = v_2 / v
     v11 = eta / E
-    v21 = np.tan(theta)
-    v23 = (3.141592653589793) * v21
-    v25 = (2.0) / v23
+    v19 = np.tan(theta)
+    v21 = (3.141592653589793) * v19
+    v23 = (2.0) / v21
     v34 = eta * (2.0)
-    return (v, t_m, E, v7, v11, v25, v34)
+    return (v, t_m, E, v7, v11, v23, v34)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, E, v7, v11, v25, v34, t0, t1, t2, m0, m1, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, E, v7, v11, v23, v34, t0, t1, t2, m0, m1, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -509,12 +509,12 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, E, v7, v11, v25, v34, t0,
         np.greater(t0, C2, m1)
         some30 = np.count_nonzero(m1)
         if some30:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.square(t1, t1)
-            np.multiply(v25, t1, t1)
-            np.multiply(t1, out, out)
+            np.multiply(v, t0, out)
+            np.square(out, out)
+            np.multiply(v23, out, out)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(out, t1, out)
         if some30 != size:
             np.copyto(out, C2, where=~m1)
     if some40 != size:
@@ -527,7 +527,7 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, E, v7, v11, v25, v34, t0,
             other39 = t1 if some39 else other40
             np.multiply(v, t, other39)
             np.square(other39, other39)
-            np.multiply(v25, other39, other39)
+            np.multiply(v23, other39, other39)
             np.divide(v34, t, t2)
             np.add(E, t2, t2)
             np.multiply(other39, t2, other39)
@@ -567,12 +567,12 @@ def block_retract_force_kelvin_voigt_all(out, t, theta, v, v_2, t_m, E, eta, t0,
         np.greater(t1, C2, m1)
         some30 = np.count_nonzero(m1)
         if some30:
-            np.multiply(C2, t1, out)
-            np.add(E, out, out)
-            np.multiply(v, t1, t3)
-            np.square(t3, t3)
-            np.multiply(t0, t3, t3)
-            np.multiply(t3, out, out)
+            np.multiply(v, t1, out)
+            np.square(out, out)
+            np.multiply(t0, out, out)
+            np.multiply(C2, t1, t3)
+            np.add(E, t3, t3)
+            np.multiply(out, t3, out)
         if some30 != size:
             np.copyto(out, C2, where=~m1)
     if some40 != size:

@@ -501,12 +501,12 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, a, E, eta, v7, v11, v36, 
         np.greater(t0, C2, m1)
         some26 = np.count_nonzero(m1)
         if some26:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.multiply(C3, t1, t1)
-            np.multiply(t1, a, t1)
-            np.multiply(t1, out, out)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, out)
+            np.multiply(out, a, out)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(out, t1, out)
         if some26 != size:
             np.copyto(out, C2, where=~m1)
     if some38 != size:
@@ -556,12 +556,12 @@ def block_retract_force_kelvin_voigt_all(out, t, a, v, v_2, t_m, E, eta, t0, t1,
         np.greater(t0, C2, m1)
         some26 = np.count_nonzero(m1)
         if some26:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t2)
-            np.multiply(C3, t2, t2)
-            np.multiply(t2, a, t2)
-            np.multiply(t2, out, out)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, out)
+            np.multiply(out, a, out)
+            np.multiply(C2, t0, t2)
+            np.add(E, t2, t2)
+            np.multiply(out, t2, out)
         if some26 != size:
             np.copyto(out, C2, where=~m1)
     if some38 != size:

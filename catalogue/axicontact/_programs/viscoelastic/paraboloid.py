@@ -462,8 +462,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, R, E, eta):
                 else:
                     v17 = t
                 if v17 > 0.0:
-                    v21 = v * v17
-                    value = 1.3333333333333333 * v21 * sqrt(R * v21) * (E + 0.0 * v17)
+                    v18 = v * v17
+                    value = 1.3333333333333333 * v18 * sqrt(R * v18) * (E + 0.0 * v17)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -505,14 +505,14 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, R, E, v7, v11, v35, t0, t
         np.greater(t0, C2, m1)
         some28 = np.count_nonzero(m1)
         if some28:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.multiply(C3, t1, t2)
-            np.multiply(R, t1, t1)
-            np.sqrt(t1, t1)
-            np.multiply(t2, t1, t1)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t1)
+            np.multiply(R, out, out)
+            np.sqrt(out, out)
             np.multiply(t1, out, out)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(out, t1, out)
         if some28 != size:
             np.copyto(out, C2, where=~m1)
     if some41 != size:
@@ -564,14 +564,14 @@ def block_retract_force_kelvin_voigt_all(out, t, R, v, v_2, t_m, E, eta, t0, t1,
         np.greater(t0, C2, m1)
         some28 = np.count_nonzero(m1)
         if some28:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t2)
-            np.multiply(C3, t2, t1)
-            np.multiply(R, t2, t2)
-            np.sqrt(t2, t2)
-            np.multiply(t1, t2, t2)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t2)
+            np.multiply(R, out, out)
+            np.sqrt(out, out)
             np.multiply(t2, out, out)
+            np.multiply(C2, t0, t2)
+            np.add(E, t2, t2)
+            np.multiply(out, t2, out)
         if some28 != size:
             np.copyto(out, C2, where=~m1)
     if some41 != size:

@@ -627,37 +627,37 @@ def ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau):
 def retract_force_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
     if t.__class__ is v.__class__ is v_2.__class__ is t_m.__class__ is A.__class__ is n.__class__ is E.__class__ is eta.__class__ is float and t > 1e-30 and (t < 1e+30) and (v > 1e-30) and (v < 1e+30) and (v_2 > 1e-30) and (v_2 < 1e+30) and (t_m > 1e-30) and (t_m < 1e+30) and (A > 1e-30) and (A < 1e+30) and (n > 1e-30) and (n < 1e+30) and (E > 1e-30) and (E < 1e+30) and (eta > 1e-30) and (eta < 1e+30):
         try:
-            v9 = n + 1.0
-            v18 = t > t_m
-            v29 = n / 2.0 + 0.5
-            v31 = v29 + 1.75
-            v35 = (v29 + 0.5) * (v29 + 1.5)
-            v48 = 1.0 / (v31 * v31)
-            v89 = (v29 * (v29 + 1.0) / v35 if v29 < 1.0 else 1.0 - (v29 + 0.75) / v35) * sqrt(v31) * (1.0 + v48 * (((((((0.01524698625788054 * v48 + 0.5334320651111477) * v48 + 2.250488865813539) * v48 + 2.8612106440066865) * v48 + 1.3794681629043655) * v48 + 0.2596058532893223) * v48 + 0.015624999999999823) / ((((((3.278794792785737 * v48 + 49.328555418276075) * v48 + 167.28648538571198) * v48 + 195.37226190335065) * v48 + 90.69722535867314) * v48 + 16.763212110504565) * v48 + 1.0)))
-            v92 = 1.7724538509055159 * A * v89
-            v98 = 3.5449077018110318 * n * A / v9 * v89
-            v100 = n + 0.0
-            v101 = 1.0 / v100
-            if v18:
-                if v18:
-                    v12 = t - t_m
-                    v19 = t_m - v_2 / v * ((v12 if v12 > 0.0 or v12 != v12 else 0.0) + eta / E)
-                    v21 = v19 if v19 > 0.0 or v19 != v19 else 0.0
+            v15 = t > t_m
+            v20 = n + 1.0
+            v26 = n / 2.0 + 0.5
+            v28 = v26 + 1.75
+            v32 = (v26 + 0.5) * (v26 + 1.5)
+            v45 = 1.0 / (v28 * v28)
+            v86 = (v26 * (v26 + 1.0) / v32 if v26 < 1.0 else 1.0 - (v26 + 0.75) / v32) * sqrt(v28) * (1.0 + v45 * (((((((0.01524698625788054 * v45 + 0.5334320651111477) * v45 + 2.250488865813539) * v45 + 2.8612106440066865) * v45 + 1.3794681629043655) * v45 + 0.2596058532893223) * v45 + 0.015624999999999823) / ((((((3.278794792785737 * v45 + 49.328555418276075) * v45 + 167.28648538571198) * v45 + 195.37226190335065) * v45 + 90.69722535867314) * v45 + 16.763212110504565) * v45 + 1.0)))
+            v89 = 1.7724538509055159 * A * v86
+            v95 = 3.5449077018110318 * n * A / v20 * v86
+            v97 = n + 0.0
+            v98 = 1.0 / v97
+            if v15:
+                if v15:
+                    v9 = t - t_m
+                    v16 = t_m - v_2 / v * ((v9 if v9 > 0.0 or v9 != v9 else 0.0) + eta / E)
+                    v18 = v16 if v16 > 0.0 or v16 != v16 else 0.0
                 else:
-                    v21 = t
-                if v21 > 0.0:
-                    v93 = v * v21 / v92
-                    v102 = pow(v93, v101)
-                    value = v98 * v93 * (v102 + v102 * ((v93 / (pow(v102, n) * pow(v102, 0.0)) - 1.0) / v100) if v93 > 0.0 and v93 < inf else v102) * (E + 0.0 * v21)
+                    v18 = t
+                if v18 > 0.0:
+                    v90 = v * v18 / v89
+                    v99 = pow(v90, v98)
+                    value = v95 * v90 * (v99 + v99 * ((v90 / (pow(v99, n) * pow(v99, 0.0)) - 1.0) / v97) if v90 > 0.0 and v90 < inf else v99) * (E + 0.0 * v18)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
                 return 0.0
             if t == 0.0:
                 return 0.0
-            v121 = v * t / v92
-            v123 = pow(v121, v101)
-            value = v98 * v121 * (v123 + v123 * ((v121 / (pow(v123, n) * pow(v123, 0.0)) - 1.0) / v100) if v121 > 0.0 and v121 < inf else v123) * (E + eta * (v9 / n) / t)
+            v121 = v * t / v89
+            v123 = pow(v121, v98)
+            value = v95 * v121 * (v123 + v123 * ((v121 / (pow(v123, n) * pow(v123, 0.0)) - 1.0) / v97) if v121 > 0.0 and v121 < inf else v123) * (E + eta * (v20 / n) / t)
             if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                 return value
             return None
@@ -667,69 +667,69 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, A, n, E, eta):
 
 
 def prepare_retract_force_kelvin_voigt_t(A, n, v, v_2, t_m, E, eta):
-    v9 = n + (1.0)
-    v10 = v9 / n
-    v11 = v_2 / v
-    v15 = eta / E
-    v26 = n / (2.0)
-    v28 = v26 + (0.5)
-    v30 = v28 + (1.75)
-    v31 = v28 + (0.5)
-    v33 = v28 + (1.5)
-    v34 = v31 * v33
-    v35 = np.less(v28, (1.0))
-    v36 = v28 + (1.0)
-    v37 = v28 * v36
-    v38 = v37 / v34
-    v40 = v28 + (0.75)
-    v41 = v40 / v34
-    v42 = (1.0) - v41
-    v43 = v38 if v35 else v42
-    v44 = np.sqrt(v30)
-    v45 = v43 * v44
-    v46 = v30 * v30
-    v47 = (1.0) / v46
-    v49 = (0.01524698625788054) * v47
-    v51 = v49 + (0.5334320651111477)
-    v52 = v51 * v47
-    v54 = v52 + (2.250488865813539)
-    v55 = v54 * v47
-    v57 = v55 + (2.8612106440066865)
-    v58 = v57 * v47
-    v60 = v58 + (1.3794681629043655)
-    v61 = v60 * v47
-    v63 = v61 + (0.2596058532893223)
-    v64 = v63 * v47
-    v66 = v64 + (0.015624999999999823)
-    v68 = (3.278794792785737) * v47
-    v70 = v68 + (49.328555418276075)
-    v71 = v70 * v47
-    v73 = v71 + (167.28648538571198)
-    v74 = v73 * v47
-    v76 = v74 + (195.37226190335065)
-    v77 = v76 * v47
-    v79 = v77 + (90.69722535867314)
-    v80 = v79 * v47
-    v82 = v80 + (16.763212110504565)
-    v83 = v82 * v47
-    v84 = v83 + (1.0)
-    v85 = v66 / v84
-    v86 = v47 * v85
-    v87 = (1.0) + v86
-    v88 = v45 * v87
-    v90 = (1.7724538509055159) * A
-    v91 = v90 * v88
-    v94 = (3.5449077018110318) * n
-    v95 = v94 * A
-    v96 = v95 / v9
-    v97 = v96 * v88
-    v99 = n + (0.0)
-    v100 = (1.0) / v99
-    v136 = eta * v10
-    return (v, t_m, n, E, v11, v15, v91, v97, v99, v100, v136)
+    v8 = v_2 / v
+    v12 = eta / E
+    v20 = n + (1.0)
+    v21 = v20 / n
+    v24 = n / (2.0)
+    v26 = v24 + (0.5)
+    v28 = v26 + (1.75)
+    v29 = v26 + (0.5)
+    v31 = v26 + (1.5)
+    v32 = v29 * v31
+    v33 = np.less(v26, (1.0))
+    v34 = v26 + (1.0)
+    v35 = v26 * v34
+    v36 = v35 / v32
+    v38 = v26 + (0.75)
+    v39 = v38 / v32
+    v40 = (1.0) - v39
+    v41 = v36 if v33 else v40
+    v42 = np.sqrt(v28)
+    v43 = v41 * v42
+    v44 = v28 * v28
+    v45 = (1.0) / v44
+    v47 = (0.01524698625788054) * v45
+    v49 = v47 + (0.5334320651111477)
+    v50 = v49 * v45
+    v52 = v50 + (2.250488865813539)
+    v53 = v52 * v45
+    v55 = v53 + (2.8612106440066865)
+    v56 = v55 * v45
+    v58 = v56 + (1.3794681629043655)
+    v59 = v58 * v45
+    v61 = v59 + (0.2596058532893223)
+    v62 = v61 * v45
+    v64 = v62 + (0.015624999999999823)
+    v66 = (3.278794792785737) * v45
+    v68 = v66 + (49.328555418276075)
+    v69 = v68 * v45
+    v71 = v69 + (167.28648538571198)
+    v72 = v71 * v45
+    v74 = v72 + (195.37226190335065)
+    v75 = v74 * v45
+    v77 = v75 + (90.69722535867314)
+    v78 = v77 * v45
+    v80 = v78 + (16.763212110504565)
+    v81 = v80 * v45
+    v82 = v81 + (1.0)
+    v83 = v64 / v82
+    v84 = v45 * v83
+    v85 = (1.0) + v84
+    v86 = v43 * v85
+    v88 = (1.7724538509055159) * A
+    v89 = v88 * v86
+    v92 = (3.5449077018110318) * n
+    v93 = v92 * A
+    v94 = v93 / v20
+    v95 = v94 * v86
+    v97 = n + (0.0)
+    v98 = (1.0) / v97
+    v136 = eta * v21
+    return (v, t_m, n, E, v8, v12, v89, v95, v97, v98, v136)
 
 
-def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v11, v15, v91, v97, v99, v100, v136, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
+def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v8, v12, v89, v95, v97, v98, v136, t0, t1, t2, t3, t4, t5, m0, m1, m2, m3, f0):
     size = out.size
     np.greater(t, t_m, m0)
     largest_t = largest(t)
@@ -737,42 +737,42 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v11, v15, v91, v97,
         raise FloatingPointError
     some142 = np.count_nonzero(m0)
     if some142:
-        some21 = np.count_nonzero(m0)
-        if some21:
+        some18 = np.count_nonzero(m0)
+        if some18:
             np.subtract(t, t_m, t0)
             np.maximum(t0, f0, out=t0)
-            np.add(t0, v15, t0)
-            np.multiply(v11, t0, t0)
+            np.add(t0, v12, t0)
+            np.multiply(v8, t0, t0)
             np.subtract(t_m, t0, t0)
             np.maximum(t0, f0, out=t0)
-        if some21 != size:
+        if some18 != size:
             np.copyto(t0, t, where=~m0)
         np.greater(t0, C2, m1)
         some118 = np.count_nonzero(m1)
         if some118:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.divide(t1, v91, t1)
-            np.multiply(v97, t1, t2)
-            np.power(t1, v100, t3)
-            np.greater(t1, C2, m2)
-            np.less(t1, C1, m3)
+            np.multiply(v, t0, out)
+            np.divide(out, v89, out)
+            np.multiply(v95, out, t1)
+            np.power(out, v98, t2)
+            np.greater(out, C2, m2)
+            np.less(out, C1, m3)
             np.bitwise_and(m2, m3, m3)
-            some114 = np.count_nonzero(m3)
-            if some114:
-                np.power(t3, n, t4)
-                np.power(t3, C2, t5)
-                np.multiply(t4, t5, t5)
-                np.divide(t1, t5, t5)
-                np.subtract(t5, C0, t5)
-                np.divide(t5, v99, t5)
-                np.multiply(t3, t5, t5)
-                np.add(t3, t5, t4)
-            if some114 != size:
-                np.copyto(t4, t3, where=~m3)
-            np.multiply(t2, t4, t4)
-            np.multiply(t4, out, out)
+            some112 = np.count_nonzero(m3)
+            if some112:
+                np.power(t2, n, t3)
+                np.power(t2, C2, t4)
+                np.multiply(t3, t4, t4)
+                np.divide(out, t4, t4)
+                np.subtract(t4, C0, t4)
+                np.divide(t4, v97, t4)
+                np.multiply(t2, t4, t4)
+                np.add(t2, t4, t3)
+            if some112 != size:
+                np.copyto(t3, t2, where=~m3)
+            np.multiply(t1, t3, t3)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(t3, t1, out)
         if some118 != size:
             np.copyto(out, C2, where=~m1)
     if some142 != size:
@@ -782,30 +782,30 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, n, E, v11, v15, v91, v97,
         if some141:
             np.copyto(other142, C2)
         if some141 != size:
-            other141 = t4 if some141 else other142
+            other141 = t1 if some141 else other142
             np.multiply(v, t, other141)
-            np.divide(other141, v91, other141)
-            np.multiply(v97, other141, t2)
-            np.power(other141, v100, t1)
+            np.divide(other141, v89, other141)
+            np.multiply(v95, other141, t3)
+            np.power(other141, v98, t2)
             np.greater(other141, C2, m3)
             np.less(other141, C1, m2)
             np.bitwise_and(m3, m2, m2)
             some134 = np.count_nonzero(m2)
             if some134:
-                np.power(t1, n, t3)
-                np.power(t1, C2, t5)
-                np.multiply(t3, t5, t5)
+                np.power(t2, n, t4)
+                np.power(t2, C2, t5)
+                np.multiply(t4, t5, t5)
                 np.divide(other141, t5, t5)
                 np.subtract(t5, C0, t5)
-                np.divide(t5, v99, t5)
-                np.multiply(t1, t5, t5)
-                np.add(t1, t5, t3)
+                np.divide(t5, v97, t5)
+                np.multiply(t2, t5, t5)
+                np.add(t2, t5, t4)
             if some134 != size:
-                np.copyto(t3, t1, where=~m2)
-            np.multiply(t2, t3, t3)
-            np.divide(v136, t, t2)
-            np.add(E, t2, t2)
-            np.multiply(t3, t2, other141)
+                np.copyto(t4, t2, where=~m2)
+            np.multiply(t3, t4, t4)
+            np.divide(v136, t, t3)
+            np.add(E, t3, t3)
+            np.multiply(t4, t3, other141)
             if some141:
                 np.copyto(other142, other141, where=~m1)
         if some142:
@@ -818,11 +818,11 @@ def prepare_retract_force_kelvin_voigt_all():
 
 def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, m0, m1, m2, m3, f0):
     size = out.size
-    np.add(n, C0, t0)
+    np.greater(t, t_m, m0)
     largest_t = largest(t)
     if largest_t == np.inf:
         raise FloatingPointError
-    np.greater(t, t_m, m0)
+    np.add(n, C0, t0)
     np.multiply(n, C3, t1)
     np.add(t1, C3, t1)
     np.add(t1, C4, t2)
@@ -830,18 +830,18 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
     np.add(t1, C5, t4)
     np.multiply(t3, t4, t4)
     np.less(t1, C0, m1)
-    some43 = np.count_nonzero(m1)
-    if some43:
+    some41 = np.count_nonzero(m1)
+    if some41:
         np.add(t1, C0, t3)
         np.multiply(t1, t3, t3)
         np.divide(t3, t4, t3)
-    if some43 != size:
-        other43 = t5 if some43 else t3
-        np.add(t1, C6, other43)
-        np.divide(other43, t4, other43)
-        np.subtract(C0, other43, other43)
-        if some43:
-            np.copyto(t3, other43, where=~m1)
+    if some41 != size:
+        other41 = t5 if some41 else t3
+        np.add(t1, C6, other41)
+        np.divide(other41, t4, other41)
+        np.subtract(C0, other41, other41)
+        if some41:
+            np.copyto(t3, other41, where=~m1)
     np.sqrt(t2, t4)
     np.multiply(t3, t4, t4)
     np.multiply(t2, t2, t2)
@@ -884,8 +884,8 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
     np.divide(C0, t2, t3)
     some142 = np.count_nonzero(m0)
     if some142:
-        some21 = np.count_nonzero(m0)
-        if some21:
+        some18 = np.count_nonzero(m0)
+        if some18:
             np.divide(v_2, v, t5)
             np.subtract(t, t_m, t6)
             np.maximum(t6, f0, out=t6)
@@ -894,34 +894,34 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
             np.multiply(t5, t7, t7)
             np.subtract(t_m, t7, t7)
             np.maximum(t7, f0, out=t5)
-        if some21 != size:
+        if some18 != size:
             np.copyto(t5, t, where=~m0)
         np.greater(t5, C2, m1)
         some118 = np.count_nonzero(m1)
         if some118:
-            np.multiply(C2, t5, out)
-            np.add(E, out, out)
-            np.multiply(v, t5, t7)
-            np.divide(t7, t4, t7)
-            np.multiply(t1, t7, t6)
-            np.power(t7, t3, t8)
-            np.greater(t7, C2, m2)
-            np.less(t7, C1, m3)
+            np.multiply(v, t5, out)
+            np.divide(out, t4, out)
+            np.multiply(t1, out, t7)
+            np.power(out, t3, t6)
+            np.greater(out, C2, m2)
+            np.less(out, C1, m3)
             np.bitwise_and(m2, m3, m3)
-            some114 = np.count_nonzero(m3)
-            if some114:
-                np.power(t8, n, t9)
-                np.power(t8, C2, t10)
-                np.multiply(t9, t10, t10)
-                np.divide(t7, t10, t10)
-                np.subtract(t10, C0, t10)
-                np.divide(t10, t2, t10)
-                np.multiply(t8, t10, t10)
-                np.add(t8, t10, t9)
-            if some114 != size:
-                np.copyto(t9, t8, where=~m3)
-            np.multiply(t6, t9, t9)
-            np.multiply(t9, out, out)
+            some112 = np.count_nonzero(m3)
+            if some112:
+                np.power(t6, n, t8)
+                np.power(t6, C2, t9)
+                np.multiply(t8, t9, t9)
+                np.divide(out, t9, t9)
+                np.subtract(t9, C0, t9)
+                np.divide(t9, t2, t9)
+                np.multiply(t6, t9, t9)
+                np.add(t6, t9, t8)
+            if some112 != size:
+                np.copyto(t8, t6, where=~m3)
+            np.multiply(t7, t8, t8)
+            np.multiply(C2, t5, t7)
+            np.add(E, t7, t7)
+            np.multiply(t8, t7, out)
         if some118 != size:
             np.copyto(out, C2, where=~m1)
     if some142 != size:
@@ -931,28 +931,28 @@ def block_retract_force_kelvin_voigt_all(out, t, A, n, v, v_2, t_m, E, eta, t0, 
         if some141:
             np.copyto(other142, C2)
         if some141 != size:
-            other141 = t9 if some141 else other142
+            other141 = t7 if some141 else other142
             np.divide(t0, n, other141)
-            np.multiply(v, t, t6)
-            np.divide(t6, t4, t6)
-            np.multiply(t1, t6, t7)
-            np.power(t6, t3, t8)
-            np.greater(t6, C2, m3)
-            np.less(t6, C1, m2)
+            np.multiply(v, t, t8)
+            np.divide(t8, t4, t8)
+            np.multiply(t1, t8, t6)
+            np.power(t8, t3, t9)
+            np.greater(t8, C2, m3)
+            np.less(t8, C1, m2)
             np.bitwise_and(m3, m2, m2)
             some134 = np.count_nonzero(m2)
             if some134:
-                np.power(t8, n, t10)
-                np.power(t8, C2, t11)
+                np.power(t9, n, t10)
+                np.power(t9, C2, t11)
                 np.multiply(t10, t11, t11)
-                np.divide(t6, t11, t11)
+                np.divide(t8, t11, t11)
                 np.subtract(t11, C0, t11)
                 np.divide(t11, t2, t11)
-                np.multiply(t8, t11, t11)
-                np.add(t8, t11, t10)
+                np.multiply(t9, t11, t11)
+                np.add(t9, t11, t10)
             if some134 != size:
-                np.copyto(t10, t8, where=~m2)
-            np.multiply(t7, t10, t10)
+                np.copyto(t10, t9, where=~m2)
+            np.multiply(t6, t10, t10)
             np.multiply(eta, other141, other141)
             np.divide(other141, t, other141)
             np.add(E, other141, other141)

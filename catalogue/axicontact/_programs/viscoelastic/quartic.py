@@ -472,8 +472,8 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
                 else:
                     v17 = t
                 if v17 > 0.0:
-                    v21 = v * v17
-                    value = 0.8 * v21 * sqrt(sqrt(6.0 * v21 / A)) * (E + 0.0 * v17)
+                    v18 = v * v17
+                    value = 0.8 * v18 * sqrt(sqrt(6.0 * v18 / A)) * (E + 0.0 * v17)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -515,16 +515,16 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v40, t0, t
         np.greater(t0, C2, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.multiply(C3, t1, t2)
-            np.multiply(C4, t1, t1)
-            np.divide(t1, A, t1)
-            np.sqrt(t1, t1)
-            np.sqrt(t1, t1)
-            np.multiply(t2, t1, t1)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t1)
+            np.multiply(C4, out, out)
+            np.divide(out, A, out)
+            np.sqrt(out, out)
+            np.sqrt(out, out)
             np.multiply(t1, out, out)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(out, t1, out)
         if some31 != size:
             np.copyto(out, C2, where=~m1)
     if some46 != size:
@@ -578,16 +578,16 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1,
         np.greater(t0, C2, m1)
         some31 = np.count_nonzero(m1)
         if some31:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t2)
-            np.multiply(C3, t2, t1)
-            np.multiply(C4, t2, t2)
-            np.divide(t2, A, t2)
-            np.sqrt(t2, t2)
-            np.sqrt(t2, t2)
-            np.multiply(t1, t2, t2)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t2)
+            np.multiply(C4, out, out)
+            np.divide(out, A, out)
+            np.sqrt(out, out)
+            np.sqrt(out, out)
             np.multiply(t2, out, out)
+            np.multiply(C2, t0, t2)
+            np.add(E, t2, t2)
+            np.multiply(out, t2, out)
         if some31 != size:
             np.copyto(out, C2, where=~m1)
     if some46 != size:

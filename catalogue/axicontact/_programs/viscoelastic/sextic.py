@@ -507,10 +507,10 @@ def retract_force_kelvin_voigt(t, v, v_2, t_m, A, E, eta):
                 else:
                     v17 = t
                 if v17 > 0.0:
-                    v21 = v * v17
-                    v26 = 20.0 * v21 / A
-                    v28 = pow(v26, 0.16666666666666666)
-                    value = 0.8571428571428571 * v21 * (v28 + v28 * ((v26 / (pow(v28, 6.0) * pow(v28, 0.0)) - 1.0) / 6.0) if v26 > 0.0 and v26 < inf else v28) * (E + 0.0 * v17)
+                    v18 = v * v17
+                    v23 = 20.0 * v18 / A
+                    v25 = pow(v23, 0.16666666666666666)
+                    value = 0.8571428571428571 * v18 * (v25 + v25 * ((v23 / (pow(v25, 6.0) * pow(v25, 0.0)) - 1.0) / 6.0) if v23 > 0.0 and v23 < inf else v25) * (E + 0.0 * v17)
                     if value > 1e-200 and value < 1e+200 or 1e-200 < -value < 1e+200:
                         return value
                     return None
@@ -557,30 +557,30 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v66, t0, t
         np.greater(t0, C2, m1)
         some46 = np.count_nonzero(m1)
         if some46:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t1)
-            np.multiply(C3, t1, t2)
-            np.multiply(C4, t1, t1)
-            np.divide(t1, A, t1)
-            np.power(t1, C5, t3)
-            np.greater(t1, C2, m2)
-            np.less(t1, C1, m3)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t1)
+            np.multiply(C4, out, out)
+            np.divide(out, A, out)
+            np.power(out, C5, t2)
+            np.greater(out, C2, m2)
+            np.less(out, C1, m3)
             np.bitwise_and(m2, m3, m3)
-            some42 = np.count_nonzero(m3)
-            if some42:
-                np.power(t3, C6, t4)
-                np.power(t3, C2, t5)
-                np.multiply(t4, t5, t5)
-                np.divide(t1, t5, t5)
-                np.subtract(t5, C0, t5)
-                np.divide(t5, C6, t5)
-                np.multiply(t3, t5, t5)
-                np.add(t3, t5, t4)
-            if some42 != size:
-                np.copyto(t4, t3, where=~m3)
-            np.multiply(t2, t4, t4)
-            np.multiply(t4, out, out)
+            some40 = np.count_nonzero(m3)
+            if some40:
+                np.power(t2, C6, t3)
+                np.power(t2, C2, t4)
+                np.multiply(t3, t4, t4)
+                np.divide(out, t4, t4)
+                np.subtract(t4, C0, t4)
+                np.divide(t4, C6, t4)
+                np.multiply(t2, t4, t4)
+                np.add(t2, t4, t3)
+            if some40 != size:
+                np.copyto(t3, t2, where=~m3)
+            np.multiply(t1, t3, t3)
+            np.multiply(C2, t0, t1)
+            np.add(E, t1, t1)
+            np.multiply(t3, t1, out)
         if some46 != size:
             np.copyto(out, C2, where=~m1)
     if some72 != size:
@@ -590,31 +590,31 @@ def block_retract_force_kelvin_voigt_t(out, t, v, t_m, A, E, v7, v11, v66, t0, t
         if some71:
             np.copyto(other72, C2)
         if some71 != size:
-            other71 = t4 if some71 else other72
+            other71 = t1 if some71 else other72
             np.multiply(v, t, other71)
-            np.multiply(C3, other71, t2)
+            np.multiply(C3, other71, t3)
             np.multiply(C4, other71, other71)
             np.divide(other71, A, other71)
-            np.power(other71, C5, t1)
+            np.power(other71, C5, t2)
             np.greater(other71, C2, m3)
             np.less(other71, C1, m2)
             np.bitwise_and(m3, m2, m2)
             some63 = np.count_nonzero(m2)
             if some63:
-                np.power(t1, C6, t3)
-                np.power(t1, C2, t5)
-                np.multiply(t3, t5, t5)
+                np.power(t2, C6, t4)
+                np.power(t2, C2, t5)
+                np.multiply(t4, t5, t5)
                 np.divide(other71, t5, t5)
                 np.subtract(t5, C0, t5)
                 np.divide(t5, C6, t5)
-                np.multiply(t1, t5, t5)
-                np.add(t1, t5, t3)
+                np.multiply(t2, t5, t5)
+                np.add(t2, t5, t4)
             if some63 != size:
-                np.copyto(t3, t1, where=~m2)
-            np.multiply(t2, t3, t3)
-            np.divide(v66, t, t2)
-            np.add(E, t2, t2)
-            np.multiply(t3, t2, other71)
+                np.copyto(t4, t2, where=~m2)
+            np.multiply(t3, t4, t4)
+            np.divide(v66, t, t3)
+            np.add(E, t3, t3)
+            np.multiply(t4, t3, other71)
             if some71:
                 np.copyto(other72, other71, where=~m1)
         if some72:
@@ -648,30 +648,30 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1,
         np.greater(t0, C2, m1)
         some46 = np.count_nonzero(m1)
         if some46:
-            np.multiply(C2, t0, out)
-            np.add(E, out, out)
-            np.multiply(v, t0, t2)
-            np.multiply(C3, t2, t1)
-            np.multiply(C4, t2, t2)
-            np.divide(t2, A, t2)
-            np.power(t2, C5, t3)
-            np.greater(t2, C2, m2)
-            np.less(t2, C1, m3)
+            np.multiply(v, t0, out)
+            np.multiply(C3, out, t2)
+            np.multiply(C4, out, out)
+            np.divide(out, A, out)
+            np.power(out, C5, t1)
+            np.greater(out, C2, m2)
+            np.less(out, C1, m3)
             np.bitwise_and(m2, m3, m3)
-            some42 = np.count_nonzero(m3)
-            if some42:
-                np.power(t3, C6, t4)
-                np.power(t3, C2, t5)
-                np.multiply(t4, t5, t5)
-                np.divide(t2, t5, t5)
-                np.subtract(t5, C0, t5)
-                np.divide(t5, C6, t5)
-                np.multiply(t3, t5, t5)
-                np.add(t3, t5, t4)
-            if some42 != size:
-                np.copyto(t4, t3, where=~m3)
-            np.multiply(t1, t4, t4)
-            np.multiply(t4, out, out)
+            some40 = np.count_nonzero(m3)
+            if some40:
+                np.power(t1, C6, t3)
+                np.power(t1, C2, t4)
+                np.multiply(t3, t4, t4)
+                np.divide(out, t4, t4)
+                np.subtract(t4, C0, t4)
+                np.divide(t4, C6, t4)
+                np.multiply(t1, t4, t4)
+                np.add(t1, t4, t3)
+            if some40 != size:
+                np.copyto(t3, t1, where=~m3)
+            np.multiply(t2, t3, t3)
+            np.multiply(C2, t0, t2)
+            np.add(E, t2, t2)
+            np.multiply(t3, t2, out)
         if some46 != size:
             np.copyto(out, C2, where=~m1)
     if some72 != size:
@@ -681,32 +681,32 @@ def block_retract_force_kelvin_voigt_all(out, t, A, v, v_2, t_m, E, eta, t0, t1,
         if some71:
             np.copyto(other72, C2)
         if some71 != size:
-            other71 = t4 if some71 else other72
+            other71 = t2 if some71 else other72
             np.multiply(v, t, other71)
-            np.multiply(C3, other71, t1)
+            np.multiply(C3, other71, t3)
             np.multiply(C4, other71, other71)
             np.divide(other71, A, other71)
-            np.power(other71, C5, t2)
+            np.power(other71, C5, t1)
             np.greater(other71, C2, m3)
             np.less(other71, C1, m2)
             np.bitwise_and(m3, m2, m2)
             some63 = np.count_nonzero(m2)
             if some63:
-                np.power(t2, C6, t3)
-                np.power(t2, C2, t5)
-                np.multiply(t3, t5, t5)
+                np.power(t1, C6, t4)
+                np.power(t1, C2, t5)
+                np.multiply(t4, t5, t5)
                 np.divide(other71, t5, t5)
                 np.subtract(t5, C0, t5)
                 np.divide(t5, C6, t5)
-                np.multiply(t2, t5, t5)
-                np.add(t2, t5, t3)
+                np.multiply(t1, t5, t5)
+                np.add(t1, t5, t4)
             if some63 != size:
-                np.copyto(t3, t2, where=~m2)
-            np.multiply(t1, t3, t3)
-            np.multiply(eta, C7, t1)
-            np.divide(t1, t, t1)
-            np.add(E, t1, t1)
-            np.multiply(t3, t1, other71)
+                np.copyto(t4, t1, where=~m2)
+            np.multiply(t3, t4, t4)
+            np.multiply(eta, C7, t3)
+            np.divide(t3, t, t3)
+            np.add(E, t3, t3)
+            np.multiply(t4, t3, other71)
             if some71:
                 np.copyto(other72, other71, where=~m1)
         if some72:

@@ -15,7 +15,6 @@ import numpy as np
 from ..integrals import STRIPS, difference_root, integral_by_length, integral_in_strip
 from ..interface import Array, Result
 from ..inverse import inverse
-from .branches import radii_around, radii_below, radii_to
 
 Opening = Callable[[Array, Array], tuple[Array, Array]]
 """Of q and a the gap of the normal contact at c, and its rate with c."""
@@ -26,10 +25,12 @@ NARROW = 0.7
 """Of pi/2: how close images of the end of a profile come to the path."""
 WITHIN = 1.0 - 1e-6
 """Of the largest q: a zone that comes closer to the end of a profile is not looked for."""
-DECAY = 40.0
-"""exp(-40) of a gap is less than its rounding."""
+DECAY, FALLING = 40.0, 1.2
+"""exp(-40) of a gap is less than its rounding; powers above 1.2 leave even less of it, and need half of the nodes."""
 EXPONENTS = (0.5, 4.0)
 """Of the gap in q, as a guess: from the ring alone to the narrow zone of a steep profile."""
+SAME = 1e-13
+"""Change of q beyond which the rate is looked at again."""
 CLOSEST = 1e-9
 """Root of 1 - (r/c)**2 next to r = c: no double is closer but c itself."""
 EMPTY = 0.5 * np.pi - 1.0
@@ -59,38 +60,65 @@ def both(
     width: float = 1.0,
     lengths: tuple[tuple[float, int], ...] = STRIPS,
 ) -> tuple[Array, Array]:
-    """The integrals of both members from 0 to `stop`."""
+    """The integrals of both members of a pair from 0 to `stop`."""
     gap = integral_by_length(lambda x: integrand(x)[0], stop, width, lengths)
     return gap, integral_by_length(lambda x: integrand(x)[1], stop, width, lengths)
 
 
 def opening(slope: Slope, q: Array, a: Array, nodes: int) -> tuple[Array, Array]:
     """For g' without singularities."""
-    c, end = np.hypot(a, q), np.arctan2(q, a)
+    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), nodes)
 
-    def gained(u: Array) -> tuple[Array, Array]:
+
+def _along(slope: Slope, c: Array, start: Array | float, length: Array, nodes: int) -> tuple[Array, Array]:
+    def gained(v: Array) -> tuple[Array, Array]:
+        u = start + v
         cosine = np.cos(u)
         growth = slope(c * cosine)
         return growth * u * np.sin(u), growth * cosine
 
-    gap, rate = both(gained, end, 1.0, ((np.inf, nodes),))
+    gap, rate = both(gained, length, 1.0, ((np.inf, nodes),))
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
 
 
 def opening_power(slope: Slope, q: Array, a: Array, n: Array | float) -> tuple[Array, Array]:
-    """For g' with singularities on the imaginary axis and at t = 0 only, where it falls as the power n - 1 of t."""
+    """For a g' that is a power n - 1 of t."""
     c = np.hypot(a, q)
     far = np.where(a > 0.0, q / np.where(a > 0.0, a, 1.0), np.inf)
-    end = np.minimum(np.arcsinh(far), DECAY / np.minimum(n, 1.0))
+    end = np.arcsinh(np.minimum(np.arcsinh(far), DECAY / np.minimum(n, FALLING)))
 
     def gained(v: Array) -> tuple[Array, Array]:
-        # t = c/cosh(v)
-        side, secant = np.sinh(v), np.cosh(v)
-        growth = slope(c / secant) / secant
+        # t = c/cosh(sinh(v)), with singularities above acosh(pi/2) and beyond, at the distance pi/2
+        steep = np.sinh(v)
+        side, secant = np.sinh(steep), np.cosh(steep)
+        growth = slope(c / secant) / secant * np.cosh(v)
         return growth * np.arctan(side) * (side / secant), growth / secant
 
     gap, rate = both(gained, end)
     return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
+
+
+def opening_beside(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Array]:
+    """For g' with singularities at b on the imaginary axis, which is next to the end of the path where c is far."""
+    c, angle = np.hypot(a, q), np.arctan2(q, a)
+    scale = np.arcsinh(b / c)
+    last, end = _crowded(angle, np.arctan2(a, q), scale)
+
+    def gained(v: Array) -> tuple[Array, Array]:
+        u = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
+        cosine = np.cos(u)
+        growth = slope(c * cosine) * scale * np.cosh(last - v)
+        return growth * u * np.sin(u), growth * cosine
+
+    gap, rate = both(gained, end, NARROW)
+    return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
+
+
+def _crowded(angle: Array, rest: Array, scale: Array) -> tuple[Array, Array]:
+    """Of pi/2 - u = scale sinh(last - v): the last v, at pi/2, and the v of an angle u that leaves a rest to it."""
+    x, y = 0.5 * np.pi / scale, rest / scale
+    # the difference of arcsinh(x) and arcsinh(y)
+    return np.arcsinh(x), np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x)))
 
 
 def opening_below(slope: Slope, q: Array, a: Array, R: Array) -> tuple[Array, Array]:
@@ -121,15 +149,7 @@ def opening_tip(slope: Slope, q: Array, a: Array, b: Array, nodes: int) -> tuple
     start = np.where(a < b, np.arctan2(outer, b), end)
     start = np.minimum(np.where(c > b, start, 0.0), end)
     start = np.where(a < b, start, end)
-
-    def gained(v: Array) -> tuple[Array, Array]:
-        u = start + v
-        cosine = np.cos(u)
-        growth = slope(c * cosine)
-        return growth * u * np.sin(u), growth * cosine
-
-    gap, rate = both(gained, end - start, 1.0, ((np.inf, nodes),))
-    return 2.0 / np.pi * c * gap, 2.0 / np.pi * rate
+    return _along(slope, c, start, end - start, nodes)
 
 
 def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, Array]:
@@ -144,9 +164,7 @@ def opening_beyond(slope: Slope, q: Array, a: Array, b: Array) -> tuple[Array, A
     scale = np.arcsinh(b / outer)
     # root = outer cos(angle), angle = pi/2 - scale sinh(last - v)
     angle = np.arctan2(whole, inner)
-    x, y = 0.5 * np.pi / scale, np.arctan2(inner, whole) / scale
-    last = np.arcsinh(x)
-    end = np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x)))
+    last, end = _crowded(angle, np.arctan2(inner, whole), scale)
 
     def gained(v: Array) -> tuple[Array, Array]:
         turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
@@ -166,31 +184,48 @@ def work_of_zone(opened: Opening, q: Array, a: Array, E_star: Array, sigma_0: Ar
     return sigma_0 * (gap + 4.0 / np.pi * (sigma_0 / E_star) * q * (angle - q / (c + a)))
 
 
-def root_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array) -> Array:
-    """The root of a profile that ends; not a number where the zone would reach beyond the largest q."""
-    reached = work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma
-    found = root_of_zone(opened, a, E_star, np.where(reached, dgamma, np.nan), sigma_0, largest)
-    return np.where(reached, found, np.nan)
+def zone_within(opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array) -> Array:
+    """The radius of a contact; not a number where its zone would reach beyond the largest q of a profile that ends."""
+    # a contact beyond the end leaves no q, or none but 0
+    reached = (largest > 0.0) & (work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma)
+    return np.where(reached, a, np.nan)
 
 
 def root_of_zone(
     opened: Opening, a: Array, E_star: Array, dgamma: Array, sigma_0: Array, largest: Array | float = np.inf
 ) -> Array:
     """The q at which the gap at c is dgamma/sigma_0."""
-    wanted, load = dgamma / sigma_0, 4.0 / np.pi * (sigma_0 / E_star)
+    # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
+    part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
+    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
+    return root_near(opened, start, a, E_star, dgamma, sigma_0, largest)[0]
+
+
+def root_near(
+    opened: Opening,
+    start: Array,
+    a: Array,
+    E_star: Array,
+    dgamma: Array,
+    sigma_0: Array,
+    largest: Array | float = np.inf,
+) -> tuple[Array, Array]:
+    """The same from a guess on, and the rate of the gap with c there."""
+    load, looked = 4.0 / np.pi * (sigma_0 / E_star), []
 
     def curve(q: Array) -> tuple[Array, Array]:
         c, angle = np.hypot(a, q), np.arctan2(q, a)
         gap, rate = opened(q, a)
+        looked.append((q, rate))
         # 1 - a/c
         short = q / c * (q / (c + a))
         whole = gap + load * q * (angle - q / (c + a))
         return whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short))
 
-    # the gap of the ring alone is nearly q**2/(2 a + q/EMPTY) of its load
-    part = wanted / load
-    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
-    return inverse(curve, wanted, np.minimum(start, 0.75 * largest), EXPONENTS, largest, smooth=True)
+    start = np.minimum(start, 0.75 * largest)
+    q = inverse(curve, dgamma / sigma_0, start, EXPONENTS, largest, smooth=True)
+    last, rate = looked[-1]
+    return q, opened(q, a)[1] if np.any(np.abs(q - last) > SAME * q) else rate
 
 
 def sunk(q: Array, E_star: Array, sigma_0: Array) -> Array:
@@ -244,119 +279,19 @@ def _ring(near: Array, far: Array, kc: Array, end: Array, within: Array) -> Arra
     return integral_in_strip(rate, last, NARROW)
 
 
-def sides(a: Array, q: Array) -> tuple[Array, Array]:
-    """q/c and a/c."""
-    c = np.hypot(a, q)
-    return q / c, a / c
-
-
-def still(opened: Opening, a: Array, q: Array, control: str, E_star: Array, sigma_0: Array) -> Array:
+def still(rate: Array, a: Array, q: Array, control: str, E_star: Array, sigma_0: Array) -> Array:
     """Rate of the gap with c over that at which the load does not change with a: above 1 the load grows.
 
     What the ring adds to the gap and takes of the load has fallen out; no slope of the profile is left.
     """
-    (sine, cosine), angle = sides(a, q), np.arctan2(q, a)
-    level = sine * (sine / (1.0 + cosine)) + (angle * (angle / cosine) if control == "force" else 0.0)
-    return opened(q, a)[1] / (4.0 / np.pi * (sigma_0 / E_star) * level)
-
-
-DECADES = 10.0 ** np.arange(-20.0, 24.1, 0.5)[:, None]
-"""Of contact radii over the radius of the zone as the contact closes: between infinitely long and short range."""
-STEPS, SETTLED, ROUNDING = 90, 2e-16, 1e-15
-"""Of a search, the changes of a logarithm that end it, and how far below pull-off a load counts as that, relative."""
-Load = Callable[[Array], Array]
-State = Callable[[Array], tuple[Array, Array]]
-"""Of a radius the ratio of `still`, and the load."""
-
-
-def radii(first: Array) -> Array:
-    """Contact radii that separate the minima of the load, in ascending order, of an endless profile without breaks."""
-    return first * DECADES
-
-
-def radii_by(first: Array, corner: Array) -> Array:
-    """Those of a profile with a break."""
-    return _sorted(first, radii_around(corner))
-
-
-def radii_up_to(first: Array, largest: Array) -> Array:
-    """Those of a profile that ends steeply."""
-    return np.minimum(_sorted(first, radii_below(largest)), WITHIN * largest)
-
-
-def radii_on_bump(first: Array, largest: Array) -> Array:
-    """Those of a profile that ends level."""
-    return np.minimum(_sorted(first, radii_to(largest)), WITHIN * largest)
-
-
-def _sorted(first: Array, others: Array) -> Array:
-    parts = first * DECADES, others
-    width = max(part.shape[1] for part in parts)
-    return np.sort(np.concatenate([np.broadcast_to(part, (len(part), width)) for part in parts]), axis=0)
-
-
-def radius_of_pull_off(state: State, grid: Array) -> Array:
-    """That of the least load: 0 where it falls as long as there is a contact, not a number beyond the profile."""
-    ratios, _ = state(grid)
-    logs = np.log(ratios)
-    starts = np.concatenate([ratios[:1] >= 1.0, (ratios[1:] >= 1.0) & (ratios[:-1] < 1.0)])
-    best, least = np.full(starts.shape[1:], np.nan), np.full(starts.shape[1:], np.inf)
-    for _ in range(int(starts.sum(axis=0).max(initial=0))):
-        place = np.argmax(starts, axis=0)[None]
-        there = np.take_along_axis(starts, place, axis=0)[0]
-        a = _between(lambda a: np.log(state(a)[0]), grid, logs, place)
-        load = np.where(there, state(a)[1], np.inf)
-        best, least = np.where(load < least, np.where(place[0] > 0, a, 0.0), best), np.minimum(load, least)
-        np.put_along_axis(starts, place, False, axis=0)
-    return best
-
-
-def radius_under(state: State, value: Array, grid: Array) -> Array:
-    """The largest radius with this load where the load grows, from that of the least load on."""
-    least = radius_of_pull_off(state, grid)
-    grid = np.maximum(grid, np.where(least > 0.0, least, grid[0]))
-    loads = state(grid)[1]
-    unit = np.abs(loads[0]) + np.abs(value)
-    known = np.arcsinh((loads - value) / unit)
-    starts = (known[1:] >= 0.0) & (known[:-1] < 0.0)
-    place = len(starts) - np.argmax(starts[::-1], axis=0)[None]
-    a = _between(lambda a: np.arcsinh((state(a)[1] - value) / unit), grid, known, place)
-    close = np.abs(value - loads[0]) <= ROUNDING * unit
-    return np.where(close, grid[0], np.where(starts.any(axis=0), a, np.nan))
-
-
-def _between(missed: Load, grid: Array, known: Array, place: Array) -> Array:
-    """Where what is missed changes its sign before a place of the grid: false position in logarithms (Illinois)."""
-    grid, before = np.log(grid) + np.zeros_like(known), np.maximum(place - 1, 0)
-    low, high, under, over = (np.take_along_axis(x, at, axis=0)[0] for x in (grid, known) for at in (before, place))
-    stays = tried = np.zeros_like(low)
-    for _ in range(STEPS):
-        share = under / (under - over)
-        last, tried = tried, low + np.where((share >= 0.0) & (share <= 1.0), share, 0.5) * (high - low)
-        y = missed(np.exp(tried))
-        if not np.count_nonzero((np.abs(y) > SETTLED) & (np.abs(tried - last) > SETTLED)):
-            break
-        beyond = y >= 0.0
-        under = np.where(beyond, np.where(stays > 0.0, 0.5 * under, under), y)
-        over = np.where(beyond, y, np.where(stays < 0.0, 0.5 * over, over))
-        low, high, stays = np.where(beyond, low, tried), np.where(beyond, tried, high), np.where(beyond, 1.0, -1.0)
-    return np.exp(tried)
+    c, angle = np.hypot(a, q), np.arctan2(q, a)
+    level = q / c * (q / (c + a))
+    if control == "force":
+        rate, level = rate * (a / c), level * (a / c) + angle * angle
+    return rate / (4.0 / np.pi * (sigma_0 / E_star) * level)
 
 
 def alone(opened: Opening, c: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Array:
     """The depth of surfaces that attract each other up to the radius c without contact."""
     gap, _ = opened(c, np.zeros_like(c))
     return gap - dgamma / sigma_0 - 4.0 / np.pi * (sigma_0 / E_star) * c
-
-
-def parted(opened: Opening, first: Array, E_star: Array, sigma_0: Array) -> Array:
-    """The radius c of that zone, from its first one down, at which the depth is least; 0 where it falls up to there."""
-    grid, load = first * DECADES[:41], 4.0 / np.pi * (sigma_0 / E_star)
-
-    def missed(c: Array) -> Array:
-        return np.log(opened(c, np.zeros_like(c))[1] / load)
-
-    known = missed(grid)
-    starts = (known[1:] >= 0.0) & (known[:-1] < 0.0)
-    place = len(starts) - np.argmax(starts[::-1], axis=0)[None]
-    return np.where(starts.any(axis=0), _between(missed, grid, known, place), 0.0)

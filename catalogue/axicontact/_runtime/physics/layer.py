@@ -140,6 +140,13 @@ def _waves(nu: float, base: str, count: int) -> tuple[Array, Array]:
     return u, 2.0 / np.pi * (width * weights).ravel() * STIFFER[base](u, nu)
 
 
+def wave_sum(nu: Array, base: str, power: int) -> Array:
+    """u**power (1 - L), summed over all wave numbers u."""
+    given, places = np.unique(nu, return_inverse=True)
+    waves = [_waves(own, base, NODES[0][2]) for own in given.tolist()]
+    return np.array([0.5 * np.pi * float(v @ u**power) for u, v in waves])[places].reshape(np.shape(nu))
+
+
 @lru_cache(KEPT)
 def _half(count: int) -> tuple[Array, Array, Array]:
     """Gauss's rule over (-1, 1) for even functions, on (0, 1): nodes, weights, and those of interpolation in x**2."""

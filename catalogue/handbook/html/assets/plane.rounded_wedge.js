@@ -197,7 +197,7 @@ const falling = (stop, even = 0.0) => {
   let below, fallen, side;
   side = (1.0 - (2.0 * even));
   below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
+  below = ((below > 0.0) ? below : Infinity);
   fallen = (v) => {
     return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
   };
@@ -206,10 +206,10 @@ const falling = (stop, even = 0.0) => {
 
 const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
-  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
-  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -281,24 +281,13 @@ const pressure = (x, a, theta, b, E_star) => {
   return (((Math.abs(x) >= 0.0) && (a >= 0.0)) ? ((Math.abs(x) < Infinity) ? _pressure(Math.abs(x), a, theta, b, E_star) : 0.0) : NaN);
 };
 
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = ((below > 0.0) ? below : Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
-};
-
 const FADED = 42.0;
 
 const _beyond = (x, edge, far, b) => {
   let end, fallen, place, ratio, stop, widest;
   [ratio, end] = [(b / x), (edge / far)];
   [stop, widest] = [Math.asinh((end / ratio)), Math.sqrt((1.0 + (end * end)))];
-  fallen = falling_of_rules(stop);
+  fallen = falling(stop);
   stop = math.minimum(stop, (FADED + Math.asinh(end)));
   place = (v) => {
     let narrowed, part, root, square, t;

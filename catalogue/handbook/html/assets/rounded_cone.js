@@ -214,7 +214,7 @@ const falling = (stop, even = 0.0) => {
   let below, fallen, side;
   side = (1.0 - (2.0 * even));
   below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
+  below = ((below > 0.0) ? below : Infinity);
   fallen = (v) => {
     return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
   };
@@ -223,10 +223,10 @@ const falling = (stop, even = 0.0) => {
 
 const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
-  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
-  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -410,21 +410,10 @@ const _depth_of_rounded_cone = (a, theta, b) => {
   return math.where((a < b), tip, beyond);
 };
 
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = ((below > 0.0) ? below : Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
-};
-
 const energy_integral = math.in_groups((depth, a, d, length) => {
   let fallen, integrand, stop;
   stop = Math.asinh((a / length));
-  fallen = falling_of_rules(stop);
+  fallen = falling(stop);
   integrand = (v) => {
     let short, t;
     t = (a * fallen(v));
@@ -444,7 +433,7 @@ const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
   let fallen, integrand, reach, stop;
   reach = difference_root(a, b);
   stop = Math.asinh((reach / b));
-  fallen = falling_of_rules(stop);
+  fallen = falling(stop);
   integrand = (v) => {
     let root, short;
     root = (reach * fallen(v));
@@ -536,7 +525,7 @@ const load_within_integral = math.in_groups((slope, r, a) => {
   let fallen, integrand, reach, stop;
   reach = difference_root(a, r);
   stop = Math.asinh((reach / r));
-  fallen = falling_of_rules(stop);
+  fallen = falling(stop);
   integrand = (v) => {
     let t, u;
     u = (reach * fallen(v));
@@ -552,7 +541,7 @@ const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
   within = (r < b);
   [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
   stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
-  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  [fallen, turned] = [falling(stop, outside), falling(stop, (1.0 - outside))];
   integrand = (v) => {
     let root, t, u;
     [root, u] = [(reach * fallen(v)), (whole * turned(v))];
@@ -1074,12 +1063,23 @@ const pressure_of_rounded_cone = (r, a, theta, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, theta, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
 const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
   let end, fallen, integrand, ratio, reach, stop;
   [reach, ratio] = [difference_root(r, b), (b / r)];
   end = (difference_root(a, b) / difference_root(r, a));
   stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
+  fallen = falling_of_rules(stop);
   integrand = (v) => {
     let root, secant, t, tangent, weight;
     tangent = (end * fallen(v));
@@ -1230,11 +1230,18 @@ const growth = math.in_groups((slope, order, r, c, a, close) => {
   return [integrand, math.where((close & (a > c)), stop, 0.0), 1.0, (close & (a > c)), 0.0];
 });
 
+const _gap_of_slip = (a, c, outer, inner) => {
+  if ((a > c)) {
+    return (((a - c) * (a + c)) / (outer + inner));
+  }
+  return 0.0;
+};
+
 const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
   let beyond, gaps, holds, integrand, root, start;
   start = math.maximum(b, c);
   [beyond, root] = [difference_root(start, b), difference_root(start, r)];
-  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
+  gaps = (_gap_of_slip(a, start, difference_root(a, b), beyond) + _gap_of_slip(a, start, difference_root(a, r), root));
   holds = (close & (a > start));
   integrand = (v) => {
     let side, t;
@@ -1242,7 +1249,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_rounded_cone = (a, c, theta, b, E_star, mu) => {

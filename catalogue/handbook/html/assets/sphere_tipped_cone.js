@@ -289,32 +289,20 @@ const arc_strips = (r, a, R) => {
 };
 
 const _slope_beyond = (t, root, R, theta) => {
-  let angle, b, logarithm, root_Rb;
-  b = (R * Math.sin(theta));
-  root_Rb = (R * Math.cos(theta));
-  angle = Math.atan2(root, b);
-  logarithm = Math.log1p((((Math.pow(b, 2) / (root + t)) + (Math.pow(b, 2) / (root_Rb + R))) / (root + root_Rb)));
-  return ((logarithm + ((b * angle) / root_Rb)) + ((Math.pow(b, 2) * R) / ((t * Math.pow(root_Rb, 2)) + ((R * root) * root_Rb))));
-};
-
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
+  let v10, v5, v7;
+  v5 = (R * Math.sin(theta));
+  v7 = (R * Math.cos(theta));
+  v10 = (v5 * v5);
+  return ((math.log1p((((v10 / (root + t)) + (v10 / (v7 + R))) / (root + v7))) + ((v5 * Math.atan2(root, v5)) / v7)) + ((v10 * R) / ((t * (v7 * v7)) + ((R * root) * v7))));
 };
 
 const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
-  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
-  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
-  fallen = falling_of_rules(stop, outside);
+  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
     root = (reach * fallen(v));
@@ -329,12 +317,12 @@ const _pressure_of_sphere_tipped_cone = (r, a, R, theta, E_star) => {
   b = (R * Math.sin(theta));
   inner = math.minimum(a, b);
   root_Rr = Math.sqrt(((R - r) * (r + R)));
-  root = math.where((a < b), Math.sqrt(((R - inner) * (inner + R))), (R * Math.cos(theta)));
+  root = ((a < b) ? Math.sqrt(((R - inner) * (inner + R))) : (R * Math.cos(theta)));
   root_ar = Math.sqrt(((inner - r) * (inner + r)));
   within = ((E_star / Math.PI) * (((R * Math.asinh((root_ar / root))) / root_Rr) + arc_strips(r, inner, R)));
-  tip = math.where((r < inner), within, 0.0);
+  tip = ((r < inner) ? within : 0.0);
   growth = pressure_integral_beyond(_slope_beyond, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
-  return math.where((r < a), (tip + ((E_star / Math.PI) * growth)), 0.0);
+  return ((r < a) ? (tip + ((E_star / Math.PI) * growth)) : 0.0);
 };
 
 const RULE_0_of_sphere_tipped_cone = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
@@ -570,6 +558,26 @@ const tanh_gap = (y, x) => {
   return math.where((y < 1.0), ((x * (x * x)) * rational((t * t), ...TANH_GAP)), (y - x));
 };
 
+const _slope_beyond_of_sphere_tipped_cone = (t, root, R, theta) => {
+  let angle, b, logarithm, root_Rb;
+  b = (R * Math.sin(theta));
+  root_Rb = (R * Math.cos(theta));
+  angle = Math.atan2(root, b);
+  logarithm = Math.log1p((((Math.pow(b, 2) / (root + t)) + (Math.pow(b, 2) / (root_Rb + R))) / (root + root_Rb)));
+  return ((logarithm + ((b * angle) / root_Rb)) + ((Math.pow(b, 2) * R) / ((t * Math.pow(root_Rb, 2)) + ((R * root) * root_Rb))));
+};
+
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
 const force_integral_beyond = math.in_groups((slope, reach, b) => {
   let fallen, integrand, stop;
   stop = Math.asinh((reach / b));
@@ -590,7 +598,7 @@ const _force_at = (a, reach, R, theta, E_star) => {
   root = math.where((a < b), Math.sqrt(((R - inner) * (inner + R))), (R * Math.cos(theta)));
   angle = Math.asinh((inner / root));
   tip = (E_star * ((Math.pow(inner, 2) * angle) + (Math.pow(R, 2) * tanh_gap(angle, Math.tanh(angle)))));
-  beyond = ((2 * E_star) * force_integral_beyond(_slope_beyond, [R, theta], reach, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) }));
+  beyond = ((2 * E_star) * force_integral_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], reach, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) }));
   return (tip + beyond);
 };
 
@@ -822,7 +830,7 @@ const _load_within_of_sphere_tipped_cone = (r, a, R, theta, E_star) => {
   b = (R * Math.sin(theta));
   inner = math.minimum(a, b);
   tip = load_within_integral_tanh(_slope, [R], math.minimum(r, inner), inner, R);
-  beyond = load_within_integral_beyond(_slope_beyond, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  beyond = load_within_integral_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   return (_force_of_sphere_tipped_cone(math.minimum(r, a), R, theta, E_star) + ((2 * E_star) * (tip + beyond)));
 };
 
@@ -1364,6 +1372,19 @@ const force_of_sphere_tipped_cone = (a, R, theta, E_star, dgamma) => {
 
 const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [9.015, 64]]);
 
+const _pressure_4 = (r, a, R, theta, E_star) => {
+  let b, growth, inner, root, root_Rr, root_ar, tip, within;
+  b = (R * Math.sin(theta));
+  inner = math.minimum(a, b);
+  root_Rr = Math.sqrt(((R - r) * (r + R)));
+  root = math.where((a < b), Math.sqrt(((R - inner) * (inner + R))), (R * Math.cos(theta)));
+  root_ar = Math.sqrt(((inner - r) * (inner + r)));
+  within = ((E_star / Math.PI) * (((R * Math.asinh((root_ar / root))) / root_Rr) + arc_strips(r, inner, R)));
+  tip = math.where((r < inner), within, 0.0);
+  growth = pressure_integral_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  return math.where((r < a), (tip + ((E_star / Math.PI) * growth)), 0.0);
+};
+
 const tension = (r, a, E_star, dgamma) => {
   let v13, v9;
   if ((r <= a)) {
@@ -1378,7 +1399,7 @@ const tension = (r, a, E_star, dgamma) => {
 };
 
 const _pressure_3 = (r, a, R, theta, E_star, dgamma) => {
-  return (_pressure_of_sphere_tipped_cone(r, a, R, theta, E_star) - tension(r, a, E_star, dgamma));
+  return (_pressure_4(r, a, R, theta, E_star) - tension(r, a, E_star, dgamma));
 };
 
 const _pressure_2 = (r, a, R, theta, E_star, dgamma) => {
@@ -1537,7 +1558,7 @@ const _displacement_3 = (r, a, R, theta) => {
   b = (R * Math.sin(theta));
   inner = math.minimum(a, b);
   tip = displacement_integral_tanh(_slope, [R], r, inner, R);
-  beyond = displacement_integral_beyond(_slope_beyond, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  beyond = displacement_integral_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], r, a, b, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   outside = ((2 / Math.PI) * (tip + beyond));
   inside = (_depth_of_sphere_tipped_cone(a, R, theta) - _profile(r, R, theta));
   return math.where((r > a), outside, inside);
@@ -1685,15 +1706,11 @@ const growth_below = math.in_groups((slope, order, r, c, a, R, close) => {
   return [integrand, (holds ? (0.5 * Math.log1p(ratio)) : 0.0), 1.0, holds, 0.0];
 });
 
-const _gap_of_slip = (a, c, outer, inner) => {
-  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
-};
-
 const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
   let beyond, gaps, holds, integrand, root, start;
   start = math.maximum(b, c);
   [beyond, root] = [difference_root(start, b), difference_root(start, r)];
-  gaps = (_gap_of_slip(a, start, difference_root(a, b), beyond) + _gap_of_slip(a, start, difference_root(a, r), root));
+  gaps = (_gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root));
   holds = (close & (a > start));
   integrand = (v) => {
     let side, t;
@@ -1701,7 +1718,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_sphere_tipped_cone = (a, c, R, theta, E_star, mu) => {
@@ -1710,7 +1727,7 @@ const _tangential_force_of_sphere_tipped_cone = (a, c, R, theta, E_star, mu) => 
   close = (sticking >= (CLOSE * whole));
   b = (R * Math.sin(theta));
   tip = growth_below(_slope, [R], 2, 0.0, c, math.minimum(a, b), R, close);
-  beyond = growth_beyond(_slope_beyond, [R, theta], 2, 0.0, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  beyond = growth_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], 2, 0.0, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   gain = ((2.0 * E_star) * (tip + beyond));
   return (mu * math.where(close, gain, (whole - sticking)));
 };
@@ -1870,16 +1887,22 @@ const tangential_force = (a, c, R, theta, E_star, mu) => {
   return (((a >= 0.0) && (c >= 0.0)) ? _tangential_force(a, c, R, theta, E_star, mu) : NaN);
 };
 
+const CLOSE_of_sphere_tipped_cone = 0.25;
+
+const _slope_of_sphere_tipped_cone = (t, root, R) => {
+  return (Math.asinh((t / root)) + ((R * t) / (root * root)));
+};
+
 const _traction = (r, a, c, R, theta, E_star, mu) => {
   let b, beyond, close, gain, sliding, stuck, tip;
   sliding = _pressure_of_sphere_tipped_cone(r, a, R, theta, E_star);
   stuck = _pressure_of_sphere_tipped_cone(r, c, R, theta, E_star);
-  close = ((r < c) & (stuck >= (CLOSE * sliding)));
+  close = ((r < c) & (stuck >= (CLOSE_of_sphere_tipped_cone * sliding)));
   b = (R * Math.sin(theta));
-  tip = growth_below(_slope, [R], 0, r, c, math.minimum(a, b), R, close);
+  tip = growth_below(_slope_of_sphere_tipped_cone, [R], 0, r, c, math.minimum(a, b), R, close);
   beyond = growth_beyond(_slope_beyond, [R, theta], 0, r, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   gain = ((E_star / Math.PI) * (tip + beyond));
-  return (mu * math.where(close, gain, (sliding - stuck)));
+  return (mu * (close ? gain : (sliding - stuck)));
 };
 
 const traction = (r, a, c, R, theta, E_star, mu) => {
@@ -1898,7 +1921,7 @@ const _tangential_displacement_of_sphere_tipped_cone = (a, c, R, theta, E_star, 
   close = (sticking >= (CLOSE * whole));
   b = (R * Math.sin(theta));
   tip = growth_below(_slope, [R], 1, 0.0, c, math.minimum(a, b), R, close);
-  beyond = growth_beyond(_slope_beyond, [R, theta], 1, 0.0, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
+  beyond = growth_beyond(_slope_beyond_of_sphere_tipped_cone, [R, theta], 1, 0.0, c, a, b, close, { width: (1.0 - ((2.0 * theta) / Math.PI)) });
   gain = (tip + beyond);
   return ((mu * (E_star / G_star)) * math.where(close, gain, (whole - sticking)));
 };

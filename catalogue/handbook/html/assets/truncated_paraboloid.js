@@ -218,7 +218,7 @@ const falling = (stop, even = 0.0) => {
   let below, fallen, side;
   side = (1.0 - (2.0 * even));
   below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = math.where((below > 0.0), below, Infinity);
+  below = ((below > 0.0) ? below : Infinity);
   fallen = (v) => {
     return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
   };
@@ -227,10 +227,10 @@ const falling = (stop, even = 0.0) => {
 
 const pressure_integral_beyond = math.in_groups((slope, r, a, b) => {
   let fallen, integrand, outside, reach, stop, within;
-  r = math.where((r === b), math.nextafter(b, Infinity), r);
+  r = ((r === b) ? math.nextafter(b, Infinity) : r);
   within = (r < b);
-  [outside, reach] = [math.where(within, 0.0, 1.0), difference_root(a, b)];
-  stop = Math.asinh((math.where(within, reach, difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
+  [outside, reach] = [(within ? 0.0 : 1.0), difference_root(a, b)];
+  stop = Math.asinh(((within ? reach : difference_root(a, r)) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
   fallen = falling(stop, outside);
   integrand = (v) => {
     let root, t;
@@ -407,22 +407,11 @@ const mean_pressure = (a, R, b, E_star) => {
   return ((a >= 0.0) ? _mean_pressure(a, R, b, E_star) : NaN);
 };
 
-const falling_of_rules = (stop, even = 0.0) => {
-  let below, fallen, side;
-  side = (1.0 - (2.0 * even));
-  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
-  below = ((below > 0.0) ? below : Infinity);
-  fallen = (v) => {
-    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
-  };
-  return fallen;
-};
-
 const energy_integral_beyond = math.in_groups((depth, a, d, b) => {
   let fallen, integrand, reach, stop;
   reach = difference_root(a, b);
   stop = Math.asinh((reach / b));
-  fallen = falling_of_rules(stop);
+  fallen = falling(stop);
   integrand = (v) => {
     let root, short;
     root = (reach * fallen(v));
@@ -488,7 +477,7 @@ const load_within_integral_beyond = math.in_groups((slope, r, a, b) => {
   within = (r < b);
   [outside, reach, whole] = [math.where(within, 0.0, 1.0), difference_root(a, b), difference_root(a, r)];
   stop = Math.asinh((math.where(within, reach, whole) / Math.sqrt((Math.abs((r - b)) * (r + b)))));
-  [fallen, turned] = [falling_of_rules(stop, outside), falling_of_rules(stop, (1.0 - outside))];
+  [fallen, turned] = [falling(stop, outside), falling(stop, (1.0 - outside))];
   integrand = (v) => {
     let root, t, u;
     [root, u] = [(reach * fallen(v)), (whole * turned(v))];
@@ -580,20 +569,10 @@ const load_within = (r, a, R, b, E_star) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _load_within(r, a, R, b, E_star) : 0.0) : NaN);
 };
 
-const _radius_from_depth_of_truncated_paraboloid = (d, R, b) => {
-  let root, root_1;
-  root = Math.sqrt((Math.pow(b, 4) + ((4 * Math.pow(R, 2)) * Math.pow(d, 2))));
-  root_1 = Math.sqrt(((root / R) + (Math.pow(b, 2) / R)));
-  return ((root_1 * Math.sqrt((2 * R))) / 2);
-};
-
 const _radius_from_depth = (d, R, b) => {
   let v5;
-  if (((d > 1e-30) && (d < 1e+30) && (R > 1e-30) && (R < 1e+30) && (b > 1e-30) && (b < 1e+30))) {
-    v5 = (b * b);
-    return ((Math.sqrt(((Math.sqrt(((v5 * v5) + ((4.0 * (R * R)) * (d * d)))) / R) + (v5 / R))) * Math.sqrt((2.0 * R))) / 2.0);
-  }
-  return _radius_from_depth_of_truncated_paraboloid(d, R, b);
+  v5 = (b * b);
+  return ((math.sqrt(((math.sqrt(((v5 * v5) + ((4.0 * (R * R)) * (d * d)))) / R) + (v5 / R))) * math.sqrt((2.0 * R))) / 2.0);
 };
 
 const radius_from_depth = (d, R, b) => {
@@ -940,12 +919,23 @@ const pressure_of_truncated_paraboloid = (r, a, R, b, E_star, dgamma) => {
   return (((r >= 0.0) && (a >= 0.0)) ? ((r < Infinity) ? _pressure_2(r, a, R, b, E_star, dgamma) : 0.0) : NaN);
 };
 
+const falling_of_rules = (stop, even = 0.0) => {
+  let below, fallen, side;
+  side = (1.0 - (2.0 * even));
+  below = ((2.0 * even) - (side * Math.expm1(((-2.0) * stop))));
+  below = math.where((below > 0.0), below, Infinity);
+  fallen = (v) => {
+    return ((Math.exp((-v)) * ((2.0 * even) - (side * Math.expm1(((-2.0) * (stop - v)))))) / below);
+  };
+  return fallen;
+};
+
 const displacement_integral_beyond = math.in_groups((slope, r, a, b) => {
   let end, fallen, integrand, ratio, reach, stop;
   [reach, ratio] = [difference_root(r, b), (b / r)];
   end = (difference_root(a, b) / difference_root(r, a));
   stop = Math.asinh((end / ratio));
-  fallen = falling(stop);
+  fallen = falling_of_rules(stop);
   integrand = (v) => {
     let root, secant, t, tangent, weight;
     tangent = (end * fallen(v));
@@ -1051,7 +1041,10 @@ const RULE_0_3 = math.rule([[0.409, 8], [1.712, 16], [3.012, 24], [4.256, 32], [
 const CLOSE = 0.25;
 
 const _gap = (a, c, outer, inner) => {
-  return math.where((a > c), (((a - c) * (a + c)) / (outer + inner)), 0.0);
+  if ((a > c)) {
+    return (((a - c) * (a + c)) / (outer + inner));
+  }
+  return 0.0;
 };
 
 const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
@@ -1066,7 +1059,7 @@ const growth_beyond = math.in_groups((slope, order, r, c, a, b, close) => {
     t = Math.sqrt(((b * b) + (side * side)));
     return ((slope(t, side) * (side / t)) * Math.pow(t, order));
   };
-  return [integrand, math.where(holds, Math.log1p((gaps / (beyond + root))), 0.0), 1.0, holds, 0.0];
+  return [integrand, (holds ? Math.log1p((gaps / (beyond + root))) : 0.0), 1.0, holds, 0.0];
 });
 
 const _tangential_force_of_truncated_paraboloid = (a, c, R, b, E_star, mu) => {

@@ -7,6 +7,13 @@ from ...._runtime.integrals import Course
 from ...._runtime.plain import sqrt, MATH as np
 
 
+def of_pressure(a, b):
+    """Inside and outside the break at b; next to it where the contact has hardly passed it, r says too little."""
+    if not a > b * (1.0 + 1e-06):
+        return (None, 0.0, a)
+    return (Course(b, (a - b) * (a + b), True, a, b * b), 0.0, a)
+
+
 def of_displacement(a, *other):
     """Outside the contact."""
     return (Course(a, a * a, False), a, np.inf)

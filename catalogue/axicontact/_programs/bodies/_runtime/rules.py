@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 
-from ...._programs.bodies._runtime.integrals import difference_root
-from ...._runtime.plain import in_groups, integral_in_strip
+from ...._programs.bodies._runtime.integrals import difference_root, of_pressure
+from ...._runtime.plain import in_groups, integral_in_strip, over_radii
 from ...._runtime.plain import MATH as np
 
 WAVES = ((0.25, 8,), (1.97, 16,), (4.7, 24,), (7.96, 32,), (23.3, 64,),)
@@ -48,6 +48,23 @@ def pressure_integral_tanh(slope, r, a, R):
         t = np.sqrt(r * r + u * u)
         return slope(t, root) / t * (root / secant)
     return (integrand, stop, 1.0, a < R, np.inf)
+
+
+@over_radii(of_pressure)
+@in_groups
+def pressure_integral_beyond(slope, r, a, b):
+    """Integral of g'(t)/sqrt(t**2 - r**2) from max(r, b) to a > b; `slope` takes t and sqrt(t**2 - b**2)."""
+    r = np.nextafter(b, np.inf) if r == b else r
+    within = r < b
+    outside, reach = (0.0 if within else 1.0, difference_root(a, b))
+    stop = np.arcsinh((reach if within else difference_root(a, r)) / np.sqrt(np.abs(r - b) * (r + b)))
+    fallen = falling(stop, outside)
+
+    def integrand(v):
+        root = reach * fallen(v)
+        t = np.sqrt(b * b + root * root)
+        return slope(t, root) * root / t
+    return (integrand, stop, 1.0, a > np.maximum(r, b), 0.0)
 
 
 def displacement_integral_waves(slope, r, a, wavelength):

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot
+from math import asinh, atan2, exp, expm1, fsum, hypot, inf, nextafter
 
 from ...._programs.bodies.normal import capped_paraboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii_by, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.capped_paraboloid import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
 
 SHORT = 16
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, R1, R2, b):
@@ -50,6 +52,61 @@ def _force(a, R1, R2, b, E_star, dgamma, sigma_0):
     return _force_of(a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
 
 
+def _pressure_of(r, a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    v99 = r < a
+    if v99:
+        v23 = r == b
+        if (v23 and a > b) and R1 > R2:
+            v98 = inf
+        else:
+            v9 = a if a < b or a != a else b
+            v26 = nextafter(b, inf) if v23 else r
+            if a > (v26 if v26 > b or v26 != v26 else b):
+                v27 = v26 < b
+                v30 = a - b
+                v34 = sqrt((v30 if v30 > 0.0 or v30 != v30 else 0.0) * (a + b))
+                if v27:
+                    v40 = v34
+                else:
+                    v35 = a - v26
+                    v40 = sqrt((v35 if v35 > 0.0 or v35 != v35 else 0.0) * (a + v26))
+                v47 = asinh(v40 / sqrt(abs(v26 - b) * (v26 + b)))
+                v48 = 2.0 * (0.0 if v27 else 1.0)
+                v49 = 1.0 - v48
+                v54 = v48 - v49 * expm1(-2.0 * v47)
+                v56 = v54 if v54 > 0.0 else inf
+                v70 = b * b
+                v76 = R1 - R2
+                v78 = R1 * R2
+                v79 = 2.0 * v76 / v78
+                v83 = b * b * v76
+                v89 = []
+                for node, weight in RULE_0(v47 / 1.0):
+                    v59 = node * v47
+                    v69 = v34 * (exp(-v59) * (v48 - v49 * expm1(-2.0 * (v47 - v59))) / v56)
+                    v73 = sqrt(v70 + v69 * v69)
+                    v88 = (2.0 * v73 / R1 + v79 * v69 + v83 / (v78 * v69)) * v69 / v73
+                    v89.append(weight * v88)
+                v89 = fsum(v89) * v47
+                v90 = v89
+            else:
+                v90 = 0.0
+            v98 = (2.0 * E_star / (3.141592653589793 * R1) * sqrt((v9 - r) * (v9 + r)) if r < v9 else 0.0) + E_star / 3.141592653589793 * v90
+        v100 = v98
+    else:
+        v100 = 0.0
+    if v99:
+        v101 = a - r
+        v112 = 0.6366197723675814 * atan2(q, sqrt((v101 if v101 > 0.0 or v101 != v101 else 0.0) * (a + r)))
+    else:
+        v112 = 1.0 if r < hypot(a, q) else 0.0
+    return v100 - sigma_0 * v112
+
+
+def _pressure(r, a, R1, R2, b, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, R1, R2, b, E_star, dgamma, sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
+
+
 def _displacement_of(r, a, q, R1, R2, b, E_star, dgamma, sigma_0):
     return normal._displacement(r, a, R1, R2, b) - lift_of_zone(r, q, a, E_star, sigma_0)
 
@@ -59,49 +116,43 @@ def _displacement(r, a, R1, R2, b, E_star, dgamma, sigma_0):
 
 
 def _radii(R1, R2, b, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), R1, R2, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
-def _state(a, R1, R2, b, E_star, dgamma, sigma_0, control):
-    q = _zone(a, R1, R2, b, E_star, dgamma, sigma_0)
+def _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, R1=R1, R2=R2, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, R1=R1, R2=R2, b=b), a, q, control, E_star, sigma_0), load(a, q, R1, R2, b, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R1, R2, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, control), _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, control), _radii(R1, R2, b, E_star, dgamma, sigma_0))
 
 
 def _parted(R1, R2, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), R1, R2, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R1, R2, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, R1=R1, R2=R2, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(R1, R2, b, E_star, dgamma, sigma_0):
-    c = _parted(R1, R2, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, R1=R1, R2=R2, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, R1, R2, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, R1, R2, b, E_star, dgamma, sigma_0), lambda: _parted(R1, R2, b, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, R1, R2, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, R1, R2, b, E_star, dgamma, sigma_0), lambda: _parted_depth(R1, R2, b, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, R1, R2, b, E_star, dgamma, sigma_0):
-    return _force(a, R1, R2, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(R1, R2, b, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, R1, R2, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, R1, R2, b, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, R1=R1, R2=R2, b=b), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(R1, R2, b, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), R1, R2, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, R1=R1, R2=R2, b=b), _parted(R1, R2, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, R1, R2, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(R1, R2, b, E_star, dgamma, sigma_0))
     return _held_apart(d, R1, R2, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, R1, R2, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, R1, R2, b, E_star, dgamma, sigma_0, 'force'), F, _radii(R1, R2, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, R1, R2, b, E_star, dgamma, sigma_0, 'force'), F, _radii(R1, R2, b, E_star, dgamma, sigma_0))

@@ -6,8 +6,9 @@ from math import atan2, hypot, tan
 
 from ...._programs.bodies.normal import cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.cone import partial
 from ...._runtime.plain import log1p, sqrt, MATH as np
 
@@ -65,49 +66,43 @@ def _displacement(r, a, theta, E_star, dgamma, sigma_0):
 
 
 def _radii(theta, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), theta, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, E_star, dgamma, sigma_0)
     return radii(first)
 
 
-def _state(a, theta, E_star, dgamma, sigma_0, control):
-    q = _zone(a, theta, E_star, dgamma, sigma_0)
+def _state(a, start, theta, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, theta=theta), a, q, control, E_star, sigma_0), load(a, q, theta, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(theta, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, theta, E_star, dgamma, sigma_0, control), _radii(theta, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, control), _radii(theta, E_star, dgamma, sigma_0))
 
 
 def _parted(theta, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), theta, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, E_star, dgamma, sigma_0)
     return parted(partial(_opened, theta=theta), first, E_star, sigma_0)
 
 
-def _parted_depth(theta, E_star, dgamma, sigma_0):
-    c = _parted(theta, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, theta=theta), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, theta, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, theta, E_star, dgamma, sigma_0), lambda: _parted(theta, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, theta, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, theta, E_star, dgamma, sigma_0), lambda: _parted_depth(theta, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, theta, E_star, dgamma, sigma_0):
-    return _force(a, theta, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(theta, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, theta, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, theta, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, theta=theta), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, theta, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(theta, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, theta=theta), _parted(theta, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, theta, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, E_star, dgamma, sigma_0))
     return _held_apart(d, theta, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, theta, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, E_star, dgamma, sigma_0))

@@ -7,8 +7,9 @@ from math import atan2, hypot
 from ...._programs.bodies.normal import ellipsoid as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_within, still, tension_of_zone
-from ...._runtime.physics.cohesive_single import parted, radii_up_to, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.ellipsoid import partial
 from ...._runtime.plain import log1p, MATH as np
 
@@ -20,7 +21,9 @@ def _opened(q, a, h, b):
 
 def _zone(a, h, b, E_star, dgamma, sigma_0):
     """sqrt(c**2 - a**2) of the zone."""
-    return root_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a))
+    largest = difference_root(b, a)
+    a = zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest)
+    return np.nan if np.isnan(a) else root_of_zone(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, largest)
 
 
 def _cohesive_radius(a, h, b, E_star, dgamma, sigma_0):
@@ -68,49 +71,43 @@ def _displacement(r, a, h, b, E_star, dgamma, sigma_0):
 
 
 def _radii(h, b, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
-    return radii_up_to(first, b)
+    first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
+    return radii_up_to(first, b, lambda a: zone_within(partial(_opened, h=h, b=b), a, E_star, dgamma, sigma_0, difference_root(b, a)))
 
 
-def _state(a, h, b, E_star, dgamma, sigma_0, control):
-    q = _zone(a, h, b, E_star, dgamma, sigma_0)
+def _state(a, start, h, b, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, h=h, b=b), start, a, E_star, dgamma, sigma_0, difference_root(b, a))
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, h=h, b=b), a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(h, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, control), _radii(h, b, E_star, dgamma, sigma_0))
 
 
 def _parted(h, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), h, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), h, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, h=h, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(h, b, E_star, dgamma, sigma_0):
-    c = _parted(h, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, h=h, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, h, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, h, b, E_star, dgamma, sigma_0), lambda: _parted(h, b, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, h, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, h, b, E_star, dgamma, sigma_0), lambda: _parted_depth(h, b, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, h, b, E_star, dgamma, sigma_0):
-    return _force(a, h, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(h, b, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, h, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, h, b, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, h=h, b=b), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, h, b, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(h, b, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), h, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, h=h, b=b), _parted(h, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, h, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, b, E_star, dgamma, sigma_0))
     return _held_apart(d, h, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, h, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, h, b, E_star, dgamma, sigma_0, 'force'), F, _radii(h, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, h, b, E_star, dgamma, sigma_0, 'force'), F, _radii(h, b, E_star, dgamma, sigma_0))

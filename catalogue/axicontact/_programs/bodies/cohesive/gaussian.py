@@ -7,8 +7,9 @@ from math import atan2, fsum, hypot, inf, nan
 from ...._programs.bodies.normal import gaussian as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_within, still
-from ...._runtime.physics.cohesive_single import parted, radii_on_bump, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, root_near, root_of_zone, still, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_on_bump, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.gaussian import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -23,7 +24,9 @@ def _opened(q, a, h, s):
 
 def _zone(a, h, s, E_star, dgamma, sigma_0):
     """sqrt(c**2 - a**2) of the zone."""
-    return root_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
+    largest = difference_root(1.5019752682686114 * s, a)
+    a = zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest)
+    return np.nan if np.isnan(a) else root_of_zone(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, largest)
 
 
 def _cohesive_radius(a, h, s, E_star, dgamma, sigma_0):
@@ -110,49 +113,43 @@ def _displacement(r, a, h, s, E_star, dgamma, sigma_0):
 
 
 def _radii(h, s, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), h, s, E_star, dgamma, sigma_0)
-    return radii_on_bump(first, 1.5019752682686114 * s)
+    first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
+    return radii_on_bump(first, 1.5019752682686114 * s, lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)))
 
 
-def _state(a, h, s, E_star, dgamma, sigma_0, control):
-    q = _zone(a, h, s, E_star, dgamma, sigma_0)
+def _state(a, start, h, s, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, h=h, s=s), start, a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a))
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, h=h, s=s), a, q, control, E_star, sigma_0), load(a, q, h, s, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, h, s, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(h, s, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, control), _radii(h, s, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, control), _radii(h, s, E_star, dgamma, sigma_0))
 
 
 def _parted(h, s, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), h, s, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
     return parted(partial(_opened, h=h, s=s), first, E_star, sigma_0)
 
 
-def _parted_depth(h, s, E_star, dgamma, sigma_0):
-    c = _parted(h, s, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, h=h, s=s), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, h, s, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, h, s, E_star, dgamma, sigma_0), lambda: _parted(h, s, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, h, s, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, h, s, E_star, dgamma, sigma_0), lambda: _parted_depth(h, s, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, h, s, E_star, dgamma, sigma_0):
-    return _force(a, h, s, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(h, s, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, h, s, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, h, s, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, h=h, s=s), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, h, s, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(h, s, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), h, s, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, h=h, s=s), _parted(h, s, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, h, s, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, s, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'depth'), d, _radii(h, s, E_star, dgamma, sigma_0))
     return _held_apart(d, h, s, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, h, s, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, h, s, E_star, dgamma, sigma_0, 'force'), F, _radii(h, s, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, h, s, E_star, dgamma, sigma_0, 'force'), F, _radii(h, s, E_star, dgamma, sigma_0))

@@ -6,8 +6,9 @@ from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, tan
 
 from ...._programs.bodies.normal import hyperboloid as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_power, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beside, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.hyperboloid import partial
 from ...._runtime.plain import sqrt, rule, MATH as np
 
@@ -16,7 +17,7 @@ RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 def _opened(q, a, theta, b):
     """Gap of the normal contact at c, and its rate with c."""
-    return opening_power(lambda t: normal._slope(t, theta, b), q, a, 1.0)
+    return opening_beside(lambda t: normal._slope(t, theta, b), q, a, b)
 
 
 def _zone(a, theta, b, E_star, dgamma, sigma_0):
@@ -93,49 +94,43 @@ def _displacement(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def _radii(theta, b, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii(first)
 
 
-def _state(a, theta, b, E_star, dgamma, sigma_0, control):
-    q = _zone(a, theta, b, E_star, dgamma, sigma_0)
+def _state(a, start, theta, b, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, theta=theta, b=b), a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
 
 
 def _parted(theta, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(theta, b, E_star, dgamma, sigma_0):
-    c = _parted(theta, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, theta=theta, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, theta, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted_depth(theta, b, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, theta, b, E_star, dgamma, sigma_0):
-    return _force(a, theta, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(theta, b, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, theta, b, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, theta=theta, b=b), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, theta, b, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(theta, b, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, theta=theta, b=b), _parted(theta, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, theta, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
     return _held_apart(d, theta, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, theta, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))

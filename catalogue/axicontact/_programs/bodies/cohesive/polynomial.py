@@ -6,8 +6,9 @@ from __future__ import annotations
 from ...._programs.bodies.normal import polynomial as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_of_zone, still, sunk, tension_of_zone, work_of_zone
-from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening, outer_radius, pull_of_zone, root_near, root_of_zone, still, sunk, tension_of_zone, work_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.polynomial import partial
 from ...._runtime.plain import MATH as np
 
@@ -65,29 +66,31 @@ def _displacement(r, a, A, E_star, dgamma, sigma_0):
 
 
 def _radii(A, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return radii(first)
 
 
-def _state(a, A, E_star, dgamma, sigma_0, control):
-    q = _zone(a, A, E_star, dgamma, sigma_0)
+def _state(a, start, A, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, A=A), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, A=A), a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(A, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, control), _radii(A, E_star, dgamma, sigma_0))
 
 
 def _parted(A, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), A, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, E_star, dgamma, sigma_0)
     return parted(partial(_opened, A=A), first, E_star, sigma_0)
 
 
-def _parted_depth(A, E_star, dgamma, sigma_0):
-    c = _parted(A, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, A=A), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, A, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, A, E_star, dgamma, sigma_0), lambda: _parted(A, E_star, dgamma, sigma_0))
+
+
+def _pull_off_depth(a, q, A, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, A, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, A=A), q, E_star, dgamma, sigma_0))
 
 
 def _without_contact_depth(c, A, E_star, dgamma, sigma_0):
@@ -100,24 +103,16 @@ def _without_contact_force(c, A, E_star, dgamma, sigma_0):
     return -np.pi * sigma_0 * c * c if depth <= -sunk(c, E_star, sigma_0) else np.nan
 
 
-def _pull_off_depth(a, A, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, A, E_star, dgamma, sigma_0), lambda: _parted_depth(A, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, A, E_star, dgamma, sigma_0):
-    return _force(a, A, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(A, E_star, dgamma, sigma_0) ** 2
-
-
 def _held_apart(d, A, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(A, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), A, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, A=A), _parted(A, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, A, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, E_star, dgamma, sigma_0))
     return _held_apart(d, A, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, A, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, A, E_star, dgamma, sigma_0, 'force'), F, _radii(A, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, A, E_star, dgamma, sigma_0, 'force'), F, _radii(A, E_star, dgamma, sigma_0))

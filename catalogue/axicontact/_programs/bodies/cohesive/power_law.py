@@ -6,8 +6,9 @@ from math import atan2, exp, expm1, fsum, hypot, inf, isfinite, pow
 
 from ...._programs.bodies.normal import power_law as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_power, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_power, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.power_law import partial
 from ...._runtime.plain import log, log1p, sqrt, rule, MATH as np
 
@@ -110,49 +111,43 @@ def _displacement(r, a, A, n, E_star, dgamma, sigma_0):
 
 
 def _radii(A, n, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
     return radii(first)
 
 
-def _state(a, A, n, E_star, dgamma, sigma_0, control):
-    q = _zone(a, A, n, E_star, dgamma, sigma_0)
+def _state(a, start, A, n, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, A=A, n=n), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, A=A, n=n), a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, A, n, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(A, n, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, control), _radii(A, n, E_star, dgamma, sigma_0))
 
 
 def _parted(A, n, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), A, n, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), A, n, E_star, dgamma, sigma_0)
     return parted(partial(_opened, A=A, n=n), first, E_star, sigma_0)
 
 
-def _parted_depth(A, n, E_star, dgamma, sigma_0):
-    c = _parted(A, n, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, A=A, n=n), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, A, n, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, A, n, E_star, dgamma, sigma_0), lambda: _parted(A, n, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, A, n, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, A, n, E_star, dgamma, sigma_0), lambda: _parted_depth(A, n, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, A, n, E_star, dgamma, sigma_0):
-    return _force(a, A, n, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(A, n, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, A, n, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, A, n, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, A=A, n=n), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, A, n, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(A, n, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), A, n, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, A=A, n=n), _parted(A, n, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, A, n, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, n, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, 'depth'), d, _radii(A, n, E_star, dgamma, sigma_0))
     return _held_apart(d, A, n, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, A, n, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, A, n, E_star, dgamma, sigma_0, 'force'), F, _radii(A, n, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, A, n, E_star, dgamma, sigma_0, 'force'), F, _radii(A, n, E_star, dgamma, sigma_0))

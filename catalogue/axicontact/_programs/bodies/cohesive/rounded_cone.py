@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, hypot, tan
+from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, nextafter, tan
 
 from ...._programs.bodies.normal import rounded_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii_by, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.rounded_cone import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
 
 SHORT = 16
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, theta, b):
@@ -60,6 +62,54 @@ def _force(a, theta, b, E_star, dgamma, sigma_0):
     return _force_of(a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
+def _pressure_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
+    v86 = r < a
+    if v86:
+        v8 = a if a < b or a != a else b
+        v16 = tan(theta)
+        v27 = nextafter(b, inf) if r == b else r
+        if a > (v27 if v27 > b or v27 != v27 else b):
+            v28 = v27 < b
+            v31 = a - b
+            v35 = sqrt((v31 if v31 > 0.0 or v31 != v31 else 0.0) * (a + b))
+            if v28:
+                v41 = v35
+            else:
+                v36 = a - v27
+                v41 = sqrt((v36 if v36 > 0.0 or v36 != v36 else 0.0) * (a + v27))
+            v48 = asinh(v41 / sqrt(abs(v27 - b) * (v27 + b)))
+            v49 = 2.0 * (0.0 if v28 else 1.0)
+            v50 = 1.0 - v49
+            v55 = v49 - v50 * expm1(-2.0 * v48)
+            v57 = v55 if v55 > 0.0 else inf
+            v71 = b * b
+            v77 = 2.0 * b
+            v84 = []
+            for node, weight in RULE_0(v48 / 1.0):
+                v60 = node * v48
+                v70 = v35 * (exp(-v60) * (v49 - v50 * expm1(-2.0 * (v48 - v60))) / v57)
+                v74 = sqrt(v71 + v70 * v70)
+                v83 = v16 * (atan(v70 / b) + v77 / (v70 + v74)) * v70 / v74
+                v84.append(weight * v83)
+            v84 = fsum(v84) * v48
+            v85 = v84
+        else:
+            v85 = 0.0
+        v90 = (2.0 * E_star * v16 / (3.141592653589793 * b) * sqrt((v8 - r) * (v8 + r)) if r < v8 else 0.0) + E_star / 3.141592653589793 * v85
+    else:
+        v90 = 0.0
+    if v86:
+        v91 = a - r
+        v102 = 0.6366197723675814 * atan2(q, sqrt((v91 if v91 > 0.0 or v91 != v91 else 0.0) * (a + r)))
+    else:
+        v102 = 1.0 if r < hypot(a, q) else 0.0
+    return v90 - sigma_0 * v102
+
+
+def _pressure(r, a, theta, b, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
+
+
 def _displacement_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
     return normal._displacement(r, a, theta, b) - lift_of_zone(r, q, a, E_star, sigma_0)
 
@@ -69,49 +119,43 @@ def _displacement(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def _radii(theta, b, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
-def _state(a, theta, b, E_star, dgamma, sigma_0, control):
-    q = _zone(a, theta, b, E_star, dgamma, sigma_0)
+def _state(a, start, theta, b, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, theta=theta, b=b), a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
 
 
 def _parted(theta, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(theta, b, E_star, dgamma, sigma_0):
-    c = _parted(theta, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, theta=theta, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, theta, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted_depth(theta, b, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, theta, b, E_star, dgamma, sigma_0):
-    return _force(a, theta, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(theta, b, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, theta, b, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, theta=theta, b=b), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, theta, b, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(theta, b, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, theta=theta, b=b), _parted(theta, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, theta, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
     return _held_apart(d, theta, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, theta, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))

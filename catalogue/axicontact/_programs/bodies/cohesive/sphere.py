@@ -7,8 +7,9 @@ from math import atan2, hypot
 from ...._programs.bodies.normal import sphere as normal
 from ...._programs.bodies._runtime.integrals import difference_root
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_within, still, tension_of_zone
-from ...._runtime.physics.cohesive_single import parted, radii_up_to, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_below, outer_radius, root_near, root_of_zone, still, tension_of_zone, zone_within
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_up_to, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.sphere import partial
 from ...._runtime.plain import log1p, MATH as np
 
@@ -20,7 +21,9 @@ def _opened(q, a, R):
 
 def _zone(a, R, E_star, dgamma, sigma_0):
     """sqrt(c**2 - a**2) of the zone."""
-    return root_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a))
+    largest = difference_root(R, a)
+    a = zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest)
+    return np.nan if np.isnan(a) else root_of_zone(partial(_opened, R=R), a, E_star, dgamma, sigma_0, largest)
 
 
 def _cohesive_radius(a, R, E_star, dgamma, sigma_0):
@@ -68,49 +71,43 @@ def _displacement(r, a, R, E_star, dgamma, sigma_0):
 
 
 def _radii(R, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), R, E_star, dgamma, sigma_0)
-    return radii_up_to(first, R)
+    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
+    return radii_up_to(first, R, lambda a: zone_within(partial(_opened, R=R), a, E_star, dgamma, sigma_0, difference_root(R, a)))
 
 
-def _state(a, R, E_star, dgamma, sigma_0, control):
-    q = _zone(a, R, E_star, dgamma, sigma_0)
+def _state(a, start, R, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, R=R), start, a, E_star, dgamma, sigma_0, difference_root(R, a))
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, R=R), a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(R, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, R, E_star, dgamma, sigma_0, control), _radii(R, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, control), _radii(R, E_star, dgamma, sigma_0))
 
 
 def _parted(R, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), R, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R, E_star, dgamma, sigma_0)
     return parted(partial(_opened, R=R), first, E_star, sigma_0)
 
 
-def _parted_depth(R, E_star, dgamma, sigma_0):
-    c = _parted(R, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, R=R), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, R, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, R, E_star, dgamma, sigma_0), lambda: _parted(R, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, R, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, R, E_star, dgamma, sigma_0), lambda: _parted_depth(R, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, R, E_star, dgamma, sigma_0):
-    return _force(a, R, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(R, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, R, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, R, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, R=R), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, R, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(R, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), R, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, R=R), _parted(R, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, R, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, R, E_star, dgamma, sigma_0, 'depth'), d, _radii(R, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, 'depth'), d, _radii(R, E_star, dgamma, sigma_0))
     return _held_apart(d, R, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, R, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, R, E_star, dgamma, sigma_0, 'force'), F, _radii(R, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, R, E_star, dgamma, sigma_0, 'force'), F, _radii(R, E_star, dgamma, sigma_0))

@@ -6,8 +6,9 @@ from math import asinh, atan2, cos, exp, expm1, fsum, hypot, inf, sin, tanh
 
 from ...._programs.bodies.normal import sphere_tipped_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii_by, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, opening_tip, outer_radius, root_near, root_of_zone, still, tension_of_zone
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.sphere_tipped_cone import partial
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
@@ -88,6 +89,14 @@ def _force(a, R, theta, E_star, dgamma, sigma_0):
     return _force_of(a, _zone(a, R, theta, E_star, dgamma, sigma_0), R, theta, E_star, dgamma, sigma_0)
 
 
+def _pressure_of(r, a, q, R, theta, E_star, dgamma, sigma_0):
+    return normal._pressure(r, a, R, theta, E_star) - tension_of_zone(r, q, a, sigma_0)
+
+
+def _pressure(r, a, R, theta, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, R, theta, E_star, dgamma, sigma_0), R, theta, E_star, dgamma, sigma_0)
+
+
 def _displacement_of(r, a, q, R, theta, E_star, dgamma, sigma_0):
     return normal._displacement(r, a, R, theta) - lift_of_zone(r, q, a, E_star, sigma_0)
 
@@ -97,49 +106,43 @@ def _displacement(r, a, R, theta, E_star, dgamma, sigma_0):
 
 
 def _radii(R, theta, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), R, theta, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
     return radii_by(first, R * np.sin(theta))
 
 
-def _state(a, R, theta, E_star, dgamma, sigma_0, control):
-    q = _zone(a, R, theta, E_star, dgamma, sigma_0)
+def _state(a, start, R, theta, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, R=R, theta=theta), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, R=R, theta=theta), a, q, control, E_star, sigma_0), load(a, q, R, theta, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, R, theta, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(R, theta, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, R, theta, E_star, dgamma, sigma_0, control), _radii(R, theta, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, control), _radii(R, theta, E_star, dgamma, sigma_0))
 
 
 def _parted(R, theta, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), R, theta, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), R, theta, E_star, dgamma, sigma_0)
     return parted(partial(_opened, R=R, theta=theta), first, E_star, sigma_0)
 
 
-def _parted_depth(R, theta, E_star, dgamma, sigma_0):
-    c = _parted(R, theta, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, R=R, theta=theta), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, R, theta, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, R, theta, E_star, dgamma, sigma_0), lambda: _parted(R, theta, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, R, theta, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, R, theta, E_star, dgamma, sigma_0), lambda: _parted_depth(R, theta, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, R, theta, E_star, dgamma, sigma_0):
-    return _force(a, R, theta, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(R, theta, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, R, theta, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, R, theta, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, R=R, theta=theta), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, R, theta, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(R, theta, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), R, theta, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, R=R, theta=theta), _parted(R, theta, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, R, theta, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, R, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(R, theta, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, 'depth'), d, _radii(R, theta, E_star, dgamma, sigma_0))
     return _held_apart(d, R, theta, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, R, theta, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, R, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(R, theta, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, R, theta, E_star, dgamma, sigma_0, 'force'), F, _radii(R, theta, E_star, dgamma, sigma_0))

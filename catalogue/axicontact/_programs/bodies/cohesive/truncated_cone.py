@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from math import atan, atan2, hypot, tan
+from math import asinh, atan, atan2, exp, expm1, fsum, hypot, inf, nan, nextafter, tan
 
 from ...._programs.bodies.normal import truncated_cone as normal
 from ...._programs.bodies._runtime.interface import either
-from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, outer_radius, root_of_zone, still
-from ...._runtime.physics.cohesive_single import parted, radii_by, radius_of_pull_off, radius_under
+from ...._programs.bodies._runtime.physics.cohesive import alone, lift_of_zone, opening_beyond, outer_radius, root_near, root_of_zone, still
+from ...._programs.bodies._runtime.physics.cohesive_states import parted, radii_by, radius_of_pull_off, radius_under
+from ...._runtime.physics.cohesive_states import State
 from ....cohesive.truncated_cone import partial
-from ...._runtime.plain import sqrt, MATH as np
+from ...._runtime.plain import sqrt, rule, MATH as np
+
+RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
 
 
 def _opened(q, a, theta, b):
@@ -49,6 +52,65 @@ def _force(a, theta, b, E_star, dgamma, sigma_0):
     return _force_of(a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
 
 
+def _pressure_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
+    v79 = r < a
+    if a < b:
+        v84 = 0.0
+    else:
+        if a >= b:
+            if v79:
+                v9 = r == b
+                if v9 and a > b:
+                    v78 = inf
+                else:
+                    v12 = nextafter(b, inf) if v9 else r
+                    if a > (v12 if v12 > b or v12 != v12 else b):
+                        v13 = v12 < b
+                        v17 = a - b
+                        v21 = sqrt((v17 if v17 > 0.0 or v17 != v17 else 0.0) * (a + b))
+                        if v13:
+                            v27 = v21
+                        else:
+                            v22 = a - v12
+                            v27 = sqrt((v22 if v22 > 0.0 or v22 != v22 else 0.0) * (a + v12))
+                        v34 = asinh(v27 / sqrt(abs(v12 - b) * (v12 + b)))
+                        v36 = 2.0 * (0.0 if v13 else 1.0)
+                        v37 = 1.0 - v36
+                        v42 = v36 - v37 * expm1(-2.0 * v34)
+                        v44 = v42 if v42 > 0.0 else inf
+                        v58 = b * b
+                        v64 = tan(theta)
+                        v66 = b * v64
+                        v71 = []
+                        for node, weight in RULE_0(v34 / 1.0):
+                            v47 = node * v34
+                            v57 = v21 * (exp(-v47) * (v36 - v37 * expm1(-2.0 * (v34 - v47))) / v44)
+                            v70 = (v64 * atan(v57 / b) + v66 / v57) * v57 / sqrt(v58 + v57 * v57)
+                            v71.append(weight * v70)
+                        v71 = fsum(v71) * v34
+                        v72 = v71
+                    else:
+                        v72 = 0.0
+                    v78 = E_star / 3.141592653589793 * v72
+                v80 = v78
+            else:
+                v80 = 0.0
+            v83 = v80
+        else:
+            v83 = nan
+        v84 = v83
+    if v79:
+        v85 = a - r
+        v96 = 0.6366197723675814 * atan2(q, sqrt((v85 if v85 > 0.0 or v85 != v85 else 0.0) * (a + r)))
+    else:
+        v96 = 1.0 if r < hypot(a, q) else 0.0
+    return v84 - sigma_0 * v96
+
+
+def _pressure(r, a, theta, b, E_star, dgamma, sigma_0):
+    return _pressure_of(r, a, _zone(a, theta, b, E_star, dgamma, sigma_0), theta, b, E_star, dgamma, sigma_0)
+
+
 def _displacement_of(r, a, q, theta, b, E_star, dgamma, sigma_0):
     return (0.0 if a < b else normal._displacement(r, a, theta, b)) - lift_of_zone(r, q, a, E_star, sigma_0)
 
@@ -58,49 +120,43 @@ def _displacement(r, a, theta, b, E_star, dgamma, sigma_0):
 
 
 def _radii(theta, b, E_star, dgamma, sigma_0):
-    """Radii that separate the minima of the load."""
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return radii_by(first, b)
 
 
-def _state(a, theta, b, E_star, dgamma, sigma_0, control):
-    q = _zone(a, theta, b, E_star, dgamma, sigma_0)
+def _state(a, start, theta, b, E_star, dgamma, sigma_0, control):
+    q, rate = root_near(partial(_opened, theta=theta, b=b), start, a, E_star, dgamma, sigma_0)
     load = _force_of if control == 'force' else _depth_of
-    return (still(partial(_opened, theta=theta, b=b), a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
+    return State(a, q, still(rate, a, q, control, E_star, sigma_0), load(a, q, theta, b, E_star, dgamma, sigma_0))
 
 
 def _pull_off_radius(theta, b, E_star, dgamma, sigma_0, control):
-    return radius_of_pull_off(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_of_pull_off(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, control), _radii(theta, b, E_star, dgamma, sigma_0))
 
 
 def _parted(theta, b, E_star, dgamma, sigma_0):
-    first = _zone(np.zeros(1), theta, b, E_star, dgamma, sigma_0)
+    first = _zone(np.zeros_like(sigma_0), theta, b, E_star, dgamma, sigma_0)
     return parted(partial(_opened, theta=theta, b=b), first, E_star, sigma_0)
 
 
-def _parted_depth(theta, b, E_star, dgamma, sigma_0):
-    c = _parted(theta, b, E_star, dgamma, sigma_0)
-    return alone(partial(_opened, theta=theta, b=b), c, E_star, dgamma, sigma_0)
+def _pull_off_zone(a, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _zone(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted(theta, b, E_star, dgamma, sigma_0))
 
 
-def _pull_off_depth(a, theta, b, E_star, dgamma, sigma_0):
-    return either(a > 0.0, lambda: _depth(a, theta, b, E_star, dgamma, sigma_0), lambda: _parted_depth(theta, b, E_star, dgamma, sigma_0))
-
-
-def _pull_off_force(a, theta, b, E_star, dgamma, sigma_0):
-    return _force(a, theta, b, E_star, dgamma, sigma_0) if a > 0.0 else -np.pi * sigma_0 * _parted(theta, b, E_star, dgamma, sigma_0) ** 2
+def _pull_off_depth(a, q, theta, b, E_star, dgamma, sigma_0):
+    return either(a > 0.0, lambda: _depth_of(a, q, theta, b, E_star, dgamma, sigma_0), lambda: alone(partial(_opened, theta=theta, b=b), q, E_star, dgamma, sigma_0))
 
 
 def _held_apart(d, theta, b, E_star, dgamma, sigma_0):
     apart = _pull_off_radius(theta, b, E_star, dgamma, sigma_0, 'depth') == 0.0
-    deeper = d >= _pull_off_depth(np.zeros_like(d), theta, b, E_star, dgamma, sigma_0)
+    deeper = d >= alone(partial(_opened, theta=theta, b=b), _parted(theta, b, E_star, dgamma, sigma_0), E_star, dgamma, sigma_0)
     return 0.0 if apart & deeper else np.nan
 
 
 def _radius_from_depth(d, theta, b, E_star, dgamma, sigma_0):
-    a = radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
+    a = radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'depth'), d, _radii(theta, b, E_star, dgamma, sigma_0))
     return _held_apart(d, theta, b, E_star, dgamma, sigma_0) if np.isnan(a) else a
 
 
 def _radius_from_force(F, theta, b, E_star, dgamma, sigma_0):
-    return radius_under(lambda a: _state(a, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))
+    return radius_under(lambda a, start: _state(a, start, theta, b, E_star, dgamma, sigma_0, 'force'), F, _radii(theta, b, E_star, dgamma, sigma_0))

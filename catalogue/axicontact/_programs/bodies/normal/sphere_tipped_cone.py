@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from math import asinh, atan2, cos, exp, expm1, fsum, inf, sin, tanh
 
+from ...._programs.bodies._runtime.rules import pressure_integral_beyond
 from ...._programs.bodies._runtime.shapes.across import inverse_across
+from ...._programs.bodies._runtime.shapes.arcs import arc_strips
 from ...._runtime.plain import log1p, sqrt, rule, MATH as np
 
 RULE_0 = rule(((0.409, 8), (1.712, 16), (3.012, 24), (4.256, 32), (9.015, 64)))
@@ -104,6 +106,18 @@ def _force(a, R, theta, E_star):
         v130.append(weight * v129)
     v130 = fsum(v130) * v85
     return E_star * (v21 * v21 * v29 + R * R * v75) + 2.0 * E_star * v130
+
+
+def _pressure(r, a, R, theta, E_star):
+    b = R * np.sin(theta)
+    inner = np.minimum(a, b)
+    root_Rr = np.sqrt((R - r) * (r + R))
+    root = np.sqrt((R - inner) * (inner + R)) if a < b else R * np.cos(theta)
+    root_ar = np.sqrt((inner - r) * (inner + r))
+    within = E_star / np.pi * (R * np.arcsinh(root_ar / root) / root_Rr + arc_strips(r, inner, R))
+    tip = within if r < inner else 0.0
+    growth = pressure_integral_beyond(_slope_beyond, (R, theta), r, a, b, width=1.0 - 2.0 * theta / np.pi)
+    return tip + E_star / np.pi * growth if r < a else 0.0
 
 
 def _displacement(r, a, R, theta):

@@ -63,6 +63,11 @@ def _displacement(r, a, R, b):
     return nan
 
 
+def _radius_from_depth(d, R, b):
+    v5 = b * b
+    return sqrt(sqrt(v5 * v5 + 4.0 * (R * R) * (d * d)) / R + v5 / R) * sqrt(2.0 * R) / 2.0
+
+
 def _contact_from_force(F, R, b, E_star):
     """Contact radius a and its root sqrt(a**2 - b**2)."""
 

@@ -15,11 +15,10 @@ def _ramp_force_maxwell(t, v, A, n, E, tau):
 
 
 def _retract_force_maxwell(t, v, v_2, t_m, A, n, E, tau):
-    m = (n + 1) / n
     lag = lag_maxwell(t, t_m, v_2 / v, E, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_maxwell(t, t_1, passed(t, t_m, lag), m, E, tau)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_maxwell(t, v, A, n, E, tau)
 
 
@@ -39,11 +38,10 @@ def _retract_radius_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
 
 
 def _retract_force_standard_solid(t, v, v_2, t_m, A, n, E_inf, E_1, tau):
-    m = (n + 1) / n
     lag = lag_standard_solid(t, t_m, v_2 / v, E_inf, E_1, tau)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_standard_solid(t, t_1, passed(t, t_m, lag), m, E_inf, E_1, tau)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_standard_solid(t, v, A, n, E_inf, E_1, tau)
 
 
@@ -58,9 +56,8 @@ def _ramp_force_power_creep(t, v, A, n, E, alpha, t_0):
 
 
 def _retract_force_power_creep(t, v, v_2, t_m, A, n, E, alpha, t_0):
-    m = (n + 1) / n
     lag = lag_power_creep(t, t_m, v_2 / v, E, alpha, t_0)
     t_1 = earlier(t, t_m, lag)
-    kept = kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0)
-    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept
+    m = (n + 1) / n
+    back = normal._force_from_depth(v * t_1, A, n, 1.0) * kept_power_creep(t, t_1, passed(t, t_m, lag), m, E, alpha, t_0)
     return (back if t_1 > 0.0 else 0.0) if t > t_m else _ramp_force_power_creep(t, v, A, n, E, alpha, t_0)

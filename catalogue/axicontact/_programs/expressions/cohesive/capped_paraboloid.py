@@ -90,8 +90,7 @@ def work_of_separation(xp, a, c, R1, R2, b, E_star, sigma_0):
 def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
     v50, v51 = nodes_along(xp, 1, a, R1, R2, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
@@ -152,36 +151,37 @@ def zone(xp, a, R1, R2, b, E_star, dgamma, sigma_0):
         v145 = v103 * xp.sin(v132)
         v143 = normal_slope_beyond(xp, v137, v134, R1, R2, b) * v134 * v105 * xp.cosh(v126 - v123)
         v150 = v122 * xp.sum(v51 * (v143 * xp.arctan2(v145, v137) * (v145 / v137)), axis=0)
-        v156 = v14 / (v15 + a)
+        v155 = 1.2732395447351628 * (sigma_0 / E_star)
+        v158 = v14 / (v15 + a)
         v153 = 0.6366197723675814 * v15 * v61 + xp.where(v81, 0.6366197723675814 * v150, 0.0)
-        v159 = v153 + v3 * v14 * (v17 - v156)
-        v161 = v14 / v15
-        v165 = xp.cos(v48 + v50 * v49)
-        v172 = xp.where(v81, v80, 1.0)
-        v173 = v172 > 0.0
-        v175 = xp.where(v173, xp.where(v173, v172, 1.0), b)
-        v176 = difference_root(xp, a, b)
-        v178 = xp.where(v173, v172, 1.0)
-        v180 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v184 = xp.maximum(v14 - v180, 0.0) * (v14 + v180)
-        v185 = v184 > 0.0
-        v191 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v192 = xp.where(v18, xp.where(v185, xp.sqrt(xp.where(v185, v184, 1.0)), 0.0), v191)
-        v193 = xp.where(v173, v192, b)
-        v195 = xp.arcsinh(b / v193)
-        v197 = 1.5707963267948966 / v195
-        v199 = xp.arctan2(v176, v175) / v195
-        v210 = v197 * xp.sqrt(1.0 + v199 * v199) + v199 * xp.sqrt(1.0 + v197 * v197)
-        v212 = xp.arcsinh(xp.arctan2(v175, v176) / v195 * (v197 + v199) / v210)
-        v213 = v50 * v212
-        v216 = xp.arcsinh(v197)
-        v217 = 0.5 * v213
-        v224 = v193 * xp.cos(2.0 * v195 * xp.cosh(v216 - v217) * xp.sinh(v217))
-        v230 = normal_slope_beyond(xp, xp.sqrt(b * b + v224 * v224), v224, R1, R2, b) * v224 * v195
-        v236 = 0.6366197723675814 * (v212 * xp.sum(v51 * (v230 * xp.cosh(v216 - v213) / v15), axis=0))
-        v171 = 0.6366197723675814 * (v49 * xp.sum(v51 * (2.0 * (v15 * v165) / R1 * v165), axis=0))
-        v243 = v171 + xp.where(v81, v236, 0.0) + v3 * (v17 / v161 - v161 * v156)
-        return (v159, v14 / v159 * v161 * v243)
+        v161 = v153 + v155 * v14 * (v17 - v158)
+        v163 = v14 / v15
+        v167 = xp.cos(v48 + v50 * v49)
+        v174 = xp.where(v81, v80, 1.0)
+        v175 = v174 > 0.0
+        v177 = xp.where(v175, xp.where(v175, v174, 1.0), b)
+        v178 = difference_root(xp, a, b)
+        v180 = xp.where(v175, v174, 1.0)
+        v182 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v186 = xp.maximum(v14 - v182, 0.0) * (v14 + v182)
+        v187 = v186 > 0.0
+        v193 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v194 = xp.where(v18, xp.where(v187, xp.sqrt(xp.where(v187, v186, 1.0)), 0.0), v193)
+        v195 = xp.where(v175, v194, b)
+        v197 = xp.arcsinh(b / v195)
+        v199 = 1.5707963267948966 / v197
+        v201 = xp.arctan2(v178, v177) / v197
+        v212 = v199 * xp.sqrt(1.0 + v201 * v201) + v201 * xp.sqrt(1.0 + v199 * v199)
+        v214 = xp.arcsinh(xp.arctan2(v177, v178) / v197 * (v199 + v201) / v212)
+        v215 = v50 * v214
+        v218 = xp.arcsinh(v199)
+        v219 = 0.5 * v215
+        v226 = v195 * xp.cos(2.0 * v197 * xp.cosh(v218 - v219) * xp.sinh(v219))
+        v232 = normal_slope_beyond(xp, xp.sqrt(b * b + v226 * v226), v226, R1, R2, b) * v226 * v197
+        v238 = 0.6366197723675814 * (v214 * xp.sum(v51 * (v232 * xp.cosh(v218 - v215) / v15), axis=0))
+        v173 = 0.6366197723675814 * (v49 * xp.sum(v51 * (2.0 * (v15 * v167) / R1 * v167), axis=0))
+        v245 = v173 + xp.where(v81, v238, 0.0) + v155 * (v17 / v163 - v163 * v158)
+        return (v161, v14 / v161 * v163 * v245)
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -17,30 +17,30 @@ def work_of_separation(xp, a, c, theta, E_star, sigma_0):
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = xp.arctan2(v1, a)
-    v7 = v5 * v4
-    v14 = v4 * xp.sum(v6 * (3.141592653589793 * xp.tan(theta) / 2.0 * v7 * xp.sin(v7)), axis=0)
-    v22 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * v14 + v22)
+    v11 = 0.0 + v5 * v4
+    v15 = v4 * xp.sum(v6 * (3.141592653589793 * xp.tan(theta) / 2.0 * v11 * xp.sin(v11)), axis=0)
+    v23 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v15 + v23)
 
 
 def zone(xp, a, theta, E_star, dgamma, sigma_0):
     v18, v19 = nodes_along(xp, 1, a, theta, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
         v15 = xp.hypot(a, v14)
         v17 = xp.arctan2(v14, a)
-        v20 = v18 * v17
-        v27 = v17 * xp.sum(v19 * (3.141592653589793 * xp.tan(theta) / 2.0 * v20 * xp.sin(v20)), axis=0)
-        v31 = v14 / (v15 + a)
-        v34 = 0.6366197723675814 * v15 * v27 + v3 * v14 * (v17 - v31)
-        v36 = v14 / v15
-        v44 = v17 * xp.sum(v19 * (3.141592653589793 * xp.tan(theta) / 2.0 * xp.cos(v18 * v17)), axis=0)
-        v51 = v14 / v34 * v36 * (0.6366197723675814 * v44 + v3 * (v17 / v36 - v36 * v31))
-        return (v34, v51)
+        v24 = 0.0 + v18 * v17
+        v28 = v17 * xp.sum(v19 * (3.141592653589793 * xp.tan(theta) / 2.0 * v24 * xp.sin(v24)), axis=0)
+        v31 = 1.2732395447351628 * (sigma_0 / E_star)
+        v34 = v14 / (v15 + a)
+        v37 = 0.6366197723675814 * v15 * v28 + v31 * v14 * (v17 - v34)
+        v39 = v14 / v15
+        v47 = 3.141592653589793 * xp.tan(theta) / 2.0 * xp.cos(0.0 + v18 * v17)
+        v54 = 0.6366197723675814 * (v17 * xp.sum(v19 * v47, axis=0)) + v31 * (v17 / v39 - v39 * v34)
+        return (v37, v14 / v37 * v39 * v54)
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -18,45 +18,40 @@ def work_of_separation(xp, a, c, h, s, E_star, sigma_0):
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = xp.arctan2(v1, a)
-    v7 = v5 * v4
-    v14 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v7), h, s) * v7 * xp.sin(v7)), axis=0)
-    v22 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * v14 + v22)
+    v8 = 0.0 + v5 * v4
+    v15 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v8), h, s) * v8 * xp.sin(v8)), axis=0)
+    v23 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v15 + v23)
 
 
 def zone(xp, a, h, s, E_star, dgamma, sigma_0):
-    v7, v8 = nodes_along(xp, 1, a, h, s, E_star, dgamma, sigma_0)
+    v8, v9 = nodes_along(xp, 1, a, h, s, E_star, dgamma, sigma_0)
     v2 = difference_root(xp, 1.5019752682686114 * s, a)
-    v3 = 0.999999 * v2
-    v4 = xp.hypot(a, v3)
-    v6 = xp.arctan2(v3, a)
-    v9 = v7 * v6
-    v16 = v6 * xp.sum(v8 * (normal_slope(xp, v4 * xp.cos(v9), h, s) * v9 * xp.sin(v9)), axis=0)
-    v19 = 1.2732395447351628 * (sigma_0 / E_star)
-    v26 = sigma_0 * (0.6366197723675814 * v4 * v16 + v19 * v3 * (v6 - v3 / (v4 + a)))
-    v27 = v26 >= dgamma
-    v28 = xp.where(v27, v26, 2.0 * dgamma)
-    v29 = v28 >= dgamma
-    v30 = xp.where(v29, v28, 2.0 * dgamma)
-    v31 = xp.where(v29, 0.5 * dgamma, v28)
-    v33 = xp.where(v29, dgamma, xp.nan) / sigma_0
-    v34 = v33 / v19
-    v36 = 0.5 * v34 / 0.5707963267948966
+    v4 = 0.999999 * v2
+    v5 = xp.hypot(a, v4)
+    v7 = xp.arctan2(v4, a)
+    v11 = 0.0 + v8 * v7
+    v18 = v7 * xp.sum(v9 * (normal_slope(xp, v5 * xp.cos(v11), h, s) * v11 * xp.sin(v11)), axis=0)
+    v21 = 1.2732395447351628 * (sigma_0 / E_star)
+    v29 = sigma_0 * (0.6366197723675814 * v5 * v18 + v21 * v4 * (v7 - v4 / (v5 + a))) >= dgamma
+    v31 = xp.where((v2 > 0.0) & v29, a, xp.nan)
+    v33 = dgamma / sigma_0
+    v36 = 0.7853981633974483 * v33 * (E_star / sigma_0)
+    v38 = 0.5 * v36 / 0.5707963267948966
 
-    def f42(v45):
-        v46 = xp.hypot(a, v45)
-        v48 = xp.arctan2(v45, a)
-        v49 = v7 * v48
-        v55 = normal_slope(xp, v46 * xp.cos(v49), h, s) * v49 * xp.sin(v49)
-        v60 = v45 / (v46 + a)
-        v63 = 0.6366197723675814 * v46 * (v48 * xp.sum(v8 * v55, axis=0)) + v19 * v45 * (v48 - v60)
-        v65 = v45 / v46
-        v68 = xp.cos(v7 * v48)
-        v73 = 0.6366197723675814 * (v48 * xp.sum(v8 * (normal_slope(xp, v46 * v68, h, s) * v68), axis=0))
-        return (v63, v45 / v63 * v65 * (v73 + v19 * (v48 / v65 - v65 * v60)))
-    v44 = xp.minimum(v36 + xp.sqrt(v36 ** 2.0 + 2.0 * a * v34), 0.75 * v2)
-    v81 = xp.where(v27, 0.5 * dgamma, v26)
-    return xp.where(v27, newton(xp, f42, v33, v44, v2, 0.5, 4.0), xp.nan)
+    def f44(v47):
+        v48 = xp.hypot(v31, v47)
+        v50 = xp.arctan2(v47, v31)
+        v52 = 0.0 + v8 * v50
+        v58 = normal_slope(xp, v48 * xp.cos(v52), h, s) * v52 * xp.sin(v52)
+        v63 = v47 / (v48 + v31)
+        v66 = 0.6366197723675814 * v48 * (v50 * xp.sum(v9 * v58, axis=0)) + v21 * v47 * (v50 - v63)
+        v68 = v47 / v48
+        v72 = xp.cos(0.0 + v8 * v50)
+        v77 = 0.6366197723675814 * (v50 * xp.sum(v9 * (normal_slope(xp, v48 * v72, h, s) * v72), axis=0))
+        return (v66, v47 / v66 * v68 * (v77 + v21 * (v50 / v68 - v68 * v63)))
+    v46 = xp.minimum(v38 + xp.sqrt(v38 ** 2.0 + 2.0 * v31 * v36), 0.75 * v2)
+    return xp.where(xp.isnan(v31), xp.nan, newton(xp, f44, v33, v46, v2, 0.5, 4.0))
 
 
 def cohesive_radius(xp, a, h, s, E_star, dgamma, sigma_0):

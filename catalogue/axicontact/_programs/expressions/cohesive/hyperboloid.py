@@ -14,48 +14,56 @@ from ...._runtime.steps import nodes_along
 
 
 def work_of_separation(xp, a, c, theta, b, E_star, sigma_0):
-    v14, v15 = nodes_along(xp, 1, a, c, theta, b, E_star, sigma_0)
+    v24, v25 = nodes_along(xp, 1, a, c, theta, b, E_star, sigma_0)
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
-    v4 = a > 0.0
-    v5 = xp.where(v4, a, 1.0)
-    v7 = v5 > 0.0
-    v11 = xp.where(v4, difference_root(xp, c, v5) / xp.where(v7, xp.where(v7, v5, 1.0), 1.0), xp.inf)
-    v13 = xp.minimum(xp.arcsinh(v11), 40.0)
-    v16 = v14 * v13
-    v17 = xp.cosh(v16)
-    v21 = xp.sinh(v16)
-    v25 = normal_slope(xp, v2 / v17, theta, b) / v17 * xp.arctan(v21) * (v21 / v17)
-    v35 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (xp.arctan2(v1, a) - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * (v13 * xp.sum(v15 * v25, axis=0)) + v35)
+    v4 = xp.arctan2(v1, a)
+    v6 = xp.arcsinh(b / v2)
+    v8 = 1.5707963267948966 / v6
+    v10 = xp.arctan2(a, v1) / v6
+    v21 = v8 * xp.sqrt(1.0 + v10 * v10) + v10 * xp.sqrt(1.0 + v8 * v8)
+    v23 = xp.arcsinh(v4 / v6 * (v8 + v10) / v21)
+    v26 = v24 * v23
+    v28 = xp.arcsinh(v8)
+    v29 = 0.5 * v26
+    v34 = 2.0 * v6 * xp.cosh(v28 - v29) * xp.sinh(v29)
+    v42 = normal_slope(xp, v2 * xp.cos(v34), theta, b) * v6 * xp.cosh(v28 - v26) * v34
+    v46 = 0.6366197723675814 * v2 * (v23 * xp.sum(v25 * (v42 * xp.sin(v34)), axis=0))
+    v55 = sigma_0 * (v46 + 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a)))
+    return v55
 
 
 def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
-    v26, v27 = nodes_along(xp, 1, a, theta, b, E_star, dgamma, sigma_0)
+    v37, v38 = nodes_along(xp, 1, a, theta, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
         v15 = xp.hypot(a, v14)
-        v17 = a > 0.0
-        v18 = xp.where(v17, a, 1.0)
-        v19 = v18 > 0.0
-        v24 = xp.arcsinh(xp.where(v17, v14 / xp.where(v19, xp.where(v19, v18, 1.0), 1.0), xp.inf))
-        v25 = xp.minimum(v24, 40.0)
-        v28 = v26 * v25
-        v29 = xp.cosh(v28)
-        v33 = xp.sinh(v28)
-        v37 = normal_slope(xp, v15 / v29, theta, b) / v29 * xp.arctan(v33) * (v33 / v29)
-        v41 = xp.arctan2(v14, a)
-        v43 = v14 / (v15 + a)
-        v46 = 0.6366197723675814 * v15 * (v25 * xp.sum(v27 * v37, axis=0)) + v3 * v14 * (v41 - v43)
-        v48 = v14 / v15
-        v51 = xp.cosh(v26 * v25)
-        v56 = v25 * xp.sum(v27 * (normal_slope(xp, v15 / v51, theta, b) / v51 / v51), axis=0)
-        v63 = v14 / v46 * v48 * (0.6366197723675814 * v56 + v3 * (v41 / v48 - v48 * v43))
-        return (v46, v63)
+        v17 = xp.arctan2(v14, a)
+        v19 = xp.arcsinh(b / v15)
+        v21 = 1.5707963267948966 / v19
+        v23 = xp.arctan2(a, v14) / v19
+        v34 = v21 * xp.sqrt(1.0 + v23 * v23) + v23 * xp.sqrt(1.0 + v21 * v21)
+        v36 = xp.arcsinh(v17 / v19 * (v21 + v23) / v34)
+        v39 = v37 * v36
+        v41 = xp.arcsinh(v21)
+        v42 = 0.5 * v39
+        v47 = 2.0 * v19 * xp.cosh(v41 - v42) * xp.sinh(v42)
+        v55 = normal_slope(xp, v15 * xp.cos(v47), theta, b) * v19 * xp.cosh(v41 - v39) * v47
+        v61 = 1.2732395447351628 * (sigma_0 / E_star)
+        v64 = v14 / (v15 + a)
+        v59 = 0.6366197723675814 * v15 * (v36 * xp.sum(v38 * (v55 * xp.sin(v47)), axis=0))
+        v67 = v59 + v61 * v14 * (v17 - v64)
+        v69 = v14 / v15
+        v71 = v37 * v36
+        v73 = xp.arcsinh(v21)
+        v74 = 0.5 * v71
+        v80 = xp.cos(2.0 * v19 * xp.cosh(v73 - v74) * xp.sinh(v74))
+        v87 = normal_slope(xp, v15 * v80, theta, b) * v19 * xp.cosh(v73 - v71) * v80
+        v94 = 0.6366197723675814 * (v36 * xp.sum(v38 * v87, axis=0)) + v61 * (v17 / v69 - v69 * v64)
+        return (v67, v14 / v67 * v69 * v94)
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -16,30 +16,30 @@ def work_of_separation(xp, a, c, R, E_star, sigma_0):
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = xp.arctan2(v1, a)
-    v7 = v5 * v4
-    v15 = v4 * xp.sum(v6 * (2.0 * (v2 * xp.cos(v7)) / R * v7 * xp.sin(v7)), axis=0)
-    v23 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * v15 + v23)
+    v8 = 0.0 + v5 * v4
+    v16 = v4 * xp.sum(v6 * (2.0 * (v2 * xp.cos(v8)) / R * v8 * xp.sin(v8)), axis=0)
+    v24 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v16 + v24)
 
 
 def zone(xp, a, R, E_star, dgamma, sigma_0):
     v18, v19 = nodes_along(xp, 1, a, R, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
         v15 = xp.hypot(a, v14)
         v17 = xp.arctan2(v14, a)
-        v20 = v18 * v17
-        v28 = v17 * xp.sum(v19 * (2.0 * (v15 * xp.cos(v20)) / R * v20 * xp.sin(v20)), axis=0)
-        v32 = v14 / (v15 + a)
-        v35 = 0.6366197723675814 * v15 * v28 + v3 * v14 * (v17 - v32)
-        v37 = v14 / v15
-        v40 = xp.cos(v18 * v17)
-        v46 = 0.6366197723675814 * (v17 * xp.sum(v19 * (2.0 * (v15 * v40) / R * v40), axis=0))
-        return (v35, v14 / v35 * v37 * (v46 + v3 * (v17 / v37 - v37 * v32)))
+        v21 = 0.0 + v18 * v17
+        v29 = v17 * xp.sum(v19 * (2.0 * (v15 * xp.cos(v21)) / R * v21 * xp.sin(v21)), axis=0)
+        v32 = 1.2732395447351628 * (sigma_0 / E_star)
+        v35 = v14 / (v15 + a)
+        v38 = 0.6366197723675814 * v15 * v29 + v32 * v14 * (v17 - v35)
+        v40 = v14 / v15
+        v44 = xp.cos(0.0 + v18 * v17)
+        v50 = 0.6366197723675814 * (v17 * xp.sum(v19 * (2.0 * (v15 * v44) / R * v44), axis=0))
+        return (v38, v14 / v38 * v40 * (v50 + v32 * (v17 / v40 - v40 * v35)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

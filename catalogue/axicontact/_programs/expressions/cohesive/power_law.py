@@ -14,27 +14,27 @@ from ...._runtime.steps import nodes_along
 
 
 def work_of_separation(xp, a, c, A, n, E_star, sigma_0):
-    v16, v17 = nodes_along(xp, 1, a, c, A, n, E_star, sigma_0)
+    v17, v18 = nodes_along(xp, 1, a, c, A, n, E_star, sigma_0)
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = a > 0.0
     v5 = xp.where(v4, a, 1.0)
     v7 = v5 > 0.0
     v11 = xp.where(v4, difference_root(xp, c, v5) / xp.where(v7, xp.where(v7, v5, 1.0), 1.0), xp.inf)
-    v15 = xp.minimum(xp.arcsinh(v11), 40.0 / xp.minimum(n, 1.0))
-    v18 = v16 * v15
-    v19 = xp.cosh(v18)
-    v23 = xp.sinh(v18)
-    v27 = normal_slope(xp, v2 / v19, A, n) / v19 * xp.arctan(v23) * (v23 / v19)
-    v37 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (xp.arctan2(v1, a) - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * (v15 * xp.sum(v17 * v27, axis=0)) + v37)
+    v16 = xp.arcsinh(xp.minimum(xp.arcsinh(v11), 40.0 / xp.minimum(n, 1.2)))
+    v19 = v17 * v16
+    v20 = xp.sinh(v19)
+    v21 = xp.cosh(v20)
+    v27 = xp.sinh(v20)
+    v31 = normal_slope(xp, v2 / v21, A, n) / v21 * xp.cosh(v19) * xp.arctan(v27) * (v27 / v21)
+    v41 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (xp.arctan2(v1, a) - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * (v16 * xp.sum(v18 * v31, axis=0)) + v41)
 
 
 def zone(xp, a, A, n, E_star, dgamma, sigma_0):
-    v28, v29 = nodes_along(xp, 1, a, A, n, E_star, dgamma, sigma_0)
+    v29, v30 = nodes_along(xp, 1, a, A, n, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
@@ -43,19 +43,22 @@ def zone(xp, a, A, n, E_star, dgamma, sigma_0):
         v18 = xp.where(v17, a, 1.0)
         v19 = v18 > 0.0
         v24 = xp.arcsinh(xp.where(v17, v14 / xp.where(v19, xp.where(v19, v18, 1.0), 1.0), xp.inf))
-        v27 = xp.minimum(v24, 40.0 / xp.minimum(n, 1.0))
-        v30 = v28 * v27
-        v31 = xp.cosh(v30)
-        v35 = xp.sinh(v30)
-        v39 = normal_slope(xp, v15 / v31, A, n) / v31 * xp.arctan(v35) * (v35 / v31)
-        v43 = xp.arctan2(v14, a)
-        v45 = v14 / (v15 + a)
-        v48 = 0.6366197723675814 * v15 * (v27 * xp.sum(v29 * v39, axis=0)) + v3 * v14 * (v43 - v45)
-        v50 = v14 / v15
-        v53 = xp.cosh(v28 * v27)
-        v58 = v27 * xp.sum(v29 * (normal_slope(xp, v15 / v53, A, n) / v53 / v53), axis=0)
-        v65 = v14 / v48 * v50 * (0.6366197723675814 * v58 + v3 * (v43 / v50 - v50 * v45))
-        return (v48, v65)
+        v28 = xp.arcsinh(xp.minimum(v24, 40.0 / xp.minimum(n, 1.2)))
+        v31 = v29 * v28
+        v32 = xp.sinh(v31)
+        v33 = xp.cosh(v32)
+        v39 = xp.sinh(v32)
+        v43 = normal_slope(xp, v15 / v33, A, n) / v33 * xp.cosh(v31) * xp.arctan(v39) * (v39 / v33)
+        v47 = 1.2732395447351628 * (sigma_0 / E_star)
+        v49 = xp.arctan2(v14, a)
+        v51 = v14 / (v15 + a)
+        v54 = 0.6366197723675814 * v15 * (v28 * xp.sum(v30 * v43, axis=0)) + v47 * v14 * (v49 - v51)
+        v56 = v14 / v15
+        v58 = v29 * v28
+        v60 = xp.cosh(xp.sinh(v58))
+        v66 = normal_slope(xp, v15 / v60, A, n) / v60 * xp.cosh(v58) / v60
+        v73 = 0.6366197723675814 * (v28 * xp.sum(v30 * v66, axis=0)) + v47 * (v49 / v56 - v56 * v51)
+        return (v54, v14 / v54 * v56 * v73)
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -91,8 +91,7 @@ def work_of_separation(xp, a, c, theta, b, E_star, sigma_0):
 def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
     v50, v51 = nodes_along(xp, 1, a, theta, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
@@ -154,35 +153,36 @@ def zone(xp, a, theta, b, E_star, dgamma, sigma_0):
         v142 = normal_slope_beyond(xp, v136, v133, theta, b) * v133 * v104 * xp.cosh(v125 - v122)
         v149 = v121 * xp.sum(v51 * (v142 * xp.arctan2(v144, v136) * (v144 / v136)), axis=0)
         v61 = 0.6366197723675814 * v15 * (v49 * xp.sum(v51 * v59, axis=0))
-        v155 = v14 / (v15 + a)
-        v158 = v61 + xp.where(v80, 0.6366197723675814 * v149, 0.0) + v3 * v14 * (v17 - v155)
-        v160 = v14 / v15
-        v164 = xp.cos(v48 + v50 * v49)
-        v168 = v49 * xp.sum(v51 * (normal_slope(xp, v15 * v164, theta, b) * v164), axis=0)
-        v170 = xp.where(v80, v79, 1.0)
-        v171 = v170 > 0.0
-        v173 = xp.where(v171, xp.where(v171, v170, 1.0), b)
-        v174 = difference_root(xp, a, b)
-        v176 = xp.where(v171, v170, 1.0)
-        v178 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
-        v182 = xp.maximum(v14 - v178, 0.0) * (v14 + v178)
-        v183 = v182 > 0.0
-        v189 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
-        v190 = xp.where(v18, xp.where(v183, xp.sqrt(xp.where(v183, v182, 1.0)), 0.0), v189)
-        v191 = xp.where(v171, v190, b)
-        v193 = xp.arcsinh(b / v191)
-        v195 = 1.5707963267948966 / v193
-        v197 = xp.arctan2(v174, v173) / v193
-        v208 = v195 * xp.sqrt(1.0 + v197 * v197) + v197 * xp.sqrt(1.0 + v195 * v195)
-        v210 = xp.arcsinh(xp.arctan2(v173, v174) / v193 * (v195 + v197) / v208)
-        v211 = v50 * v210
-        v214 = xp.arcsinh(v195)
-        v215 = 0.5 * v211
-        v222 = v191 * xp.cos(2.0 * v193 * xp.cosh(v214 - v215) * xp.sinh(v215))
-        v228 = normal_slope_beyond(xp, xp.sqrt(b * b + v222 * v222), v222, theta, b) * v222 * v193
-        v234 = 0.6366197723675814 * (v210 * xp.sum(v51 * (v228 * xp.cosh(v214 - v211) / v15), axis=0))
-        v241 = 0.6366197723675814 * v168 + xp.where(v80, v234, 0.0) + v3 * (v17 / v160 - v160 * v155)
-        return (v158, v14 / v158 * v160 * v241)
+        v154 = 1.2732395447351628 * (sigma_0 / E_star)
+        v157 = v14 / (v15 + a)
+        v160 = v61 + xp.where(v80, 0.6366197723675814 * v149, 0.0) + v154 * v14 * (v17 - v157)
+        v162 = v14 / v15
+        v166 = xp.cos(v48 + v50 * v49)
+        v170 = v49 * xp.sum(v51 * (normal_slope(xp, v15 * v166, theta, b) * v166), axis=0)
+        v172 = xp.where(v80, v79, 1.0)
+        v173 = v172 > 0.0
+        v175 = xp.where(v173, xp.where(v173, v172, 1.0), b)
+        v176 = difference_root(xp, a, b)
+        v178 = xp.where(v173, v172, 1.0)
+        v180 = difference_root(xp, b, xp.where(v18, a, 0.5 * b))
+        v184 = xp.maximum(v14 - v180, 0.0) * (v14 + v180)
+        v185 = v184 > 0.0
+        v191 = xp.hypot(difference_root(xp, xp.where(v18, 2.0 * b, a), b), v14)
+        v192 = xp.where(v18, xp.where(v185, xp.sqrt(xp.where(v185, v184, 1.0)), 0.0), v191)
+        v193 = xp.where(v173, v192, b)
+        v195 = xp.arcsinh(b / v193)
+        v197 = 1.5707963267948966 / v195
+        v199 = xp.arctan2(v176, v175) / v195
+        v210 = v197 * xp.sqrt(1.0 + v199 * v199) + v199 * xp.sqrt(1.0 + v197 * v197)
+        v212 = xp.arcsinh(xp.arctan2(v175, v176) / v195 * (v197 + v199) / v210)
+        v213 = v50 * v212
+        v216 = xp.arcsinh(v197)
+        v217 = 0.5 * v213
+        v224 = v193 * xp.cos(2.0 * v195 * xp.cosh(v216 - v217) * xp.sinh(v217))
+        v230 = normal_slope_beyond(xp, xp.sqrt(b * b + v224 * v224), v224, theta, b) * v224 * v195
+        v236 = 0.6366197723675814 * (v212 * xp.sum(v51 * (v230 * xp.cosh(v216 - v213) / v15), axis=0))
+        v238 = 0.6366197723675814 * v170 + xp.where(v80, v236, 0.0)
+        return (v160, v14 / v160 * v162 * (v238 + v154 * (v17 / v162 - v162 * v157)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -64,8 +64,7 @@ def work_of_separation(xp, a, c, R, b, E_star, sigma_0):
 def zone(xp, a, R, b, E_star, dgamma, sigma_0):
     v76, v77 = nodes_along(xp, 1, a, R, b, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
@@ -104,35 +103,36 @@ def zone(xp, a, R, b, E_star, dgamma, sigma_0):
         v100 = v56 * xp.sin(v87)
         v98 = normal_slope_beyond(xp, v92, v89, R, b) * v89 * v58 * xp.cosh(v81 - v78)
         v105 = v75 * xp.sum(v77 * (v98 * xp.arctan2(v100, v92) * (v100 / v92)), axis=0)
-        v109 = xp.arctan2(v14, a)
-        v110 = xp.hypot(a, v14)
-        v112 = v14 / (v110 + a)
-        v115 = xp.where(v34, 0.6366197723675814 * v105, 0.0) + v3 * v14 * (v109 - v112)
-        v117 = v14 / v110
-        v119 = xp.where(v34, v33, 1.0)
-        v120 = v119 > 0.0
-        v122 = xp.where(v120, xp.where(v120, v119, 1.0), b)
-        v123 = difference_root(xp, a, b)
-        v125 = xp.where(v120, v119, 1.0)
-        v127 = difference_root(xp, b, xp.where(v15, a, 0.5 * b))
-        v131 = xp.maximum(v14 - v127, 0.0) * (v14 + v127)
-        v132 = v131 > 0.0
-        v138 = xp.hypot(difference_root(xp, xp.where(v15, 2.0 * b, a), b), v14)
-        v139 = xp.where(v15, xp.where(v132, xp.sqrt(xp.where(v132, v131, 1.0)), 0.0), v138)
-        v140 = xp.where(v120, v139, b)
-        v142 = xp.arcsinh(b / v140)
-        v144 = 1.5707963267948966 / v142
-        v146 = xp.arctan2(v123, v122) / v142
-        v157 = v144 * xp.sqrt(1.0 + v146 * v146) + v146 * xp.sqrt(1.0 + v144 * v144)
-        v159 = xp.arcsinh(xp.arctan2(v122, v123) / v142 * (v144 + v146) / v157)
-        v160 = v76 * v159
-        v163 = xp.arcsinh(v144)
-        v164 = 0.5 * v160
-        v171 = v140 * xp.cos(2.0 * v142 * xp.cosh(v163 - v164) * xp.sinh(v164))
-        v177 = normal_slope_beyond(xp, xp.sqrt(b * b + v171 * v171), v171, R, b) * v171 * v142
-        v183 = 0.6366197723675814 * (v159 * xp.sum(v77 * (v177 * xp.cosh(v163 - v160) / v110), axis=0))
-        v190 = v14 / v115 * v117 * (xp.where(v34, v183, 0.0) + v3 * (v109 / v117 - v117 * v112))
-        return (v115, v190)
+        v109 = 1.2732395447351628 * (sigma_0 / E_star)
+        v111 = xp.arctan2(v14, a)
+        v112 = xp.hypot(a, v14)
+        v114 = v14 / (v112 + a)
+        v117 = xp.where(v34, 0.6366197723675814 * v105, 0.0) + v109 * v14 * (v111 - v114)
+        v119 = v14 / v112
+        v121 = xp.where(v34, v33, 1.0)
+        v122 = v121 > 0.0
+        v124 = xp.where(v122, xp.where(v122, v121, 1.0), b)
+        v125 = difference_root(xp, a, b)
+        v127 = xp.where(v122, v121, 1.0)
+        v129 = difference_root(xp, b, xp.where(v15, a, 0.5 * b))
+        v133 = xp.maximum(v14 - v129, 0.0) * (v14 + v129)
+        v134 = v133 > 0.0
+        v140 = xp.hypot(difference_root(xp, xp.where(v15, 2.0 * b, a), b), v14)
+        v141 = xp.where(v15, xp.where(v134, xp.sqrt(xp.where(v134, v133, 1.0)), 0.0), v140)
+        v142 = xp.where(v122, v141, b)
+        v144 = xp.arcsinh(b / v142)
+        v146 = 1.5707963267948966 / v144
+        v148 = xp.arctan2(v125, v124) / v144
+        v159 = v146 * xp.sqrt(1.0 + v148 * v148) + v148 * xp.sqrt(1.0 + v146 * v146)
+        v161 = xp.arcsinh(xp.arctan2(v124, v125) / v144 * (v146 + v148) / v159)
+        v162 = v76 * v161
+        v165 = xp.arcsinh(v146)
+        v166 = 0.5 * v162
+        v173 = v142 * xp.cos(2.0 * v144 * xp.cosh(v165 - v166) * xp.sinh(v166))
+        v179 = normal_slope_beyond(xp, xp.sqrt(b * b + v173 * v173), v173, R, b) * v173 * v144
+        v185 = 0.6366197723675814 * (v161 * xp.sum(v77 * (v179 * xp.cosh(v165 - v162) / v112), axis=0))
+        v192 = v14 / v117 * v119 * (xp.where(v34, v185, 0.0) + v109 * (v111 / v119 - v119 * v114))
+        return (v117, v192)
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

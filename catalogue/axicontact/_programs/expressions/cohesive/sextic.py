@@ -18,30 +18,30 @@ def work_of_separation(xp, a, c, A, E_star, sigma_0):
     v1 = difference_root(xp, c, a)
     v2 = xp.hypot(a, v1)
     v4 = xp.arctan2(v1, a)
-    v7 = v5 * v4
-    v14 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v7), A) * v7 * xp.sin(v7)), axis=0)
-    v22 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
-    return sigma_0 * (0.6366197723675814 * v2 * v14 + v22)
+    v8 = 0.0 + v5 * v4
+    v15 = v4 * xp.sum(v6 * (normal_slope(xp, v2 * xp.cos(v8), A) * v8 * xp.sin(v8)), axis=0)
+    v23 = 1.2732395447351628 * (sigma_0 / E_star) * v1 * (v4 - v1 / (v2 + a))
+    return sigma_0 * (0.6366197723675814 * v2 * v15 + v23)
 
 
 def zone(xp, a, A, E_star, dgamma, sigma_0):
     v18, v19 = nodes_along(xp, 1, a, A, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
         v15 = xp.hypot(a, v14)
         v17 = xp.arctan2(v14, a)
-        v20 = v18 * v17
-        v27 = v17 * xp.sum(v19 * (normal_slope(xp, v15 * xp.cos(v20), A) * v20 * xp.sin(v20)), axis=0)
-        v31 = v14 / (v15 + a)
-        v34 = 0.6366197723675814 * v15 * v27 + v3 * v14 * (v17 - v31)
-        v36 = v14 / v15
-        v39 = xp.cos(v18 * v17)
-        v44 = 0.6366197723675814 * (v17 * xp.sum(v19 * (normal_slope(xp, v15 * v39, A) * v39), axis=0))
-        return (v34, v14 / v34 * v36 * (v44 + v3 * (v17 / v36 - v36 * v31)))
+        v21 = 0.0 + v18 * v17
+        v28 = v17 * xp.sum(v19 * (normal_slope(xp, v15 * xp.cos(v21), A) * v21 * xp.sin(v21)), axis=0)
+        v31 = 1.2732395447351628 * (sigma_0 / E_star)
+        v34 = v14 / (v15 + a)
+        v37 = 0.6366197723675814 * v15 * v28 + v31 * v14 * (v17 - v34)
+        v39 = v14 / v15
+        v43 = xp.cos(0.0 + v18 * v17)
+        v48 = 0.6366197723675814 * (v17 * xp.sum(v19 * (normal_slope(xp, v15 * v43, A) * v43), axis=0))
+        return (v37, v14 / v37 * v39 * (v48 + v31 * (v17 / v39 - v39 * v34)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

@@ -95,8 +95,7 @@ def work_of_separation(xp, a, c, R, theta, E_star, sigma_0):
 def zone(xp, a, R, theta, E_star, dgamma, sigma_0):
     v52, v53 = nodes_along(xp, 1, a, R, theta, E_star, dgamma, sigma_0)
     v1 = dgamma / sigma_0
-    v3 = 1.2732395447351628 * (sigma_0 / E_star)
-    v4 = v1 / v3
+    v4 = 0.7853981633974483 * v1 * (E_star / sigma_0)
     v6 = 0.5 * v4 / 0.5707963267948966
 
     def f13(v14):
@@ -160,37 +159,38 @@ def zone(xp, a, R, theta, E_star, dgamma, sigma_0):
         v148 = normal_slope_beyond(xp, v142, v139, R, theta) * v139 * v110 * xp.cosh(v131 - v128)
         v155 = v127 * xp.sum(v53 * (v148 * xp.arctan2(v150, v142) * (v150 / v142)), axis=0)
         v67 = 0.6366197723675814 * v15 * (v51 * xp.sum(v53 * v65, axis=0))
-        v161 = v14 / (v15 + a)
-        v164 = v67 + xp.where(v86, 0.6366197723675814 * v155, 0.0) + v3 * v14 * (v17 - v161)
-        v166 = v14 / v15
-        v170 = xp.cos(v50 + v52 * v51)
-        v171 = v15 * v170
-        v177 = normal_slope(xp, v171, xp.sqrt((R - v171) * (R + v171)), R) * v170
-        v180 = xp.where(v86, v85, 1.0)
-        v181 = v180 > 0.0
-        v183 = xp.where(v181, xp.where(v181, v180, 1.0), v19)
-        v184 = difference_root(xp, a, v19)
-        v186 = xp.where(v181, v180, 1.0)
-        v188 = difference_root(xp, v19, xp.where(v20, a, 0.5 * v19))
-        v192 = xp.maximum(v14 - v188, 0.0) * (v14 + v188)
-        v193 = v192 > 0.0
-        v199 = xp.hypot(difference_root(xp, xp.where(v20, 2.0 * v19, a), v19), v14)
-        v200 = xp.where(v20, xp.where(v193, xp.sqrt(xp.where(v193, v192, 1.0)), 0.0), v199)
-        v201 = xp.where(v181, v200, v19)
-        v203 = xp.arcsinh(v19 / v201)
-        v205 = 1.5707963267948966 / v203
-        v207 = xp.arctan2(v184, v183) / v203
-        v218 = v205 * xp.sqrt(1.0 + v207 * v207) + v207 * xp.sqrt(1.0 + v205 * v205)
-        v220 = xp.arcsinh(xp.arctan2(v183, v184) / v203 * (v205 + v207) / v218)
-        v221 = v52 * v220
-        v224 = xp.arcsinh(v205)
-        v225 = 0.5 * v221
-        v232 = v201 * xp.cos(2.0 * v203 * xp.cosh(v224 - v225) * xp.sinh(v225))
-        v237 = normal_slope_beyond(xp, xp.sqrt(v19 * v19 + v232 * v232), v232, R, theta) * v232
-        v243 = v220 * xp.sum(v53 * (v237 * v203 * xp.cosh(v224 - v221) / v15), axis=0)
-        v179 = 0.6366197723675814 * (v51 * xp.sum(v53 * v177, axis=0))
-        v251 = v179 + xp.where(v86, 0.6366197723675814 * v243, 0.0) + v3 * (v17 / v166 - v166 * v161)
-        return (v164, v14 / v164 * v166 * v251)
+        v160 = 1.2732395447351628 * (sigma_0 / E_star)
+        v163 = v14 / (v15 + a)
+        v166 = v67 + xp.where(v86, 0.6366197723675814 * v155, 0.0) + v160 * v14 * (v17 - v163)
+        v168 = v14 / v15
+        v172 = xp.cos(v50 + v52 * v51)
+        v173 = v15 * v172
+        v179 = normal_slope(xp, v173, xp.sqrt((R - v173) * (R + v173)), R) * v172
+        v182 = xp.where(v86, v85, 1.0)
+        v183 = v182 > 0.0
+        v185 = xp.where(v183, xp.where(v183, v182, 1.0), v19)
+        v186 = difference_root(xp, a, v19)
+        v188 = xp.where(v183, v182, 1.0)
+        v190 = difference_root(xp, v19, xp.where(v20, a, 0.5 * v19))
+        v194 = xp.maximum(v14 - v190, 0.0) * (v14 + v190)
+        v195 = v194 > 0.0
+        v201 = xp.hypot(difference_root(xp, xp.where(v20, 2.0 * v19, a), v19), v14)
+        v202 = xp.where(v20, xp.where(v195, xp.sqrt(xp.where(v195, v194, 1.0)), 0.0), v201)
+        v203 = xp.where(v183, v202, v19)
+        v205 = xp.arcsinh(v19 / v203)
+        v207 = 1.5707963267948966 / v205
+        v209 = xp.arctan2(v186, v185) / v205
+        v220 = v207 * xp.sqrt(1.0 + v209 * v209) + v209 * xp.sqrt(1.0 + v207 * v207)
+        v222 = xp.arcsinh(xp.arctan2(v185, v186) / v205 * (v207 + v209) / v220)
+        v223 = v52 * v222
+        v226 = xp.arcsinh(v207)
+        v227 = 0.5 * v223
+        v234 = v203 * xp.cos(2.0 * v205 * xp.cosh(v226 - v227) * xp.sinh(v227))
+        v239 = normal_slope_beyond(xp, xp.sqrt(v19 * v19 + v234 * v234), v234, R, theta) * v234
+        v245 = v222 * xp.sum(v53 * (v239 * v205 * xp.cosh(v226 - v223) / v15), axis=0)
+        v181 = 0.6366197723675814 * (v51 * xp.sum(v53 * v179, axis=0))
+        v248 = v181 + xp.where(v86, 0.6366197723675814 * v245, 0.0)
+        return (v166, v14 / v166 * v168 * (v248 + v160 * (v17 / v168 - v168 * v163)))
     v13 = xp.minimum(v6 + xp.sqrt(v6 ** 2.0 + 2.0 * a * v4), xp.inf)
     return newton(xp, f13, v1, v13, xp.inf, 0.5, 4.0)
 

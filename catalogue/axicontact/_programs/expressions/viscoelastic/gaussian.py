@@ -5,8 +5,32 @@ from ...._programs.expressions._runtime.physics.relaxation import creep_standard
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_maxwell
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_power_creep
 from ...._programs.expressions._runtime.physics.relaxation import relaxation_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import earlier
+from ...._programs.expressions._runtime.physics.retraction import end_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import end_maxwell
+from ...._programs.expressions._runtime.physics.retraction import end_power_creep
+from ...._programs.expressions._runtime.physics.retraction import end_standard_solid
+from ...._programs.expressions._runtime.physics.retraction import lag_kelvin_voigt
+from ...._programs.expressions._runtime.physics.retraction import lag_maxwell
+from ...._programs.expressions._runtime.physics.retraction import lag_power_creep
+from ...._programs.expressions._runtime.physics.retraction import lag_standard_solid
 from ...._programs.expressions.normal.gaussian import force_from_depth as normal_force_from_depth
+from ...._programs.expressions.normal.gaussian import radius_from_depth as normal_radius_from_depth
 from ...._programs.expressions.normal.gaussian import radius_from_force as normal_radius_from_force
+
+
+def earlier_time_maxwell(xp, t, v, v_2, t_m, E, tau):
+    return earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+
+
+def contact_time_maxwell(xp, v, v_2, t_m, E, tau):
+    return end_maxwell(xp, v_2 / v, t_m, E, tau)
+
+
+def retract_radius_maxwell(xp, t, v, v_2, t_m, h, s, E, tau):
+    v3 = earlier(xp, t, t_m, lag_maxwell(xp, t, t_m, v_2 / v, E, tau))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), h, s))
 
 
 def step_force_maxwell(xp, t, d, h, s, E, tau):
@@ -15,6 +39,36 @@ def step_force_maxwell(xp, t, d, h, s, E, tau):
 
 def step_load_radius_maxwell(xp, t, F, h, s, E, tau):
     return normal_radius_from_force(xp, F * ((1.0 + t / tau) / E), h, s, 1.0)
+
+
+def ramp_force_kelvin_voigt(xp, t, v, h, s, E, eta):
+    v1 = v * t
+    v7 = 2.0 * v * eta * normal_radius_from_depth(xp, v1, h, s)
+    return E * normal_force_from_depth(xp, v1, h, s, 1.0) + v7
+
+
+def earlier_time_kelvin_voigt(xp, t, v, v_2, t_m, E, eta):
+    return earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+
+
+def contact_time_kelvin_voigt(xp, v, v_2, t_m, E, eta):
+    return end_kelvin_voigt(xp, v_2 / v, t_m, E, eta)
+
+
+def retract_force_kelvin_voigt(xp, t, v, v_2, t_m, h, s, E, eta):
+    v1 = t > t_m
+    v2 = xp.where(v1, t, 2.0 * t_m)
+    v5 = earlier(xp, v2, t_m, lag_kelvin_voigt(xp, v2, t_m, v_2 / v, E, eta))
+    v6 = v5 > 0.0
+    v11 = xp.where(v6, normal_force_from_depth(xp, v * xp.where(v6, v5, 1.0), h, s, 1.0) * E, 0.0)
+    v14 = xp.where(v1, v11, ramp_force_kelvin_voigt(xp, xp.where(v1, 0.5 * t_m, t), v, h, s, E, eta))
+    return v14
+
+
+def retract_radius_kelvin_voigt(xp, t, v, v_2, t_m, h, s, E, eta):
+    v3 = earlier(xp, t, t_m, lag_kelvin_voigt(xp, t, t_m, v_2 / v, E, eta))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), h, s))
 
 
 def step_force_kelvin_voigt(xp, t, d, h, s, E, eta):
@@ -27,6 +81,20 @@ def step_load_radius_kelvin_voigt(xp, t, F, h, s, E, eta):
     return normal_radius_from_force(xp, F * creep_kelvin_voigt(xp, t, E, eta), h, s, 1.0)
 
 
+def earlier_time_standard_solid(xp, t, v, v_2, t_m, E_inf, E_1, tau):
+    return earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+
+
+def contact_time_standard_solid(xp, v, v_2, t_m, E_inf, E_1, tau):
+    return end_standard_solid(xp, v_2 / v, t_m, E_inf, E_1, tau)
+
+
+def retract_radius_standard_solid(xp, t, v, v_2, t_m, h, s, E_inf, E_1, tau):
+    v3 = earlier(xp, t, t_m, lag_standard_solid(xp, t, t_m, v_2 / v, E_inf, E_1, tau))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), h, s))
+
+
 def step_force_standard_solid(xp, t, d, h, s, E_inf, E_1, tau):
     v3 = relaxation_standard_solid(xp, t, E_inf, E_1, tau) * normal_force_from_depth(xp, d, h, s, 1.0)
     return v3
@@ -35,6 +103,20 @@ def step_force_standard_solid(xp, t, d, h, s, E_inf, E_1, tau):
 def step_load_radius_standard_solid(xp, t, F, h, s, E_inf, E_1, tau):
     v3 = normal_radius_from_force(xp, F * creep_standard_solid(xp, t, E_inf, E_1, tau), h, s, 1.0)
     return v3
+
+
+def earlier_time_power_creep(xp, t, v, v_2, t_m, E, alpha, t_0):
+    return earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+
+
+def contact_time_power_creep(xp, v, v_2, t_m, E, alpha, t_0):
+    return end_power_creep(xp, v_2 / v, t_m, E, alpha, t_0)
+
+
+def retract_radius_power_creep(xp, t, v, v_2, t_m, h, s, E, alpha, t_0):
+    v3 = earlier(xp, t, t_m, lag_power_creep(xp, t, t_m, v_2 / v, E, alpha, t_0))
+    v4 = v3 <= 0.0
+    return xp.where(v4, 0.0, normal_radius_from_depth(xp, v * xp.where(v4, 1.0, v3), h, s))
 
 
 def step_force_power_creep(xp, t, d, h, s, E, alpha, t_0):

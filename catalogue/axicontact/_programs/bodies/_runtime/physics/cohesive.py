@@ -6,15 +6,16 @@ from math import atan2, hypot
 
 from ....._programs.bodies._runtime.integrals import difference_root
 from ....._programs.bodies._runtime.inverse import inverse
-from ....._runtime.physics.cohesive_single import both
-from ....._runtime.plain import integral_in_strip
+from ....._runtime.plain import both, integral_in_strip
 from ....._runtime.plain import sqrt, MATH as np
 
 CLOSEST = 1e-09
 DECAY = 40.0
 EMPTY = 0.5707963267948966
 EXPONENTS = (0.5, 4.0,)
+FALLING = 1.2
 NARROW = 0.7
+SAME = 1e-13
 WITHIN = 0.999999
 
 
@@ -24,28 +25,54 @@ def outer_radius(q, a):
 
 def opening(slope, q, a, nodes):
     """For g' without singularities."""
-    c, end = (np.hypot(a, q), np.arctan2(q, a))
+    return _along(slope, np.hypot(a, q), 0.0, np.arctan2(q, a), nodes)
 
-    def gained(u):
+
+def _along(slope, c, start, length, nodes):
+
+    def gained(v):
+        u = start + v
         cosine = np.cos(u)
         growth = slope(c * cosine)
         return (growth * u * np.sin(u), growth * cosine)
-    gap, rate = both(gained, end, 1.0, ((np.inf, nodes),))
+    gap, rate = both(gained, length, 1.0, ((np.inf, nodes),))
     return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
 
 
 def opening_power(slope, q, a, n):
-    """For g' with singularities on the imaginary axis and at t = 0 only, where it falls as the power n - 1 of t."""
+    """For a g' that is a power n - 1 of t."""
     c = np.hypot(a, q)
     far = q / (a if a > 0.0 else 1.0) if a > 0.0 else np.inf
-    end = np.minimum(np.arcsinh(far), DECAY / np.minimum(n, 1.0))
+    end = np.arcsinh(np.minimum(np.arcsinh(far), DECAY / np.minimum(n, FALLING)))
 
     def gained(v):
-        side, secant = (np.sinh(v), np.cosh(v))
-        growth = slope(c / secant) / secant
+        steep = np.sinh(v)
+        side, secant = (np.sinh(steep), np.cosh(steep))
+        growth = slope(c / secant) / secant * np.cosh(v)
         return (growth * np.arctan(side) * (side / secant), growth / secant)
     gap, rate = both(gained, end)
     return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
+
+
+def opening_beside(slope, q, a, b):
+    """For g' with singularities at b on the imaginary axis, which is next to the end of the path where c is far."""
+    c, angle = (np.hypot(a, q), np.arctan2(q, a))
+    scale = np.arcsinh(b / c)
+    last, end = _crowded(angle, np.arctan2(a, q), scale)
+
+    def gained(v):
+        u = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
+        cosine = np.cos(u)
+        growth = slope(c * cosine) * scale * np.cosh(last - v)
+        return (growth * u * np.sin(u), growth * cosine)
+    gap, rate = both(gained, end, NARROW)
+    return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
+
+
+def _crowded(angle, rest, scale):
+    """Of pi/2 - u = scale sinh(last - v): the last v, at pi/2, and the v of an angle u that leaves a rest to it."""
+    x, y = (0.5 * np.pi / scale, rest / scale)
+    return (np.arcsinh(x), np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x))))
 
 
 def opening_below(slope, q, a, R):
@@ -74,14 +101,7 @@ def opening_tip(slope, q, a, b, nodes):
     start = np.arctan2(outer, b) if a < b else end
     start = np.minimum(start if c > b else 0.0, end)
     start = start if a < b else end
-
-    def gained(v):
-        u = start + v
-        cosine = np.cos(u)
-        growth = slope(c * cosine)
-        return (growth * u * np.sin(u), growth * cosine)
-    gap, rate = both(gained, end - start, 1.0, ((np.inf, nodes),))
-    return (2.0 / np.pi * c * gap, 2.0 / np.pi * rate)
+    return _along(slope, c, start, end - start, nodes)
 
 
 def opening_beyond(slope, q, a, b):
@@ -93,9 +113,7 @@ def opening_beyond(slope, q, a, b):
     outer, whole = (outer if holds else b, whole if holds else b)
     scale = np.arcsinh(b / outer)
     angle = np.arctan2(whole, inner)
-    x, y = (0.5 * np.pi / scale, np.arctan2(inner, whole) / scale)
-    last = np.arcsinh(x)
-    end = np.arcsinh(angle / scale * (x + y) / (x * np.sqrt(1.0 + y * y) + y * np.sqrt(1.0 + x * x)))
+    last, end = _crowded(angle, np.arctan2(inner, whole), scale)
 
     def gained(v):
         turned = 2.0 * scale * np.cosh(last - 0.5 * v) * np.sinh(0.5 * v)
@@ -114,26 +132,34 @@ def work_of_zone(opened, q, a, E_star, sigma_0):
     return sigma_0 * (gap + 4.0 / np.pi * (sigma_0 / E_star) * q * (angle - q / (c + a)))
 
 
-def root_within(opened, a, E_star, dgamma, sigma_0, largest):
-    """The root of a profile that ends; not a number where the zone would reach beyond the largest q."""
-    reached = work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma
-    found = root_of_zone(opened, a, E_star, dgamma if reached else np.nan, sigma_0, largest)
-    return found if reached else np.nan
+def zone_within(opened, a, E_star, dgamma, sigma_0, largest):
+    """The radius of a contact; not a number where its zone would reach beyond the largest q of a profile that ends."""
+    reached = (largest > 0.0) & (work_of_zone(opened, WITHIN * largest, a, E_star, sigma_0) >= dgamma)
+    return a if reached else np.nan
 
 
 def root_of_zone(opened, a, E_star, dgamma, sigma_0, largest=np.inf):
     """The q at which the gap at c is dgamma/sigma_0."""
-    wanted, load = (dgamma / sigma_0, 4.0 / np.pi * (sigma_0 / E_star))
+    part = 0.25 * np.pi * (dgamma / sigma_0) * (E_star / sigma_0)
+    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
+    return root_near(opened, start, a, E_star, dgamma, sigma_0, largest)[0]
+
+
+def root_near(opened, start, a, E_star, dgamma, sigma_0, largest=np.inf):
+    """The same from a guess on, and the rate of the gap with c there."""
+    load, looked = (4.0 / np.pi * (sigma_0 / E_star), [])
 
     def curve(q):
         c, angle = (np.hypot(a, q), np.arctan2(q, a))
         gap, rate = opened(q, a)
+        looked.append((q, rate))
         short = q / c * (q / (c + a))
         whole = gap + load * q * (angle - q / (c + a))
         return (whole, q / whole * (q / c) * (rate + load * (angle / (q / c) - short)))
-    part = wanted / load
-    start = 0.5 * part / EMPTY + np.sqrt((0.5 * part / EMPTY) ** 2 + 2.0 * a * part)
-    return inverse(curve, wanted, np.minimum(start, 0.75 * largest), EXPONENTS, largest, smooth=True)
+    start = np.minimum(start, 0.75 * largest)
+    q = inverse(curve, dgamma / sigma_0, start, EXPONENTS, largest, smooth=True)
+    last, rate = looked[-1]
+    return (q, opened(q, a)[1] if np.any(np.abs(q - last) > SAME * q) else rate)
 
 
 def sunk(q, E_star, sigma_0):
@@ -186,20 +212,16 @@ def _ring(near, far, kc, end, within):
     return integral_in_strip(rate, last, NARROW)
 
 
-def sides(a, q):
-    """q/c and a/c."""
-    c = np.hypot(a, q)
-    return (q / c, a / c)
-
-
-def still(opened, a, q, control, E_star, sigma_0):
+def still(rate, a, q, control, E_star, sigma_0):
     """Rate of the gap with c over that at which the load does not change with a: above 1 the load grows.
 
     What the ring adds to the gap and takes of the load has fallen out; no slope of the profile is left.
     """
-    (sine, cosine), angle = (sides(a, q), np.arctan2(q, a))
-    level = sine * (sine / (1.0 + cosine)) + (angle * (angle / cosine) if control == 'force' else 0.0)
-    return opened(q, a)[1] / (4.0 / np.pi * (sigma_0 / E_star) * level)
+    c, angle = (np.hypot(a, q), np.arctan2(q, a))
+    level = q / c * (q / (c + a))
+    if control == 'force':
+        rate, level = (rate * (a / c), level * (a / c) + angle * angle)
+    return rate / (4.0 / np.pi * (sigma_0 / E_star) * level)
 
 
 def alone(opened, c, E_star, dgamma, sigma_0):

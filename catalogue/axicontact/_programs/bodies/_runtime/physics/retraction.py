@@ -34,6 +34,11 @@ def lag_maxwell(t, t_m, ratio, E, tau):
     return inf
 
 
+def lag_kelvin_voigt(t, t_m, ratio, E, eta):
+    v5 = t - t_m
+    return ratio * ((v5 if v5 > 0.0 or v5 != v5 else 0.0) + eta / E)
+
+
 def lag_standard_solid(t, t_m, ratio, E_inf, E_1, tau):
     x, stiffer = (np.maximum(t - t_m, 0.0) / tau, E_1 / E_inf)
     return tau * slowed(ratio * (x - stiffer * np.expm1(-x)), stiffer * np.exp(-x))

@@ -74,6 +74,21 @@ def stick_force(F, F_x, mu):
 
 
 @in_groups
+def growth_beyond(slope, order, r, c, a, b, close):
+    """From max(b, c) on; `slope` takes t and sqrt(t**2 - b**2)."""
+    start = np.maximum(b, c)
+    beyond, root = (difference_root(start, b), difference_root(start, r))
+    gaps = _gap(a, start, difference_root(a, b), beyond) + _gap(a, start, difference_root(a, r), root)
+    holds = close & (a > start)
+
+    def integrand(v):
+        side = beyond * np.cosh(v) + root * np.sinh(v)
+        t = np.sqrt(b * b + side * side)
+        return slope(t, side) * (side / t) * t ** order
+    return (integrand, np.log1p(gaps / (beyond + root)) if holds else 0.0, 1.0, holds, 0.0)
+
+
+@in_groups
 def growth_below(slope, order, r, c, a, R, close):
     """For g' singular at t = R; `slope` takes t and sqrt(R**2 - t**2)."""
     scale, root, below = (difference_root(R, r), difference_root(c, r), difference_root(R, c))

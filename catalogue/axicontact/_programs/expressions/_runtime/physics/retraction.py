@@ -23,10 +23,6 @@ def end_maxwell(xp, ratio, t_m, E, tau):
     return t_m + tau * xp.log1p(-xp.expm1(-t_m / tau) / ratio)
 
 
-def kept_maxwell(xp, t, t_1, since, m, E, tau):
-    return E * xp.exp(-since / tau) * fading(xp, t_1 / tau, m)
-
-
 def lag_kelvin_voigt(xp, t, t_m, ratio, E, eta):
     return ratio * (xp.maximum(t - t_m, 0.0) + eta / E)
 
@@ -102,10 +98,6 @@ def end_standard_solid(xp, ratio, t_m, E_inf, E_1, tau):
     return t_m + tau * slowed(xp, (v1 + v6) / ratio, v2 + v6 / ratio)
 
 
-def kept_standard_solid(xp, t, t_1, since, m, E_inf, E_1, tau):
-    return E_inf + E_1 * xp.exp(-since / tau) * fading(xp, t_1 / tau, m)
-
-
 def lag_power_creep(xp, t, t_m, ratio, E, alpha, t_0):
     v8 = xp.maximum(t - t_m, 0.0) * xp.expm1(xp.minimum(xp.log1p(ratio) / (1.0 - alpha), 700.0))
     return v8
@@ -113,6 +105,14 @@ def lag_power_creep(xp, t, t_m, ratio, E, alpha, t_0):
 
 def end_power_creep(xp, ratio, t_m, E, alpha, t_0):
     return t_m + t_m / xp.expm1(xp.minimum(xp.log1p(ratio) / (1.0 - alpha), 700.0))
+
+
+def kept_maxwell(xp, t, t_1, since, m, E, tau):
+    return E * xp.exp(-since / tau) * fading(xp, t_1 / tau, m)
+
+
+def kept_standard_solid(xp, t, t_1, since, m, E_inf, E_1, tau):
+    return E_inf + E_1 * xp.exp(-since / tau) * fading(xp, t_1 / tau, m)
 
 
 def kept_power_creep(xp, t, t_1, since, m, E, alpha, t_0):
