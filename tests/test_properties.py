@@ -79,7 +79,7 @@ def scalable(package: str) -> tuple[tuple[str, Callable[..., Any], dict[str, flo
 def test_powers_of_two_change_no_digit(package: str, length: int, modulus: int, time: int) -> None:
     """Lengths in units of LENGTH**length, moduli of 2**modulus, times of 2**time; without a warning.
 
-    A wrong power of one of them is a wrong power of two.  A power a**k or a**n may round anew.
+    A wrong power of one of them is a wrong power of two.  A power a**k, a**n or t**alpha may round anew.
     """
 
     def scale(unit: Unit) -> float:
@@ -90,7 +90,7 @@ def test_powers_of_two_change_no_digit(package: str, length: int, modulus: int, 
         warnings.simplefilter("error")
         for name, function, numbers, value, (known, own) in scalable(package):
             found = function(**{key: x * scale(known[key]) for key, x in numbers.items()})
-            powers = not {"k", "n", "A"}.isdisjoint(numbers)
+            powers = not {"k", "n", "A", "alpha"}.isdisjoint(numbers)
             inverse = re.search("_from_|_radius", function.__name__)
             rounded = (ROUNDED_POWER if powers else ROUNDED) if inverse else ROUNDED if powers else 0.0
             assert found == pytest.approx(value * scale(own), rel=rounded, abs=0.0), (name, function.__name__)

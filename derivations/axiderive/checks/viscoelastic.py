@@ -106,8 +106,9 @@ def material(law: str, values: Values) -> Material:
 def check(own: Comparison, suffix: str) -> Evidence:
     """Ramp, step of depth, step of load, or a way back against the convolution."""
     entry, (kind, law) = own.entries[suffix], suffix.split("_")
-    count = SUMMED if in_radius(entry) else BACK if nt.v_2 in entry.parameters else own.points
-    count, digits = min(own.points, count), own.digits // 2 if in_radius(entry) else own.digits
+    summed = kind in ("ramp", "retract") and in_radius(entry)
+    count = SUMMED if summed else BACK if nt.v_2 in entry.parameters else own.points
+    count, digits = min(own.points, count), own.digits // 2 if summed else own.digits
     rows: Rows = []
     plain = _elastic_entries(own.profile)
     fields = (*entry.parameters, nt.time, *own.profile.free_depth)
