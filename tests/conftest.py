@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Callable, Iterator
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 
 import pytest
@@ -39,6 +40,29 @@ settings.load_profile("repeatable")
 
 # an expression makes thousands of objects and few circles: to look for them at every 700 took 5 % of a run
 gc.set_threshold(100_000, 20, 20)
+
+
+SLOW = (Path(__file__).parent / "slow.txt").read_text(encoding="utf-8").splitlines()
+"""What moves behind `-m slow`; its head says by which rule."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Marks what `slow.txt` names; a line that names no test of a file that is collected whole is an error."""
+    profiles = set(next(line for line in SLOW if line.startswith("spread: ")).split())
+    listed = dict.fromkeys(SLOW, False)
+    for item in items:
+        case = f"{item.path.name}::{item.name}"
+        function, _, parameters = case.partition("[")
+        rest = f"{function} but for the spread"
+        if own := [line for line in (function, case, rest) if line in listed]:
+            listed |= dict.fromkeys(own, True)
+            if own != [rest] or profiles.isdisjoint(parameters.rstrip("]").split("-")):
+                item.add_marker(pytest.mark.slow)
+    whole = {item.path.name for item in items} if not any("::" in one for one in config.args) else set()
+    if stale := [line for line, found in listed.items() if not found and line.partition("::")[0] in whole]:
+        message = f"slow.txt: no test is {stale[0]!r}; leave out the line or give it the new name"
+        raise pytest.UsageError(message)
 
 
 def pytest_collection_finish() -> None:
