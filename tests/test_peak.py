@@ -20,10 +20,13 @@ from axiderive.checks import quadrature
 from axiderive.checks.comparison import Comparison
 from axiderive.code.docstring import formula
 from axiderive.entry import Entry
-from axiderive.notation import E_star, R, a, b, r_peak
+from axiderive.notation import E_star, R, a, b, r, r_peak
 from axiderive.physics.normal import derive
 from axiderive.profiles import COMPACT_NAMES, load
+from axiderive.proof.algebra.domain import NotProvedError
 from axiderive.proof.certificate import certify
+from axiderive.proof.rules import rings
+from axiderive.proof.rules.compact import Compact
 from axiderive.stable.measure import ulps
 from axiderive.stable.reference import of_contact
 
@@ -223,6 +226,22 @@ def other_side(change: Callable[[sp.Expr], sp.Expr]) -> Callable[[sp.Expr], sp.E
 def test_another_place_or_pressure_is_refused(name: str, suffix: str, change: Callable[[sp.Expr], sp.Expr]) -> None:
     entries = moved(derive(load(name)), suffix, change)
     assert not certify(load(name), entries, suffix).proved
+
+
+@pytest.mark.parametrize(("roots", "shown"), [((2,), True), ((2, 5, 8), False)])
+def test_a_slope_that_changes_its_sign_more_than_once_is_refused(roots: tuple[int, ...], shown: bool) -> None:
+    """Of a pressure with sqrt(a^2 - r^2)/r dp/dr = 0 at r^2/a^2 = 2/10 and further out: the ring may be another one."""
+    height, slope = sp.Symbol("height", positive=True), sp.Integer(1)
+    for root in roots:
+        slope *= sp.Rational(root, 10) - 1 + height**2
+    pressure = -sp.integrate(sp.expand(slope), (height, 0, sp.sqrt(1 - r**2 / a**2)))
+    entries = moved(moved(derive(load("quartic")), "p", lambda p: pressure), "rp", lambda radius: a / sp.sqrt(5))
+    proof = Compact(load("quartic"), entries)
+    if shown:
+        assert rings.greatest(proof)
+    else:
+        with pytest.raises(NotProvedError, match="one change of the sign"):
+            rings.greatest(proof)
 
 
 def test_the_docstring_has_the_paraboloid_in_one_range() -> None:

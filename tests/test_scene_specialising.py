@@ -93,6 +93,31 @@ def test_a_chain_of_conditions_stays_one(call: str, body: list[str]) -> None:
     assert [line.removeprefix("    ") for line in found["chain"].splitlines()[1:]] == body
 
 
+JOINED = """
+def joined(x, first=None, second=0.0):
+    if first is not None and x > 1.0:
+        return first
+    if second > 1.0 or x > 2.0:
+        return second
+    return x
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "conditions"),
+    [
+        ("joined(x)", ["x > 2.0"]),
+        ("joined(x, x)", ["first is not None and x > 1.0", "x > 2.0"]),
+        ("joined(x, x, 2.0)", ["first is not None and x > 1.0"]),
+        ("joined(x, None, x)", ["second > 1.0 or x > 2.0"]),
+    ],
+)
+def test_of_joined_conditions_stays_what_is_not_known(call: str, conditions: list[str]) -> None:
+    """A known part of `and` or `or` decides the whole or falls out."""
+    found = texts(f"def f(x):\n    return {call}\n", JOINED)["joined"]
+    assert re.findall("if (.*):", found) == conditions
+
+
 def test_what_a_default_decides_is_decided():
     """The condition, its branch and its comment, the operation, the sentence; bodies keep all else as it was."""
     found = texts("def f(x):\n    return rule(x, 2.0, least=3.0)\n")
