@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
+from axiderive import notation as nt
 from axiderive.entry import COMPACT, COMPLETE, FOUR
-from axiderive.physics import adhesive, loads, materials, tangential, viscoelastic
+from axiderive.oracle.evaluate import case_at, evaluate
+from axiderive.physics import adhesive, loads, materials, normal, tangential, viscoelastic
 from axiderive.physics.plane import PLANE, PLANE_COMPLETE, PLANE_ECCENTRIC
 from axiderive.physics.systems import problem
+from axiderive.profiles import load
 from axiderive.store.records import entry_record, read_entry
 
 TABLES = {
@@ -47,6 +51,17 @@ def test_an_inverse_is_given_what_its_curve_gives(table):
 
 def test_the_four_integrals_come_first():
     assert tuple(COMPACT)[1:5] == FOUR
+
+
+@pytest.mark.parametrize("radius", ["0.7", "1.9"])
+def test_a_closed_inverse_of_two_cases_has_each_in_its_range(radius):
+    """A paraboloid cut to a cap, whose contact lies within the cap or beyond it."""
+    entries = normal.derive(load("capped_paraboloid"))
+    values = {symbol: sp.Integer(1) for symbol in (nt.b, *entries["d"].profile.parameters)}
+    values |= {nt.a: sp.Rational(radius), entries["d"].profile.parameters[0]: sp.Rational(3, 2)}
+    depth = case_at(entries["d"], values).expr.subs(values)
+    values[nt.d] = depth
+    assert evaluate(case_at(entries["ad"], values).expr, values, 30) == pytest.approx(float(radius), rel=1e-15)
 
 
 def test_a_stored_entry_has_the_words_of_its_physics():
