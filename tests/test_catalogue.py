@@ -13,7 +13,9 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+from stored_book import evidence, stored
 
+from axiderive.book.index import index_record
 from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
@@ -117,6 +119,15 @@ def functions(path: Path) -> set[str]:
 @functools.cache
 def index() -> dict:
     return loads((CATALOGUE / "axicontact" / "index.json").read_text())
+
+
+@pytest.mark.parametrize("key", ["truncated_paraboloid", "paraboloid.adh", "flat_punch.fgm"])
+def test_the_index_says_of_an_entry_what_the_engine_says(key: str) -> None:
+    """Its conditions, domains and calls are those of the committed index, written anew."""
+    path = PROBLEMS[key].module
+    modules = {path: (CATALOGUE / path).read_text(encoding="utf-8")}
+    written = index_record({key: stored(key)}, {key: evidence(key)}, modules)["entries"]
+    assert written == [row for row in index()["entries"] if row["problem"] == key]
 
 
 def test_every_problem_is_published_in_the_order_of_the_handbook() -> None:

@@ -53,15 +53,22 @@ def test_the_four_integrals_come_first():
     assert tuple(COMPACT)[1:5] == FOUR
 
 
-@pytest.mark.parametrize("radius", ["0.7", "1.9"])
-def test_a_closed_inverse_of_two_cases_has_each_in_its_range(radius):
-    """A paraboloid cut to a cap, whose contact lies within the cap or beyond it."""
-    entries = normal.derive(load("capped_paraboloid"))
-    values = {symbol: sp.Integer(1) for symbol in (nt.b, *entries["d"].profile.parameters)}
-    values |= {nt.a: sp.Rational(radius), entries["d"].profile.parameters[0]: sp.Rational(3, 2)}
-    depth = case_at(entries["d"], values).expr.subs(values)
-    values[nt.d] = depth
-    assert evaluate(case_at(entries["ad"], values).expr, values, 30) == pytest.approx(float(radius), rel=1e-15)
+@pytest.mark.parametrize(
+    ("name", "suffix", "radius"),
+    [
+        ("capped_paraboloid", "d", "0.7"), ("capped_paraboloid", "d", "1.9"),
+        ("truncated_paraboloid", "F", "1.001"), ("truncated_paraboloid", "F", "1.9"),
+    ],
+)  # fmt: skip
+def test_a_closed_inverse_gives_the_radius_back(name, suffix, radius):
+    """By the case in whose range the value lies: a contact beyond the break, or within; the root of a cubic."""
+    entries = normal.derive(load(name))
+    forward, own = entries[suffix], entries[f"a{suffix}"]
+    values = {symbol: sp.Rational(3 + i, 3) for i, symbol in enumerate(forward.profile.parameters)}
+    values |= {nt.b: sp.Integer(1), nt.E_star: sp.Integer(1), nt.a: sp.Rational(radius)}
+    value = case_at(forward, values).expr.subs(values)
+    values[nt.describe(suffix).symbol] = value
+    assert evaluate(case_at(own, values).expr, values, 30) == pytest.approx(float(radius), rel=1e-15)
 
 
 def test_a_stored_entry_has_the_words_of_its_physics():

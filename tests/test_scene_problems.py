@@ -111,6 +111,12 @@ def test_any_name_has_a_module(name, module):
     assert found.module == module
 
 
+def test_a_file_too_large_for_a_scene_is_not_read():
+    text.parse("s", b"#" * text.LARGEST)
+    with pytest.raises(SceneError, match="s: 100001 bytes are no scene, at most 100000 are read"):
+        text.parse("s", b"#" * (text.LARGEST + 1))
+
+
 def test_bytes_that_are_no_text_are_refused():
     with pytest.raises(SceneError, match="is no UTF-8"):
         text.parse("s", b'profile = "\xff"')
