@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import hashlib
 import json
+import math
 import re
 import subprocess
 import sys
@@ -14,8 +15,11 @@ import pytest
 import sympy as sp
 from scenes import EXAMPLES, NEEDLE, NO_PDF, composed_from, titles
 
+from axicontact import materials
 from axiderive.cli import main
 from axiderive.physics import loads, normal, plane
+from axiderive.scene import text
+from axiderive.scene.medium import medium_values
 from axiderive.scene.page import escaped
 
 
@@ -178,3 +182,9 @@ def test_units_are_refused_and_fields_vanish_far_away(needle):
     command = [sys.executable, "-W", "error", "-c", UNITS_AND_INFINITY]
     run = subprocess.run(command, cwd=needle, capture_output=True, text=True, check=False)
     assert run.stdout == "as in the catalogue\n", run.stderr
+
+
+def test_the_moduli_of_a_half_space_are_those_of_the_materials() -> None:
+    found = medium_values(text.parse("s", b'profile = "cone"\n[medium]\nE = "3 GPa"\nnu = 0.4\n'))
+    assert found["E_star"] == pytest.approx(materials.effective_modulus(3e9, 0.4, math.inf, 0.3), rel=1e-15)
+    assert found["G_star"] == pytest.approx(materials.effective_shear_modulus(3e9, 0.4, math.inf, 0.3), rel=1e-15)

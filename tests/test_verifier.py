@@ -40,6 +40,12 @@ def test_what_rests_on_a_false_entry_is_not_shown() -> None:
     assert all(missing[suffix] for suffix in ("d", "F", "p", "w", "k", "pm", "ad", "aF", "Fd", "dF"))
 
 
+@pytest.mark.parametrize("status", ["integral", "root"])
+def test_a_closed_formula_is_stored_as_one(status: str) -> None:
+    entries = derived("cone")
+    assert reasons(record("cone", {**entries, "k": replace(entries["k"], status=status)}))["k"]
+
+
 def test_it_imports_nothing_of_the_engine_and_no_computer_algebra() -> None:
     allowed = {*sys.stdlib_module_names, "flint"}
     for path in FOLDER.glob("*.py"):
