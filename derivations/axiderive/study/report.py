@@ -105,7 +105,7 @@ SHORTEST, LONGEST = 4e-3, 0.1
 def paired(call: Call, beside: Call, rounds: int) -> float:
     """Median over `rounds` of the processor time of `call` over that of `beside`, which runs right before it."""
     first = [_first(beside), _first(call)]
-    counts = [max(1, int(SHORTEST / max(once, 1e-7))) if rounds > 1 else 1 for once in first]
+    counts = [max(1, int(SHORTEST / max(once, 1e-7))) for once in first]
     rounds = min(rounds, 3) if max(first) > LONGEST else rounds
     ratios = []
     for _ in range(rounds):
