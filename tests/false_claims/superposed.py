@@ -28,6 +28,7 @@ from .claims import (
     regions,
     set_to,
     shown,
+    stated,
     times,
 )
 
@@ -134,6 +135,13 @@ def imaginary_radius() -> Claim:
     return with_law(replace(MAXWELL, relaxation=-MAXWELL.relaxation, creep=-MAXWELL.creep))
 
 
+def ramp_without_fading() -> Claim:
+    """The force of a ramp on a fluid, as if all of the depth had come at the present rate of its relaxation."""
+    cases = derived("sphere")["F"].cases
+    faded = tuple(replace(case, expr=case.expr.subs(E_star, MAXWELL.relaxation)) for case in cases)
+    return stated("sphere.vis", "ramp_mx", status="closed", cases=faded)
+
+
 def rushing_ramp() -> Claim:
     """The force is no power of the depth; its exponent names d, which the face allows as one of its parameters."""
     true = derived("cone.vis")["ramp_kv"]
@@ -216,6 +224,11 @@ NEEDED: Refusals = {
         lambda: regions("cone.vis", "ramp_mx", (time, nt.relaxation)),
         ONCE,
     ),
+    "viscoelastic.Viscoelastic.radius: require_regions(entry, tuple((_in_time(case.chain) for case": (
+        lambda: regions("truncated_paraboloid.vis", "radius_mx", (nt.t_1, nt.relaxation)),
+        ONCE,
+    ),
+    "viscoelastic.Viscoelastic._of_springs: ... fades": (ramp_without_fading, "fades"),
     "viscoelastic.Viscoelastic._of_power: ... is not shown to be a power of d": (
         rushing_ramp,
         "is not shown to be a power of d",

@@ -64,7 +64,7 @@ def _states(writer: Writer, opened: str) -> None:
     needs = [*writer.geometry, *MATERIAL]
     given = ", ".join(needs)
     first = f"first = _zone(np.zeros_like(sigma_0), {given})"
-    writer.rule("_radii", [], needs, [first, f"return {_radii(writer, opened)}"], returns="Stretch")
+    writer.rule("_radii", [], needs, [first, *_radii(writer, opened)], returns="Stretch")
     closing = ", ".join(filter(None, ["E_star, dgamma, sigma_0", _largest(writer)]))
     state = [
         f"q, rate = root_near({opened}, start, a, {closing})",
@@ -102,15 +102,19 @@ def _states(writer: Writer, opened: str) -> None:
         writer.rule(f"_{inverse.function}", [field], needs, lines)
 
 
-def _radii(writer: Writer, opened: str) -> str:
+def _radii(writer: Writer, opened: str) -> list[str]:
     """The radii that separate the minima: by the first zone, and by a break or the end of the profile."""
     profile, end = writer.profile, _end(writer)
     if profile.breaks:
-        return f"radii_by(first, {python(dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0]))})"
-    within = f"lambda a: zone_within({opened}, a, E_star, dgamma, sigma_0, {_largest(writer)})"
+        border = dict(profile.abbreviations).get(profile.breaks[0], profile.breaks[0])
+        return [f"return radii_by(first, {python(border)})"]
+    within = f"lambda a: zone_within({opened}, a, E_star, dgamma, sigma_0, {{}})"
     if profile.largest is not None:
-        return f"radii_on_bump(first, {python(profile.largest)}, {within})"
-    return "radii(first)" if end is None else f"radii_up_to(first, {python(end)}, {within})"
+        named = within.format("difference_root(end, a)")
+        return [f"end = {python(profile.largest)}", f"return radii_on_bump(first, end, {named})"]
+    if end is None:
+        return ["return radii(first)"]
+    return [f"return radii_up_to(first, {python(end)}, {within.format(_largest(writer))})"]
 
 
 def _bound_to_shape(writer: Writer, function: str) -> str:
