@@ -340,8 +340,12 @@ def test_what_has_no_program_is_refused(package: Package) -> None:
     assert script.text() == before
 
 
-LACKING = {("adhesive", own) for own in ("pull_off", "radius_from_depth", "radius_from_force")}
-"""Branches that are looked for on a grid."""
+LACKING = {("adhesive", own) for own in ("pull_off", "radius_from_depth", "radius_from_force")} | {
+    ("viscoelastic", f"{way}_force_{law}")
+    for way in ("ramp", "retract")
+    for law in ("maxwell", "standard_solid", "power_creep")
+}
+"""Branches that are looked for on a grid, and integrals over what another integral begins with."""
 MISSING = 32, 104
 """How many of these there are, of few profiles and of all: the radii of a profile, and six numbers of pull-off."""
 

@@ -19,6 +19,7 @@ from axicontact._runtime import integrals
 from axicontact._runtime.arrays.extended import Extended, extended
 from axicontact._runtime.functions import difference_of_products, lower_power, nth_root, without_root
 from axicontact._runtime.plain import MATH
+from axicontact.layer import sphere as on_layer
 from axicontact.normal import cone, paraboloid, rounded_punch, sphere, truncated_cone
 from axiderive.notation import LENGTH, describe
 from axiderive.profiles import load
@@ -113,7 +114,7 @@ def test_zero_and_infinity_of_roots_and_powers() -> None:
 
 
 def test_plain_numbers_take_the_body_with_math() -> None:
-    assert needs_arrays(rounded_punch._pressure)
+    assert needs_arrays(on_layer._force)
     assert not needs_arrays(rounded_punch._force_from_depth)
     # a local variable may have the name of a function of NumPy: angle
     assert not needs_arrays(sphere._depth_at)
