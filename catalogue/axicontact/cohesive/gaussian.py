@@ -646,10 +646,11 @@ def _displacement(r: Array, a: Array, h: Array, s: Array, E_star: Array, dgamma:
 
 def _radii(h: Array, s: Array, E_star: Array, dgamma: Array, sigma_0: Array) -> Stretch:
     first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
+    end = 1.5019752682686114 * s
     return radii_on_bump(
         first,
-        1.5019752682686114 * s,
-        lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)),
+        end,
+        lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(end, a)),
     )
 
 

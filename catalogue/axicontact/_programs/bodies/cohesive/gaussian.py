@@ -114,7 +114,8 @@ def _displacement(r, a, h, s, E_star, dgamma, sigma_0):
 
 def _radii(h, s, E_star, dgamma, sigma_0):
     first = _zone(np.zeros_like(sigma_0), h, s, E_star, dgamma, sigma_0)
-    return radii_on_bump(first, 1.5019752682686114 * s, lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(1.5019752682686114 * s, a)))
+    end = 1.5019752682686114 * s
+    return radii_on_bump(first, end, lambda a: zone_within(partial(_opened, h=h, s=s), a, E_star, dgamma, sigma_0, difference_root(end, a)))
 
 
 def _state(a, start, h, s, E_star, dgamma, sigma_0, control):
