@@ -152,14 +152,17 @@ def fit(line: str, indent: int = 4) -> list[str]:
 
 
 def split(text: str) -> list[str]:
-    """The parts between the commas outside all brackets and quotes; of what is generated the value, and the rest."""
+    """The parts between the commas outside all brackets and quotes; of what is generated the value, and the rest.
+
+    The commas between the parameters of a lambda part nothing.
+    """
     parts, depth, quoted = [""], 0, False
     for place, character in enumerate(text):
         quoted ^= character == '"'
         depth += (character in "([{") - (character in ")]}")
         if depth == 0 and text.startswith(" for ", place):
             return [text[:place], text[place + 1 :]]
-        if character == "," and depth == 0 and not quoted:
+        if character == "," and depth == 0 and not quoted and not re.search(r"\blambda [^:]*$", parts[-1]):
             parts.append("")
         else:
             parts[-1] += character
