@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -16,7 +17,7 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..checks.viscoelastic import Material, material
+from ..checks.viscoelastic import material
 from ..code import example
 from ..entry import COMPACT
 from ..letters import name_of
@@ -25,6 +26,7 @@ from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
 from ..oracle.plane import defined, strip
+from ..oracle.rules import gauss_rule, integrate
 from ..oracle.shape import number
 from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
@@ -47,6 +49,10 @@ DISTANCE = 2.7
 """Of the reference point of the depth of a strip, over the half-width."""
 LATER = (0.4, 1.9)
 """Times over that of the material."""
+TURNED = mp.mpf("0.7")
+"""Of a time, when the indenter turned, and of that, when the contact was as large."""
+NODES = 60
+"""On a piece of a profile, for the springs below it."""
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
 BELOW = ((0.45, 0.3), (1.6, 0.7))
@@ -398,33 +404,70 @@ class _Strip:
 
 
 def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
-    """A contact that grows, or one whose edge is fixed: there the force of a flat face is as the depth."""
-    law, values = contact.request.kind.law, contact.all
-    assert law is not None
-    own, rows = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters}), Rows()
+    """A contact that grows, or one whose edge is fixed, each at a time of its own."""
+    values = contact.all
     scale = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
-    for size, later in zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False):
-        t = float(f"{later * scale:.4g}")
-        at = mp.mpf(t)
+    sizes = zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False)
+    return [_Relaxing(contact, edged, size, float(f"{later * scale:.4g}")).row(function) for size, later in sizes]
+
+
+class _Relaxing:
+    """One contact on a viscoelastic half-space at a time t; after a way back it is as large as it was at t_1."""
+
+    def __init__(self, contact: Contact, edged: Edged, size: float, t: float) -> None:
+        law, values = contact.request.kind.law, contact.all
+        assert law is not None
+        self.own = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters})
+        self.contact, self.size, self.t = contact, mp.mpf(size), mp.mpf(t)
         if contact.compact:
-            force, depth = contact.load("F", size), contact.load("d", size)
+            self.a, self.depth, self.force = self.size, contact.load("d", size), contact.load("F", size)
         else:
-            force, depth = edged.at("F", size), mp.mpf(size)
+            self.a, self.depth, self.force = edged.a, self.size, edged.at("F", size)
+
+    def row(self, function: Function) -> tuple[tuple[float, ...], Any]:
+        """A call of a function with its result."""
+        t, own = float(self.t), self.own
         match function.name:
             case "step_load_radius":
-                rows.append(((t, float(force / own.creep(at, DIGITS))), mp.mpf(size)))
+                return (t, float(self.force / own.creep(self.t, DIGITS))), self.size
             case "step_force":
-                rows.append(((t, float(depth)), own.relaxation(at) * force))
-            case _:
-                rows.append(((t, float(depth / at)), _ramp(contact, size, force, at, own)))
-    return rows
+                return (t, float(self.depth)), own.relaxation(self.t) * self.force
+            case "ramp_force":
+                return (t, float(self.depth / self.t)), self.pressed(self.t)
+        t_m = TURNED * self.t
+        t_1 = mp.mpf(0) if function.name == "contact_time" else TURNED * t_m
+        v = self.depth / (t_1 or t_m)
+        # what came after t_1 and what went since t_m have left nothing
+        since = self.t - t_m
+        back = float(v * (self.gained(self.t - t_1) - self.gained(since)) / self.gained(since))
+        turned = (float(v), back, float(t_m))
+        match function.name:
+            case "contact_time":
+                return turned, self.t
+            case "earlier_time":
+                return (t, *turned), t_1
+            case "retract_radius":
+                return (t, *turned), self.size
+        return (t, *turned), self.pressed(t_1)
 
+    def gained(self, time: Any) -> Any:
+        """int E ds over the time since a spring was touched, with the impulse of a dashpot."""
+        whole = integrate(self.own.relaxation, mp.mpf(0), time, (0j,), DIGITS, self.own.least)
+        return self.own.impulse + whole
 
-def _ramp(contact: Contact, size: float, force: Any, t: Any, own: Material) -> Any:
-    """int E(t - s) dF_el/ds ds with F_el ~ s**m; the exponent is that between this radius and half of it."""
-    m = mp.mpf(1)
-    if contact.compact:
-        half = size / 2
-        m = mp.log(force / contact.load("F", half)) / mp.log(contact.load("d", size) / contact.load("d", half))
-    whole = mp.quad(lambda y: m * (1 - y) ** (m - 1) * own.relaxation(t * y), [0, mp.mpf(1) / 2, 1])
-    return force * (whole + own.impulse * m / t)
+    def pressed(self, until: Any) -> Any:
+        """int E(t - s) dF_el/ds ds up to a time: 2 v int (I(t - g(x)/v) - I(t - until)) dx over the springs below a.
+
+        The edges of a piece, where g and I are no power series, are flattened.
+        """
+        v, gone = self.depth / until, self.gained(self.t - until) if until < self.t else mp.mpf(0)
+        known = self.contact.given()
+        breaks = [b for b in (number(known[b]) for b in self.contact.profile.breaks) if b < self.a]
+        touched = self.a if not self.contact.compact else breaks[0] if self.contact.profile.truncated else mp.mpf(0)
+        total = touched * self.gained(self.t) - self.a * gone
+        for low, high in pairwise(sorted({touched, *breaks, self.a})):
+            for s, weight in gauss_rule(NODES, mp.mp.prec):
+                x = low + (high - low) * s**3 * (10 - 15 * s + 6 * s**2)
+                left = self.t - self.contact.load("d", x) / v
+                total += 30 * (high - low) * weight * (s * (1 - s)) ** 2 * self.gained(max(left, mp.mpf(0)))
+        return 2 * v * total
