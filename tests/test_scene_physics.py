@@ -120,6 +120,39 @@ def test_a_wrong_relaxation_does_not_pass(monkeypatch):
         composed_from('profile = "cone"\n[physics]\nviscoelastic = { model = "maxwell" }' + NO_PDF)
 
 
+COHESIVE = """profile = "{}"
+[medium]
+E_star = "1 MPa"
+[physics]
+cohesive = {{ dgamma = "50 mJ/m^2", sigma_0 = "20 kPa" }}
+"""
+
+
+@pytest.mark.parametrize("profile", ["paraboloid", pytest.param("truncated_cone", marks=pytest.mark.slow)])
+def test_a_scene_with_a_cohesive_zone(profile, tmp_path):
+    """By the springs under contact and ring, at a zone that is the root of the work by its definition."""
+    result = composed_from(COHESIVE.format(profile) + NO_PDF)
+    errors = json.loads(result.files["evidence.json"])["module against 20-digit quadrature"]
+    assert set(errors) == {"cohesive_radius", "depth", "force", "pressure", "displacement"}
+    assert max(map(float, errors.values())) < 1e-14
+    assert run_plainly(result, tmp_path) == "6 values agree\n"
+    assert "Cohesive zone" in titles(result.files[f"profiles/{profile}.tex"])
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "found"),
+    [
+        ("a) - sunk(q", "a) - 0.9 * sunk(q", "depth"),
+        ("return outer_radius(", "return 0.9 * outer_radius(", "cohesive_radius"),
+    ],
+)
+def test_a_wrong_zone_does_not_pass(monkeypatch, right, wrong, found):
+    with monkeypatch.context() as patch:
+        exchanged(patch, "cohesive/cone.py", right, wrong)
+        with pytest.raises(ArithmeticError, match=found):
+            composed_from(COHESIVE.format("cone") + f'[want]\nquantities = ["{found}"]' + NO_PDF)
+
+
 def test_the_worked_example_is_at_the_force_that_was_asked_for():
     """The state stands in the docstring; every function is tested there; the force found again is the one given."""
     files = composed_from(NEEDLE + NO_PDF).files

@@ -301,7 +301,7 @@ def _refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
 def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     """What stands against it."""
     system = on(PHYSICS[kind], GRADED if graded else HOMOGENEOUS)
-    if own and kind in POOLS:
+    if own and (kind in POOLS or PHYSICS[kind].solved is not None):
         return f"{kind} is emitted for what the catalogue holds"
     if system is None:
         return f"{kind} on a graded half-space is not derived"

@@ -7,7 +7,7 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from itertools import pairwise
 from typing import Any
@@ -22,6 +22,7 @@ from ..code import example
 from ..entry import COMPACT
 from ..letters import name_of
 from ..oracle.definitions import ring
+from ..oracle.evaluate import case_at, evaluated
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
@@ -55,6 +56,8 @@ NODES = 60
 """On a piece of a profile, for the springs below it."""
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
+NEAREST = 1e-15
+"""To a radius, relative: a length beside it."""
 BELOW = ((0.45, 0.3), (1.6, 0.7))
 """Places below a face, over the radius of its edge."""
 STEP = 1e-6
@@ -130,7 +133,10 @@ def _rules(contact: Contact) -> Callable[[Function], Rows]:
 def _pressed(contact: Contact, edged: Edged, function: Function) -> Rows:
     if not contact.compact:
         return edged.rows(function)
-    return [row for a in contact.radii() for row in _Radius(contact, a).rows(function)]
+    solved = contact.request.kind.physics.solved and not contact.profile.breaks
+    # integrals of integrals take seconds
+    radii = contact.radii()[-1:] if solved else contact.radii()
+    return [row for a in radii for row in _Radius(contact, a).rows(function)]
 
 
 def below(contact: Contact) -> Below:
@@ -172,7 +178,8 @@ class _Radius:
         stated = kind.physics.definitions
         if stated is None or function.kind != kind:
             return self.pressed(function)
-        return self.superposed(function, stated(self.contact.profile, kind.system.medium))
+        definitions = stated(self.contact.profile, kind.system.medium)
+        return (self.solved if kind.physics.solved else self.superposed)(function, definitions)
 
     def pressed(self, function: Function) -> Rows:
         """Normal contact, with or without adhesion."""
@@ -227,6 +234,54 @@ class _Radius:
             found = here.at(quantity.symbol) if quantity.inverts else here.defined(stated[quantity.suffix])
             rows.append((tuple(fields), found))
         return rows
+
+    def solved(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
+        """A contact with a length that is the root of an equation, by the definitions at that length."""
+        a, quantity, places = self.a, function.quantity, [short(0.45 * self.a)]
+        length = self.length(stated)
+        if length is None:
+            return []
+        if quantity.symbol == self.contact.request.kind.physics.solved:
+            return [((a,), length)]
+        if quantity.place == "outside":
+            places = [short(float(length * share + a * (1 - share))) for share in (0.4, 1.7)]
+        rows = Rows()
+        for r in places if nt.r in quantity.arguments else (0.0,):
+            known = {nt.r: r, nt.a: a}
+            here = self.at(length, r=r)
+            # a length that is given may be another one; that of the root has as many digits as a float
+            fields = tuple(known.get(s) or float(length) for s in quantity.arguments)
+            rows.append((fields, here.defined(stated[quantity.suffix])))
+        return rows
+
+    def at(self, length: Any, **places: float) -> HalfSpace:
+        """The half-space with a value of the length that is solved for."""
+        here, solved = self.contact.half_space(a=self.a, **places), self.contact.request.kind.physics.solved
+        assert solved is not None
+        return replace(here, values={**here.values, solved: length})
+
+    def length(self, stated: Mapping[str, sp.Expr]) -> Any:
+        """The root by one step of the definition from that of the formula, searched for once; None beyond the profile."""
+        contact, system = self.contact, self.contact.request.kind.system
+        key = (system.physics.solved, self.a)
+        if key not in contact.found:
+            entries = system.derive(contact.profile, contact.entries)
+            (entry,) = (one for one in entries.values() if one.quantity.symbol == system.physics.solved)
+            wanted = stated[entry.quantity.suffix]
+
+            def formula(length: Any) -> Any:
+                here = self.at(length)
+                known = case_at(entry, here.values).expr
+                return mp.log(evaluated(known.lhs, here.values) / evaluated(known.rhs, here.values))
+
+            ends = self.a * (1 + mp.mpf(NEAREST)), min(contact.end() * (1 - mp.mpf(NEAR)), self.a / mp.mpf(STEP))
+            if formula(ends[1]) < 0:
+                return contact.found.setdefault(key, None)
+            start = mp.findroot(formula, ends, solver="anderson", tol=mp.mpf(10) ** -DIGITS, verify=False)
+            here, step = self.at(start), STEP * (start - self.a)
+            missing = mp.log(here.defined(wanted.lhs) / here.defined(wanted.rhs))
+            contact.found[key] = start - missing * step / formula(start + step)
+        return contact.found[key]
 
 
 class Edged:
