@@ -32,7 +32,7 @@ TILTED = "tilted"
 """The contact under an eccentric load, complete until one edge lifts off."""
 WHOLE = {subsurface.PHYSICS: fields.GIVEN}
 """Functions of several results, each of which has its own way over arrays."""
-BACK = ("v", "v_2", "t_m")
+BACK = ("v", "v_2", "t_m", "t_h")
 LOADED = {
     "ramp": ("t", "v"), "step": ("t", "d"), "load": ("t", "F"), "retract": ("t", *BACK), "radius": ("t", *BACK),
     "earlier": ("t", *BACK), "end": BACK,

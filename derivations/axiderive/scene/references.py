@@ -51,7 +51,7 @@ DISTANCE = 2.7
 LATER = (0.4, 1.9)
 """Times over that of the material."""
 TURNED = mp.mpf("0.7")
-"""Of a time, when the indenter turned, and of that, when the contact was as large."""
+"""Of a time, when the indenter went back, of that, when it was stopped, and of that, when the contact was as large."""
 NODES = 60
 """On a piece of a profile, for the springs below it."""
 NEAR = 1e-9
@@ -489,13 +489,13 @@ class _Relaxing:
                 return (t, float(self.depth)), own.relaxation(self.t) * self.force
             case "ramp_force":
                 return (t, float(self.depth / self.t)), self.pressed(self.t)
-        t_m = TURNED * self.t
+        t_h = TURNED * self.t
+        t_m = TURNED * t_h
         t_1 = mp.mpf(0) if function.name == "contact_time" else TURNED * t_m
         v = self.depth / (t_1 or t_m)
-        # what came after t_1 and what went since t_m have left nothing
-        since = self.t - t_m
-        back = float(v * (self.gained(self.t - t_1) - self.gained(since)) / self.gained(since))
-        turned = (float(v), back, float(t_m))
+        # what came after t_1 and what went since t_h have left nothing
+        came = self.gained(self.t - t_1) - self.gained(self.t - t_m)
+        turned = (float(v), float(v * came / self.gained(self.t - t_h)), float(t_m), float(t_h))
         match function.name:
             case "contact_time":
                 return turned, self.t
