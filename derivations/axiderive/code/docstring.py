@@ -107,7 +107,7 @@ def parameters(fields: Iterable[sp.Symbol], keywords: Iterable[sp.Symbol], meani
             domain = LOADED.get(record.symbol, record.domain)
             kind = "array_like"
             if symbol in OPTIONAL:
-                kind, domain = f"{kind}, optional", f"{domain}; {name_of(OPTIONAL[symbol])} if it is not given"
+                kind, domain = f"{kind}, optional", f"{domain}; {OPTIONAL[symbol]} if it is not given"
             rows += parameter(name_of(symbol), measured(meaning(symbol), symbol), domain, kind)
     return rows
 

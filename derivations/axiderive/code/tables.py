@@ -343,8 +343,7 @@ def _row(record: nt.Notation) -> list[str]:
     unit = "" if record.unit == "1" else f", in {record.unit}"
     parts = [f'"{domain}"', f'"{record.meaning}{unit}"']
     instead, letter = INSTEAD.get(record.symbol, ""), record.letter
-    otherwise = name_of(OPTIONAL[record.symbol]) if record.symbol in OPTIONAL else ""
-    named = {"closed": closed, "instead": instead, "letter": letter, "otherwise": otherwise}
+    named = {"closed": closed, "instead": instead, "letter": letter, "otherwise": str(OPTIONAL.get(record.symbol, ""))}
     parts += [f'{name}="{text}"' for name, text in named.items() if text]
     lines = call(f'"{record.name}": Domain', parts, "),")
     return ["    " + line for line in lines]

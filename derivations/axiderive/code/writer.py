@@ -153,10 +153,7 @@ class Writer:
         names = [name_of(symbol) for symbol in symbols]
         doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
         body = [*checks, f"return {evaluated or self.evaluated(f'_{quantity.function}', fields, names)}"]
-        needs = [
-            name + ": ArrayLike | None = None" * (symbol in OPTIONAL)
-            for name, symbol in zip(names, symbols, strict=True)
-        ]
+        needs = [name_of(symbol) + ": ArrayLike | None = None" * (symbol in OPTIONAL) for symbol in symbols]
         self.public.append(Function(quantity.function, fields, needs, body, doc, "Result"))
 
     def rule(

@@ -65,7 +65,7 @@ _slowed = v_2 / v
 _faded = sp.exp(-(time - t_1) / relaxation) * Kummer(1, 1 + _m, -t_1 / relaxation)
 _grown = sp.exp((time - t_m) / relaxation) - sp.exp((t_h - t_m) / relaxation)
 _power = E * t_0**alpha / (sp.gamma(1 + alpha) * sp.gamma(1 - alpha))
-_lasting = (time - t_m) ** (1 - alpha) + _slowed * (time - t_h) ** (1 - alpha)
+_longer = (1 + _slowed * ((time - t_m) / (time - t_h)) ** (alpha - 1)) ** (1 / (1 - alpha))
 
 LAWS = (
     Law(
@@ -94,7 +94,7 @@ LAWS = (
         E * (t_0 / time) ** alpha * sp.gamma(1 + _m) / (sp.gamma(1 + alpha) * sp.gamma(1 + _m - alpha)),
         _power * time ** (1 - alpha) / (1 - alpha),
         _power * _m * time ** (_m - alpha) * t_1**-_m * IncompleteBeta(t_1 / time, _m, 1 - alpha),
-        time - _lasting ** (1 / (1 - alpha)), None,
+        time - _longer * (time - t_m), None,
     ),
 )  # fmt: skip
 
