@@ -358,6 +358,9 @@ def _way_back() -> Iterator[Line]:
         known["g()"] = lambda x: (2 * x / (mp.mpf("0.7") * m)) ** (1 / (m - 1))
         known["a"] = mp.mpf("0.7") * m * (v * t_1) ** (m - 1) / 2
         summed = memory(t)
+        creeping = {"alpha": mp.mpf("0.4"), "t_m": t_m, "v": v, "v_2": known["v_2"]}
+        power, ratio = 1 - creeping["alpha"], known["v_2"] / v
+        ended = mp.findroot(lambda t: t**power - (1 + ratio) * (t - t_m) ** power, 2 * t_m)
     yield Claim(known, summed, "I(t)").line(PLACE, r"I(t)=\int_0^t E(s)\,\mathrm ds")
     yield _said(r"I(t)=Et+\eta", viscoelastic.LAWS[1].memory, "I(t)")
     yield Claim(known).line(PLACE, r"I(t-t_1)=I(t-t_{\mathrm m})+(v_2/v)\,I(t-t_{\mathrm h})")
@@ -365,6 +368,8 @@ def _way_back() -> Iterator[Line]:
     yield Claim(known, force).line(PLACE, r"\Psi_m F_{\mathrm N}(v t_1)/E^{*}")
     yield Claim(known, force).line(PLACE, r"2v\int_0^a\bigl[I(t-g(x)/v)-I(t-t_1)\bigr]\,\mathrm dx")
     yield Claim(known).line(PLACE, "g(a)=vt_1")
+    tex = r"t_{\mathrm c}=t_{\mathrm m}+t_{\mathrm m}/\bigl[(1+v_2/v)^{1/(1-\alpha)}-1\bigr]"
+    yield Claim(creeping, ended, "t_c").line(PLACE, tex)
 
 
 def _of_both_bodies(wrong: Callable[[str], bool]) -> Callable[[str], bool]:
