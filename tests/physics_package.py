@@ -23,6 +23,7 @@ CLOSED = 2e-14
 MATERIAL = {
     nt.E_star: 2.5, nt.dgamma: 0.0125, nt.mu: 0.3, nt.G_star: 0.8, nt.E: 2.5, nt.E_inf: 1.5, nt.E_1: 2.0,
     nt.relaxation: 0.7, nt.eta: 0.9, nt.alpha: 0.4, nt.t_0: 0.6, nt.v: 0.25, nt.v_2: 0.05, nt.t_m: 0.8,
+    nt.t_h: 0.85,
     nt.p_0: 1.75, nt.sigma: 0.3,
 }  # fmt: skip
 

@@ -41,7 +41,7 @@ MUTATIONS = (flipped_sign, wrong_factor, wrong_exponent, swapped_symbols)
 SYMBOLS = (
     nt.r, nt.c, nt.b, nt.a, nt.a_c, nt.R, nt.wavelength, nt.s, nt.n, nt.h, nt.d, nt.A, nt.E_star, nt.H, nt.F, nt.dgamma,
     nt.G_star, nt.H_x, nt.F_x, nt.time, nt.v, nt.E, nt.E_1, nt.E_inf, nt.eta, nt.relaxation, nt.t_0, nt.p_0,
-    nt.t_1, nt.t_m, nt.t_c, nt.v_2,
+    nt.t_1, nt.t_m, nt.t_h, nt.t_c, nt.v_2,
 )  # fmt: skip
 
 

@@ -54,7 +54,7 @@ FEW = {
 }
 """Profiles of the plain run: closed forms, rules, iterations, coefficients, a fixed edge."""
 MORE = {
-    **{"v": 0.3, "v_2": 0.2, "t_m": 1.1},
+    **{"v": 0.3, "v_2": 0.2, "t_m": 1.1, "t_h": 1.15},
     **{"E": 1.4, "tau": 0.7, "eta": 0.6, "E_inf": 0.5, "E_1": 0.9, "alpha": 0.4, "t_0": 0.8, "t": 1.2},
     **{"P": 0.8, "x": 0.4, "r": 0.5, "L": 5.0, "e": 0.1, "p_0": 1.7, "s": 0.6, "b": 0.3, "theta": 0.3, "R": 2.0},
     **{"beta": 0.02, "G": 1.1, "z": 0.25, "M": 0.05},

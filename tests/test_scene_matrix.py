@@ -22,7 +22,7 @@ PROFILES = {
     "strip": "wedge", "concave strip": "concave_parabola", "eccentric": "eccentric_punch", "pressure": "uniform",
     "any power": "power",
 }  # fmt: skip
-KINDS = ("normal", "adhesive", "tangential", "torsion", "viscoelastic", "plane", "loads", "subsurface")
+KINDS = ("normal", "adhesive", "cohesive", "tangential", "torsion", "viscoelastic", "plane", "loads", "subsurface")
 SLOW = {("waves", "homogeneous"), ("waves", "power_law")}
 """Quadratures over many waves."""
 QUICK = {
@@ -111,7 +111,7 @@ def test_the_matrix_is_full():
     """Every accepted cell is one of the catalogue or an expression; none is refused that has entries."""
     counts = {kind: sum(cell.kind == kind for cell in ACCEPTED) for kind in KINDS}
     assert counts == {
-        "normal": 18, "adhesive": 16, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5, "loads": 2,
+        "normal": 18, "adhesive": 16, "cohesive": 2, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5, "loads": 2,
         "subsurface": 8,
     }  # fmt: skip
 

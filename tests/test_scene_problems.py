@@ -75,7 +75,8 @@ def test_all_problems_come_at_once_with_line_value_rule_and_suggestion():
             "viscoelastic on a graded half-space is not derived",
         ),
         (
-            'profile = "sphere"\n[physics]\nviscoelastic = { model = "maxwell" }\n[want]\nquantities = ["ramp_force"]',
+            'profile = "capped_cylinder"\n[physics]\nviscoelastic = { model = "maxwell" }\n'
+            '[want]\nquantities = ["ramp_force"]',
             "unknown quantity 'ramp_force'",
         ),
         ('profile = "cone"\n[physics]\nplane = true', "cone is a round profile; write normal = true in place of plane"),

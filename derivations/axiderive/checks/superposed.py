@@ -183,8 +183,8 @@ ELASTIC = {
 
 
 SPRING = {
-    "earlier": nt.t_m - nt.v_2 / nt.v * (nt.time - nt.t_m),
-    "end": nt.t_m + nt.v / nt.v_2 * nt.t_m,
+    "earlier": nt.t_m - nt.v_2 / nt.v * (nt.time - nt.t_h),
+    "end": nt.t_h + nt.v / nt.v_2 * nt.t_m,
 }
 """Times of the way back along the line of the way in."""
 
@@ -203,7 +203,8 @@ def elastic(own: Comparison, plain: Entries) -> list[Evidence]:
         rows: Rows = []
         for case in source.cases:
             drawn = own.tame(case.chain, 9, (*entry.parameters, nt.time, nt.d, nt.F))[0]
-            times = {nt.t_1: drawn[nt.time] / 2, nt.t_m: drawn[nt.time] * 3 / 4, nt.t_c: 2 * drawn[nt.time]}
+            shares = {nt.t_1: 1, nt.t_m: sp.Rational(3, 2), nt.t_h: sp.Rational(7, 4), nt.t_c: 4}
+            times = {symbol: share * drawn[nt.time] / 2 for symbol, share in shares.items()}
             there = times[nt.t_1] if nt.t_m in entry.parameters else drawn[nt.time]
             values = {**drawn, **times, nt.v: drawn[nt.d] / there}
             values |= {nt.E_star: modulus(values), **limit(values)}

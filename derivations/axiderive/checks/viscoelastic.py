@@ -5,8 +5,8 @@ ramp is an integral over the radii of the earlier contacts, without an inverse:
 F = int E(t - g(x)/v) F_el'(x)/E* dx.  Relaxation and creep are stated here once
 more, and belong together because their convolution is a unit step.
 
-A way back is met where it leads: at a time t the contact is as large as at a chosen t_1 if the rate of the depth, v and
-then -v_2, has left nothing from t_1 on, which says v_2.
+A way back is met where it leads: at a time t the contact is as large as at a chosen t_1 if the rate of the depth, v,
+then 0 and -v_2, has left nothing from t_1 on, which says v_2.
 """
 
 from __future__ import annotations
@@ -122,6 +122,7 @@ def check(own: Comparison, suffix: str) -> Evidence:
         if nt.t_m in values:
             # in order, anywhere
             values[nt.t_m] = values[nt.time] / (1 + values[nt.t_m])
+            values[nt.t_h] = values[nt.t_m] + (values[nt.time] - values[nt.t_m]) / (1 + values[nt.t_h])
             values[nt.t_1] = values[nt.t_m] / (1 + values[nt.v_2])
         # the distance from the present is a difference of two defined depths
         with mp.workdps(2 * digits + 30):
@@ -262,7 +263,7 @@ def _since(own: Material, t: Number, start: Number, end: Number, digits: int) ->
 def _returned(here: HalfSpace, own: Material, start: Number, digits: int) -> Values:
     """The speed of the way back that makes the contact as large as it was at the start."""
     t, t_m = here.at(nt.time), here.at(nt.t_m)
-    back = _since(own, t, t_m, t, digits) + own.impulse
+    back = _since(own, t, here.at(nt.t_h), t, digits) + own.impulse
     return {nt.v_2: here.at(nt.v) * _since(own, t, start, t_m, digits) / back}
 
 

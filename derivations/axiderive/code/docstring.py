@@ -13,7 +13,7 @@ from ..abel.masters import MASTERS
 from ..entry import COMPACT, Entry, Quantity
 from ..letters import name_of
 from ..profiles.profile import Profile
-from .tables import LOADED
+from .tables import LOADED, OPTIONAL
 
 WIDTH, LONGEST = 106, 400
 """Characters of a line, and of a formula beyond which its definition says more."""
@@ -105,7 +105,10 @@ def parameters(fields: Iterable[sp.Symbol], keywords: Iterable[sp.Symbol], meani
         else:
             record = nt.describe(symbol)
             domain = LOADED.get(record.symbol, record.domain)
-            rows += parameter(name_of(symbol), measured(meaning(symbol), symbol), domain)
+            kind = "array_like"
+            if symbol in OPTIONAL:
+                kind, domain = f"{kind}, optional", f"{domain}; {OPTIONAL[symbol]} if it is not given"
+            rows += parameter(name_of(symbol), measured(meaning(symbol), symbol), domain, kind)
     return rows
 
 

@@ -258,6 +258,9 @@ INSTEAD = {
 LOADED = {nt.d: "d >= 0", nt.F: "F >= 0"}
 """A field elsewhere, and where it is a parameter it may be zero."""
 
+OPTIONAL = {nt.t_h: nt.t_m}
+"""Parameters that need not be given, and those that then stand for them."""
+
 HEAD = '''"""Domains of the keyword parameters in words, and the units of all arguments: what messages need."""
 
 from __future__ import annotations
@@ -276,6 +279,8 @@ class Domain(NamedTuple):
     """What to use for a value outside."""
     letter: str = ""
     """How the interface writes the parameter, where it shares its letter with another one."""
+    otherwise: str = ""
+    """The parameter that stands for it where it is not given."""
 
 
 SYMBOLS = {
@@ -297,7 +302,8 @@ def bounds(domain: str) -> tuple[str, str, str]:
         return _number(two_sided[1]), _number(two_sided[3]), "high" if two_sided[2] == "<=" else ""
     above = re.fullmatch(r"\w+ (>=?) (\S+)", domain)
     if above:
-        return _number(above[2]), "inf", "low" if above[1] == ">=" else ""
+        # in order with another parameter, which is positive: that is asked for apart
+        return "0.0" if nt.known(above[2]) else _number(above[2]), "inf", "low" if above[1] == ">=" else ""
     message = f"the domain {domain!r} is not an interval; write it as 'low < x < high', 'x > low' or 'x >= low'"
     raise ValueError(message)
 
@@ -337,7 +343,7 @@ def _row(record: nt.Notation) -> list[str]:
     unit = "" if record.unit == "1" else f", in {record.unit}"
     parts = [f'"{domain}"', f'"{record.meaning}{unit}"']
     instead, letter = INSTEAD.get(record.symbol, ""), record.letter
-    named = {"closed": closed, "instead": instead, "letter": letter}
+    named = {"closed": closed, "instead": instead, "letter": letter, "otherwise": str(OPTIONAL.get(record.symbol, ""))}
     parts += [f'{name}="{text}"' for name, text in named.items() if text]
     lines = call(f'"{record.name}": Domain', parts, "),")
     return ["    " + line for line in lines]

@@ -18,6 +18,7 @@ from .example import Example
 from .function import Function, literal
 from .module import Module
 from .private import parameter_name
+from .tables import OPTIONAL
 from .text import python
 
 GRADED = " on a power-law graded half-space"
@@ -152,7 +153,8 @@ class Writer:
         names = [name_of(symbol) for symbol in symbols]
         doc = docstring.of_entry(entry, symbols, notes, self.example.lines(entry.suffix))
         body = [*checks, f"return {evaluated or self.evaluated(f'_{quantity.function}', fields, names)}"]
-        self.public.append(Function(quantity.function, fields, names, body, doc, "Result"))
+        needs = [name_of(symbol) + ": ArrayLike | None = None" * (symbol in OPTIONAL) for symbol in symbols]
+        self.public.append(Function(quantity.function, fields, needs, body, doc, "Result"))
 
     def rule(
         self,

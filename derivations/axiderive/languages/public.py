@@ -43,9 +43,7 @@ class Public(ast.NodeTransformer):
         return ast.FunctionDef(node.name, node.args, body, [], None, None)
 
     def _statement(self, node: ast.stmt) -> list[ast.stmt]:
-        if isinstance(node, ast.Assign) and _called(node.value) in UNASKED:
-            return []
-        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        if isinstance(node, ast.Expr | ast.Assign) and isinstance(node.value, ast.Call) and _checks(node):
             tests = self._tests(node.value, self.module)
             return [ast.If(ast.UnaryOp(ast.Not(), _all(tests)), [NOTHING], [])] if tests else []
         return [self.visit(node)]
@@ -61,6 +59,8 @@ class Public(ast.NodeTransformer):
                 return [self.visit(call.args[0])]
             case "require_reach":
                 return [ast.Compare(call.args[0], [ast.GtE()], [call.args[1]])]
+            case "require_hold":
+                return [ast.Compare(call.args[0], [ast.LtE()], [call.args[1]])]
             case "require_eccentricity":
                 a, e = call.args
                 return [ast.Compare(ast.Call(ast.Name("abs", ast.Load()), [e], []), [ast.Lt()], [a])]
@@ -135,6 +135,11 @@ def _called(node: ast.expr) -> str:
     if not isinstance(node, ast.Call):
         return ""
     return node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+
+
+def _checks(node: ast.Expr | ast.Assign) -> bool:
+    """Whether a call is a check, which may give what it has checked."""
+    return isinstance(node, ast.Expr) or _called(node.value).startswith("require_")
 
 
 def _asks(node: ast.stmt) -> bool:

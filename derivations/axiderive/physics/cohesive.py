@@ -270,6 +270,7 @@ PHYSICS = Physics(
     proofs=proofs,
     rules=rules,
     shown={dgamma: "1/100", sigma_0: "1/10"},
+    wanted=("cohesive_radius", "depth", "force", "pressure", "displacement"),
     noted=r"constant attraction $\sigma_0$ in $a<r<c$ (Maugis, Dugdale)",
     printed=False,
 )

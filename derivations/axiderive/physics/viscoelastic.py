@@ -3,7 +3,8 @@
 The elastic solution with unit modulus is convolved with the relaxation function: F(t) = int_0^t E(t - s) d[F_el(s)/E*].
 A contact that shrinks after its only maximum is as large as it was at a time t_1 before.  The pressure that went with
 all later contacts has left nothing, int_{t_1}^t E(t - s) d'(s) ds = 0, and the force is that of the contacts up to t_1.
-For a way back at constant speed, with I(x) = int_0^x E ds, this is I(t - t_1) = (1 + v_2/v) I(t - t_m) for any profile.
+For a depth that is held from t_m to t_h and a way back at constant speed, with I(x) = int_0^x E ds, this is
+I(t - t_1) = I(t - t_m) + v_2/v I(t - t_h) for any profile.
 
 Integrated by parts the force is that of springs, as dF_el = 2 E* x dg: each is touched at g(x)/v and pressed at v from
 then on, F = 2 v int_0^a [I(t - g(x)/v) - I(t - t_1)] dx with g(a) = v t_1.  A power of the depth leaves a factor of it.
@@ -19,7 +20,7 @@ import sympy as sp
 from ..abel.form import Chain
 from ..abel.masters import IncompleteBeta, Kummer
 from ..entry import Case, Entry, Quantity, Status
-from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, t_1, t_c, t_m, time, v, v_2, x
+from ..notation import E_1, E, E_inf, E_star, F, a, alpha, d, eta, relaxation, t_0, t_1, t_c, t_h, t_m, time, v, v_2, x
 from ..profiles.profile import Profile
 from . import Physics, Wording, normal
 from .consequences.energy import pieces
@@ -52,31 +53,32 @@ class Law:
     kept: sp.Expr
     """Of a ramp that counts up to t_1 alone: int_0^1 m x**(m-1) E(t - t_1 x) dx."""
     earlier: sp.Expr | None
-    """t_1 by I(t - t_1) = (1 + v_2/v) I(t - t_m), where that can be solved."""
+    """t_1 by I(t - t_1) = I(t - t_m) + v_2/v I(t - t_h), where that can be solved."""
     end: sp.Expr | None
-    """t_c by I(t_c) = (1 + v_2/v) I(t_c - t_m), where that can be solved."""
+    """t_c by I(t_c) = I(t_c - t_m) + v_2/v I(t_c - t_h), where that can be solved for any t_h."""
     impulse: sp.Expr = sp.S.Zero
 
 
 _fading = time / relaxation
 _glassy = E_inf + E_1
 _slowed = v_2 / v
-_since, _faded = (time - t_m) / relaxation, sp.exp(-(time - t_1) / relaxation) * Kummer(1, 1 + _m, -t_1 / relaxation)
+_faded = sp.exp(-(time - t_1) / relaxation) * Kummer(1, 1 + _m, -t_1 / relaxation)
+_grown = sp.exp((time - t_m) / relaxation) - sp.exp((t_h - t_m) / relaxation)
 _power = E * t_0**alpha / (sp.gamma(1 + alpha) * sp.gamma(1 - alpha))
-_root = (1 + _slowed) ** (1 / (1 - alpha))
+_longer = (1 + _slowed * ((time - t_m) / (time - t_h)) ** (alpha - 1)) ** (1 / (1 - alpha))
 
 LAWS = (
     Law(
         "maxwell", "mx", "a Maxwell fluid", (E, relaxation),
         E * sp.exp(-_fading), (1 + _fading) / E, E * Kummer(1, 1 + _m, -_fading),
         E * relaxation * (1 - sp.exp(-_fading)), E * _faded,
-        t_m + relaxation * sp.log(1 - _slowed * (sp.exp(_since) - 1)),
-        t_m + relaxation * sp.log(1 + (1 - sp.exp(-t_m / relaxation)) / _slowed),
+        t_m + relaxation * sp.log(1 - _slowed * _grown),
+        t_h + relaxation * sp.log(1 + (sp.exp(t_m / relaxation) - 1) * sp.exp(-t_h / relaxation) / _slowed),
     ),
     Law(
         "kelvin_voigt", "kv", "a Kelvin-Voigt solid", (E, eta),
         E, (1 - sp.exp(-E * time / eta)) / E, E + eta * _m / time,
-        E * time + eta, E, t_m - _slowed * (time - t_m + eta / E), t_m + t_m / _slowed - eta / E, eta,
+        E * time + eta, E, t_m - _slowed * (time - t_h + eta / E), t_h + t_m / _slowed - eta / E, eta,
     ),
     Law(
         "standard_solid", "sls", "a standard solid", (E_inf, E_1, relaxation),
@@ -92,7 +94,7 @@ LAWS = (
         E * (t_0 / time) ** alpha * sp.gamma(1 + _m) / (sp.gamma(1 + alpha) * sp.gamma(1 + _m - alpha)),
         _power * time ** (1 - alpha) / (1 - alpha),
         _power * _m * time ** (_m - alpha) * t_1**-_m * IncompleteBeta(t_1 / time, _m, 1 - alpha),
-        time - _root * (time - t_m), t_m + t_m / (_root - 1),
+        time - _longer * (time - t_m), None,
     ),
 )  # fmt: skip
 
@@ -116,16 +118,18 @@ QUANTITIES = {
                  summary=f"Time before t at which the contact was as large on {law.material}; zero after its end."),
         Quantity(f"radius_{law.suffix}", f"retract_radius_{law.name}", f"Contact radius, retraction, {law.name}", a,
                  (time,), row="Contact radius: ramp and retraction",
-                 summary=f"Contact radius at time t on {law.material}, pressed in at v until t_m, then back at v_2."),
+                 summary=f"Contact radius at time t on {law.material}, pressed in at v until t_m, from t_h on"
+                 " back at v_2."),
         Quantity(f"retract_{law.suffix}", f"retract_force_{law.name}", f"Force, retraction, {law.name}", F, (time,),
                  row="Force: ramp and retraction",
-                 summary=f"Normal force at time t on {law.material}, pressed in at v until t_m, then back at v_2."),
+                 summary=f"Normal force at time t on {law.material}, pressed in at v until t_m, from t_h on"
+                 " back at v_2."),
         Quantity(f"end_{law.suffix}", f"contact_time_{law.name}", f"Contact time, {law.name}", t_c, (),
                  row="Contact time: of ramp and retraction",
                  summary=f"Time at which the contact with {law.material} ends on the way back."),
     )
 }  # fmt: skip
-TURNED = (v, v_2, t_m)
+TURNED = (v, v_2, t_m, t_h)
 """What the functions of the way back take besides."""
 AT_DEPTH = "a is the contact radius of the elastic contact at the depth v {}"
 
@@ -171,7 +175,7 @@ def ramped(plain: Mapping[str, Entry]) -> bool:
 
 def _ramped(profile: Profile, plain: Mapping[str, Entry], law: Law) -> dict[str, Entry]:
     """The way in, and the way back: what follows from t_1, of the force up to it and of the radius at it, and t_1."""
-    taken, definitions, past = (*TURNED, *law.parameters), turned_definitions(), (t_1, t_m, time)
+    taken, definitions, past = (*TURNED, *law.parameters), turned_definitions(), (t_1, t_m, t_h, time)
     exponent = elastic_exponent(of_depth(plain))
     if exponent is None:
         grown, kept = _of_springs(plain, law, time), _of_springs(plain, law, t_1)
@@ -182,8 +186,8 @@ def _ramped(profile: Profile, plain: Mapping[str, Entry], law: Law) -> dict[str,
     quantity, there = QUANTITIES[f"ramp_{law.suffix}"], "" if exponent is not None else AT_DEPTH
     entry = _entry(profile, quantity, _status(grown), grown, (v, *law.parameters), there.format("t"))
     shown = {
-        "earlier": ((Case((t_m, time), law.earlier or turned(law, t_1, time)),), (), ""),
-        "end": ((Case((t_m, t_c), law.end or turned(law, sp.S.Zero, t_c)),), (), ""),
+        "earlier": ((Case((t_m, t_h, time), law.earlier or turned(law, t_1, time)),), (), ""),
+        "end": ((Case((t_m, t_h, t_c), law.end or turned(law, sp.S.Zero, t_c)),), (), ""),
         "retract": (kept, profile.parameters, there.format("t_1")),
     }
     if "ad" in plain:
@@ -240,7 +244,8 @@ def in_radius(entry: Entry) -> bool:
 
 def turned(law: Law, before: sp.Expr, now: sp.Expr) -> sp.Eq:
     """The equation of a contact that is as large as it was before."""
-    return sp.Eq(law.memory.subs(time, now - before), (1 + v_2 / v) * law.memory.subs(time, now - t_m))
+    left, stopped, back = (law.memory.subs(time, now - start) for start in (before, t_m, t_h))
+    return sp.Eq(left, stopped + v_2 / v * back)
 
 
 def turned_definitions() -> dict[str, sp.Expr]:
@@ -291,8 +296,8 @@ PHYSICS = Physics(
             title="Growing contact, viscoelastic half-space",
             heading="Viscoelastic half-space",
             note=r"while the contact grows; $E(t)$, $J(t)$, $\Phi_m(t)$ of the four laws on page \pageref{part:laws}",
-            package="Contact with a viscoelastic half-space, while it grows and on the way back",
-            searched="creep relaxation Lee Radok rheology Ting retraction approach retract",
+            package="Contact with a viscoelastic half-space, while it grows, is held and on the way back",
+            searched="creep relaxation Lee Radok rheology Ting retraction approach hold dwell retract",
             button="viscoelastic",
             subject="sphere.vis",
         )
@@ -313,7 +318,8 @@ PHYSICS = Physics(
         v: "1/5",
         time: "1",
         v_2: "1/20",
-        t_m: "9/10",
+        t_m: "4/5",
+        t_h: "9/10",
         t_1: "1/2",
         t_c: "3/2",
     },

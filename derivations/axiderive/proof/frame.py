@@ -50,6 +50,7 @@ from ..notation import (
     t,
     t_1,
     t_c,
+    t_h,
     t_m,
     tilt,
     time,
@@ -307,7 +308,7 @@ def relaxing(profile: Profile) -> Frames:
     s = sp.Symbol("s", positive=True)
     summed = E_(time - s) * sp.Derivative(F_(s), s) / E_star
     definition = sp.Integral(summed, (s, 0, time))
-    moved, back, lengths = sp.Derivative(sp.Function(d.name)(s), s), (v, v_2, t_m), profile.parameters
+    moved, back, lengths = sp.Derivative(sp.Function(d.name)(s), s), (v, v_2, t_m, t_h), profile.parameters
     kinds = {
         "ramp": (definition, (*lengths, v), ()),
         "step": (definition, lengths, (F,)),

@@ -168,7 +168,7 @@ def laws_of_materials() -> list[Line]:
     names = (nt.E, nt.E_1, nt.E_inf, nt.relaxation, nt.eta, nt.t_0, nt.time)
     # a misprint of what decays late shows at a time that is not late
     values: Values = {s: sp.Rational(7 + 4 * i, 9 + i) for i, s in enumerate(names)} | {nt.alpha: sp.Rational(2, 5)}
-    back = {nt.t_1: "3/7", nt.t_m: "8/5", nt.t_c: "13/4", nt.v: "9/4", nt.v_2: "5/7"}
+    back = {nt.t_1: "3/7", nt.t_m: "8/5", nt.t_h: "19/10", nt.t_c: "13/4", nt.v: "9/4", nt.v_2: "5/7"}
     values |= {s: sp.Rational(text) for s, text in back.items()}
     exponent = sp.Rational(5, 3)
     with mp.workdps(WORKING):
@@ -347,9 +347,10 @@ def _way_back() -> Iterator[Line]:
         return mp.quad(fades, [0, s])
 
     with mp.workdps(2 * DIGITS):
-        t, t_1, t_m, v, m = map(mp.mpf, ("1.7", "0.6", "1.3", "0.9", "1.75"))
-        known = {"E()": fades, "I()": memory, "t": t, "t_1": t_1, "t_m": t_m, "v": v, "m": m, "E*": mp.mpf("1.4")}
-        known["v_2"] = v * mp.quad(lambda s: fades(t - s), [t_1, t_m]) / mp.quad(lambda s: fades(t - s), [t_m, t])
+        t, t_1, t_m, t_h, v, m = map(mp.mpf, ("1.7", "0.6", "1.3", "1.5", "0.9", "1.75"))
+        known = {"E()": fades, "I()": memory, "t": t, "t_1": t_1, "t_m": t_m, "v": v, "m": m}
+        known |= {"t_h": t_h, "E*": mp.mpf("1.4")}
+        known["v_2"] = v * mp.quad(lambda s: fades(t - s), [t_1, t_m]) / mp.quad(lambda s: fades(t - s), [t_h, t])
         known["Psi_m"] = mp.quad(lambda x: m * x ** (m - 1) * fades(t - t_1 * x), [0, 1])
         known["F_N()"] = lambda d: known["E*"] * mp.mpf("0.7") * d**m
         force = mp.quad(lambda s: fades(t - s) * mp.mpf("0.7") * m * v**m * s ** (m - 1), [0, t_1])
@@ -357,13 +358,18 @@ def _way_back() -> Iterator[Line]:
         known["g()"] = lambda x: (2 * x / (mp.mpf("0.7") * m)) ** (1 / (m - 1))
         known["a"] = mp.mpf("0.7") * m * (v * t_1) ** (m - 1) / 2
         summed = memory(t)
+        creeping = {"alpha": mp.mpf("0.4"), "t_m": t_m, "v": v, "v_2": known["v_2"]}
+        power, ratio = 1 - creeping["alpha"], known["v_2"] / v
+        ended = mp.findroot(lambda t: t**power - (1 + ratio) * (t - t_m) ** power, 2 * t_m)
     yield Claim(known, summed, "I(t)").line(PLACE, r"I(t)=\int_0^t E(s)\,\mathrm ds")
     yield _said(r"I(t)=Et+\eta", viscoelastic.LAWS[1].memory, "I(t)")
-    yield Claim(known).line(PLACE, r"I(t-t_1)=(1+v_2/v)\,I(t-t_{\mathrm m})")
+    yield Claim(known).line(PLACE, r"I(t-t_1)=I(t-t_{\mathrm m})+(v_2/v)\,I(t-t_{\mathrm h})")
     yield Claim(known, known["Psi_m"], "Psi_m").line(PLACE, r"\Psi_m=\int_0^1 m\,\xi^{m-1}E(t-t_1\xi)\,\mathrm d\xi")
     yield Claim(known, force).line(PLACE, r"\Psi_m F_{\mathrm N}(v t_1)/E^{*}")
     yield Claim(known, force).line(PLACE, r"2v\int_0^a\bigl[I(t-g(x)/v)-I(t-t_1)\bigr]\,\mathrm dx")
     yield Claim(known).line(PLACE, "g(a)=vt_1")
+    tex = r"t_{\mathrm c}=t_{\mathrm m}+t_{\mathrm m}/\bigl[(1+v_2/v)^{1/(1-\alpha)}-1\bigr]"
+    yield Claim(creeping, ended, "t_c").line(PLACE, tex)
 
 
 def _of_both_bodies(wrong: Callable[[str], bool]) -> Callable[[str], bool]:

@@ -42,8 +42,15 @@ def values_of(profile: Profile, request: Scene) -> tuple[dict[str, float], float
     same: here they differ, unless the profile is not compact then.
     """
     own = _drawn(profile, request.values)
-    shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in request.kind.physics.shown.items()}
-    material = {n: request.values.get(n, (shown | MATERIAL)[n]) for n in request.kind.material}
+    physics = request.kind.physics
+    shown = {name_of(symbol): float(sp.Rational(text)) for symbol, text in physics.shown.items()}
+    drawn = shown | MATERIAL
+    if physics.solved:
+        # a length of the size of the contact: shown for the modulus 1 and lengths of about 1
+        modulus, length = request.values.get("E_star", MATERIAL["E_star"]), _scale(profile, own)
+        units = {name: nt.describe(name).unit for name in shown}
+        drawn |= {n: shown[n] * modulus * (length if units[n] == nt.describe("dgamma").unit else 1.0) for n in shown}
+    material = {n: request.values.get(n, drawn[n]) for n in request.kind.material}
     if request.own is None:
         return own | material, np.inf
     free = [p.name for p in profile.parameters if p.name not in request.values]
@@ -73,6 +80,13 @@ def _drawn(profile: Profile, values: Mapping[str, float]) -> dict[str, float]:
             return known
     assert first is not None
     return first
+
+
+def _scale(profile: Profile, values: Mapping[str, float]) -> float:
+    """The lengths of a profile over those of its sketch: the least."""
+    drawn, names = dict(profile.sketch.values), interface.parameters(profile)
+    long = lengths(profile.parameters)
+    return min((abs(values[n]) / float(drawn[p]) for n, p in names.items() if p in long and p in drawn), default=1.0)
 
 
 def short(place: float) -> float:

@@ -32,8 +32,12 @@ TILTED = "tilted"
 """The contact under an eccentric load, complete until one edge lifts off."""
 WHOLE = {subsurface.PHYSICS: fields.GIVEN}
 """Functions of several results, each of which has its own way over arrays."""
-LOADED = {"ramp": ("v",), "step": ("d",), "load": ("F",)}
-"""What is given beside the time, by the kind of loading."""
+BACK = ("v", "v_2", "t_m", "t_h")
+LOADED = {
+    "ramp": ("t", "v"), "step": ("t", "d"), "load": ("t", "F"), "retract": ("t", *BACK), "radius": ("t", *BACK),
+    "earlier": ("t", *BACK), "end": BACK,
+}  # fmt: skip
+"""What functions of a material law are given, by the kind of loading."""
 PULL_OFF = "pull_off"
 INVERSES = frozenset(quantity.function for quantity in COMPACT.values() if quantity.inverts)
 SIGNED = frozenset(quantity.function for quantity in adhesive.QUANTITIES.values() if quantity.inverts)
@@ -106,9 +110,9 @@ class Function:
 
     @property
     def fields(self) -> tuple[str, ...]:
-        """Names of its positional arguments; under a law the time comes first."""
+        """Names of its positional arguments; under a law those of its loading."""
         if self.kind.law:
-            return ("t", *LOADED[self.quantity.suffix.partition("_")[0]])
+            return LOADED[self.quantity.suffix.partition("_")[0]]
         return tuple(map(name_of, self.quantity.arguments))
 
     @property
@@ -187,16 +191,15 @@ def function(kind: Kind, profile: Profile, name: str) -> Function:
 
 
 def _viscoelastic(kind: Kind, law: Law, contact: str) -> dict[str, Function]:
-    # the radius after a step of the load is a question of a contact that grows
+    # a radius is a question of a contact that grows
     quantities = [viscoelastic.QUANTITIES[f"{load}_{law.suffix}"] for load in LOADED]
     found = [Function(kind, q, contact) for q in quantities if contact == "compact" or q.symbol != nt.a]
     return {function.name: function for function in found}
 
 
 def ramps(profile: Profile) -> bool:
-    """Whether the force under a ramp of the depth is known: that on the elastic half-space is a power of the depth."""
-    base, _ = profile.pieces[0].expr.as_independent(nt.r, as_Add=False)[1].as_base_exp()
-    return not profile.breaks and (profile.pieces[0].expr == 0 or (profile.compact and bool(base == nt.r)))
+    """Whether the force under a ramp of the depth is known: of a contact that grows, and of the flat punch."""
+    return profile.compact or (profile.pieces[0].expr == 0 and not profile.breaks)
 
 
 def unit(name: str, profile: Profile) -> str:

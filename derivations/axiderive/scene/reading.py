@@ -301,7 +301,7 @@ def _refusal(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
 def _reason(kind: str, profile: Profile, *, graded: bool, own: bool) -> str:
     """What stands against it."""
     system = on(PHYSICS[kind], GRADED if graded else HOMOGENEOUS)
-    if own and kind in POOLS:
+    if own and (kind in POOLS or PHYSICS[kind].solved is not None):
         return f"{kind} is emitted for what the catalogue holds"
     if system is None:
         return f"{kind} on a graded half-space is not derived"
@@ -368,8 +368,9 @@ def _want(text: SceneText, scene: Scene) -> None:
     table = text.table("want", ("quantities", "at"))
     contact = interface.contact_of(scene.profile) if scene.profile else "compact"
     known = _available(scene.kind, contact)
-    if scene.kind.law and not (scene.profile and interface.ramps(scene.profile)):
-        known.remove("ramp_force")
+    if scene.kind.law and scene.profile and not interface.ramps(scene.profile):
+        own = interface.functions(scene.kind, contact)
+        known = [name for name in known if nt.v.name not in own[name].fields]
     default = [name for name in scene.kind.physics.wanted if name in known]
     # a complete contact has its own names; those that say how far it is complete come with them
     default += [name for name in OF_COMPLETE if name in known and contact != "compact"]

@@ -7,8 +7,9 @@ reference for `pull_off`; strips have both sides of the middle; a viscoelastic h
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -16,15 +17,17 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..checks.viscoelastic import Material, material
+from ..checks.viscoelastic import material
 from ..code import example
 from ..entry import COMPACT
 from ..letters import name_of
 from ..oracle.definitions import ring
+from ..oracle.evaluate import case_at, evaluated
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
 from ..oracle.plane import defined, strip
+from ..oracle.rules import gauss_rule, integrate
 from ..oracle.shape import number
 from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
@@ -47,8 +50,14 @@ DISTANCE = 2.7
 """Of the reference point of the depth of a strip, over the half-width."""
 LATER = (0.4, 1.9)
 """Times over that of the material."""
+TURNED = mp.mpf("0.7")
+"""Of a time, when the indenter went back, of that, when it was stopped, and of that, when the contact was as large."""
+NODES = 60
+"""On a piece of a profile, for the springs below it."""
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
+NEAREST = 1e-15
+"""To a radius, relative: a length beside it."""
 BELOW = ((0.45, 0.3), (1.6, 0.7))
 """Places below a face, over the radius of its edge."""
 STEP = 1e-6
@@ -124,7 +133,10 @@ def _rules(contact: Contact) -> Callable[[Function], Rows]:
 def _pressed(contact: Contact, edged: Edged, function: Function) -> Rows:
     if not contact.compact:
         return edged.rows(function)
-    return [row for a in contact.radii() for row in _Radius(contact, a).rows(function)]
+    solved = contact.request.kind.physics.solved and not contact.profile.breaks
+    # integrals of integrals take seconds
+    radii = contact.radii()[-1:] if solved else contact.radii()
+    return [row for a in radii for row in _Radius(contact, a).rows(function)]
 
 
 def below(contact: Contact) -> Below:
@@ -166,7 +178,8 @@ class _Radius:
         stated = kind.physics.definitions
         if stated is None or function.kind != kind:
             return self.pressed(function)
-        return self.superposed(function, stated(self.contact.profile, kind.system.medium))
+        definitions = stated(self.contact.profile, kind.system.medium)
+        return (self.solved if kind.physics.solved else self.superposed)(function, definitions)
 
     def pressed(self, function: Function) -> Rows:
         """Normal contact, with or without adhesion."""
@@ -221,6 +234,54 @@ class _Radius:
             found = here.at(quantity.symbol) if quantity.inverts else here.defined(stated[quantity.suffix])
             rows.append((tuple(fields), found))
         return rows
+
+    def solved(self, function: Function, stated: Mapping[str, sp.Expr]) -> Rows:
+        """A contact with a length that is the root of an equation, by the definitions at that length."""
+        a, quantity, places = self.a, function.quantity, [short(0.45 * self.a)]
+        length = self.length(stated)
+        if length is None:
+            return []
+        if quantity.symbol == self.contact.request.kind.physics.solved:
+            return [((a,), length)]
+        if quantity.place == "outside":
+            places = [short(float(length * share + a * (1 - share))) for share in (0.4, 1.7)]
+        rows = Rows()
+        for r in places if nt.r in quantity.arguments else (0.0,):
+            known = {nt.r: r, nt.a: a}
+            here = self.at(length, r=r)
+            # a length that is given may be another one; that of the root has as many digits as a float
+            fields = tuple(known.get(s) or float(length) for s in quantity.arguments)
+            rows.append((fields, here.defined(stated[quantity.suffix])))
+        return rows
+
+    def at(self, length: Any, **places: float) -> HalfSpace:
+        """The half-space with a value of the length that is solved for."""
+        here, solved = self.contact.half_space(a=self.a, **places), self.contact.request.kind.physics.solved
+        assert solved is not None
+        return replace(here, values={**here.values, solved: length})
+
+    def length(self, stated: Mapping[str, sp.Expr]) -> Any:
+        """The root by one step of the definition from that of the formula, searched for once; None beyond the profile."""
+        contact, system = self.contact, self.contact.request.kind.system
+        key = (system.physics.solved, self.a)
+        if key not in contact.found:
+            entries = system.derive(contact.profile, contact.entries)
+            (entry,) = (one for one in entries.values() if one.quantity.symbol == system.physics.solved)
+            wanted = stated[entry.quantity.suffix]
+
+            def formula(length: Any) -> Any:
+                here = self.at(length)
+                known = case_at(entry, here.values).expr
+                return mp.log(evaluated(known.lhs, here.values) / evaluated(known.rhs, here.values))
+
+            ends = self.a * (1 + mp.mpf(NEAREST)), min(contact.end() * (1 - mp.mpf(NEAR)), self.a / mp.mpf(STEP))
+            if formula(ends[1]) < 0:
+                return contact.found.setdefault(key, None)
+            start = mp.findroot(formula, ends, solver="anderson", tol=mp.mpf(10) ** -DIGITS, verify=False)
+            here, step = self.at(start), STEP * (start - self.a)
+            missing = mp.log(here.defined(wanted.lhs) / here.defined(wanted.rhs))
+            contact.found[key] = start - missing * step / formula(start + step)
+        return contact.found[key]
 
 
 class Edged:
@@ -398,33 +459,70 @@ class _Strip:
 
 
 def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
-    """A contact that grows, or one whose edge is fixed: there the force of a flat face is as the depth."""
-    law, values = contact.request.kind.law, contact.all
-    assert law is not None
-    own, rows = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters}), Rows()
+    """A contact that grows, or one whose edge is fixed, each at a time of its own."""
+    values = contact.all
     scale = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
-    for size, later in zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False):
-        t = float(f"{later * scale:.4g}")
-        at = mp.mpf(t)
+    sizes = zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False)
+    return [_Relaxing(contact, edged, size, float(f"{later * scale:.4g}")).row(function) for size, later in sizes]
+
+
+class _Relaxing:
+    """One contact on a viscoelastic half-space at a time t; after a way back it is as large as it was at t_1."""
+
+    def __init__(self, contact: Contact, edged: Edged, size: float, t: float) -> None:
+        law, values = contact.request.kind.law, contact.all
+        assert law is not None
+        self.own = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters})
+        self.contact, self.size, self.t = contact, mp.mpf(size), mp.mpf(t)
         if contact.compact:
-            force, depth = contact.load("F", size), contact.load("d", size)
+            self.a, self.depth, self.force = self.size, contact.load("d", size), contact.load("F", size)
         else:
-            force, depth = edged.at("F", size), mp.mpf(size)
+            self.a, self.depth, self.force = edged.a, self.size, edged.at("F", size)
+
+    def row(self, function: Function) -> tuple[tuple[float, ...], Any]:
+        """A call of a function with its result."""
+        t, own = float(self.t), self.own
         match function.name:
             case "step_load_radius":
-                rows.append(((t, float(force / own.creep(at, DIGITS))), mp.mpf(size)))
+                return (t, float(self.force / own.creep(self.t, DIGITS))), self.size
             case "step_force":
-                rows.append(((t, float(depth)), own.relaxation(at) * force))
-            case _:
-                rows.append(((t, float(depth / at)), _ramp(contact, size, force, at, own)))
-    return rows
+                return (t, float(self.depth)), own.relaxation(self.t) * self.force
+            case "ramp_force":
+                return (t, float(self.depth / self.t)), self.pressed(self.t)
+        t_h = TURNED * self.t
+        t_m = TURNED * t_h
+        t_1 = mp.mpf(0) if function.name == "contact_time" else TURNED * t_m
+        v = self.depth / (t_1 or t_m)
+        # what came after t_1 and what went since t_h have left nothing
+        came = self.gained(self.t - t_1) - self.gained(self.t - t_m)
+        turned = (float(v), float(v * came / self.gained(self.t - t_h)), float(t_m), float(t_h))
+        match function.name:
+            case "contact_time":
+                return turned, self.t
+            case "earlier_time":
+                return (t, *turned), t_1
+            case "retract_radius":
+                return (t, *turned), self.size
+        return (t, *turned), self.pressed(t_1)
 
+    def gained(self, time: Any) -> Any:
+        """int E ds over the time since a spring was touched, with the impulse of a dashpot."""
+        whole = integrate(self.own.relaxation, mp.mpf(0), time, (0j,), DIGITS, self.own.least)
+        return self.own.impulse + whole
 
-def _ramp(contact: Contact, size: float, force: Any, t: Any, own: Material) -> Any:
-    """int E(t - s) dF_el/ds ds with F_el ~ s**m; the exponent is that between this radius and half of it."""
-    m = mp.mpf(1)
-    if contact.compact:
-        half = size / 2
-        m = mp.log(force / contact.load("F", half)) / mp.log(contact.load("d", size) / contact.load("d", half))
-    whole = mp.quad(lambda y: m * (1 - y) ** (m - 1) * own.relaxation(t * y), [0, mp.mpf(1) / 2, 1])
-    return force * (whole + own.impulse * m / t)
+    def pressed(self, until: Any) -> Any:
+        """int E(t - s) dF_el/ds ds up to a time: 2 v int (I(t - g(x)/v) - I(t - until)) dx over the springs below a.
+
+        The edges of a piece, where g and I are no power series, are flattened.
+        """
+        v, gone = self.depth / until, self.gained(self.t - until) if until < self.t else mp.mpf(0)
+        known = self.contact.given()
+        breaks = [b for b in (number(known[b]) for b in self.contact.profile.breaks) if b < self.a]
+        touched = self.a if not self.contact.compact else breaks[0] if self.contact.profile.truncated else mp.mpf(0)
+        total = touched * self.gained(self.t) - self.a * gone
+        for low, high in pairwise(sorted({touched, *breaks, self.a})):
+            for s, weight in gauss_rule(NODES, mp.mp.prec):
+                x = low + (high - low) * s**3 * (10 - 15 * s + 6 * s**2)
+                left = self.t - self.contact.load("d", x) / v
+                total += 30 * (high - low) * weight * (s * (1 - s)) ** 2 * self.gained(max(left, mp.mpf(0)))
+        return 2 * v * total

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ...entry import Quantity
 from ...letters import name_of
-from ...notation import t_1, t_c, v_2
+from ...notation import t_1, t_h, t_m, v_2
 from ...physics.viscoelastic import LAWS, QUANTITIES, Law, elastic_exponent, of_depth, ramped
 from .. import docstring
 from ..text import python
@@ -19,15 +19,18 @@ def interface(writer: Writer) -> None:
     """Adds the public functions; a ramp, and the way back, where the contact grows from a point or a flat face."""
     profile = writer.profile
     for entry in writer.entries.values():
-        held = entry.arguments[1:]
-        when = RETURNED if v_2 in entry.parameters else "and while the contact grows."
+        held, back = entry.arguments[1:], v_2 in entry.parameters
+        when = RETURNED if back else "and while the contact grows."
         notes = f"Valid for {profile.validity}, {when}" + " Negative or NaN times give NaN." * bool(entry.arguments)
-        if v_2 in entry.parameters and entry.quantity.symbol not in (t_1, t_c):
+        if entry.quantity.symbol == t_1:
+            notes += " Up to t_m it is t, and t_m while the depth is held."
+        elif back and entry.arguments:
             law = kind_and_law(entry.quantity)[1]
             notes += f" Here t_1 is earlier_time_{law.name}; up to t_m it is t, and the force that of the ramp."
         if entry.note:
             notes += f" Here {entry.note}: {'; '.join(docstring.stated(writer.plain['ad']))}."
-        writer.add(entry, notes, writer.checks([*held, *entry.parameters]), held=held)
+        hold = [f"{t_h} = require_hold({t_m}, {t_h})"] if back else []
+        writer.add(entry, notes, [*hold, *writer.checks([*held, *entry.parameters])], held=held)
 
 
 def rules(writer: Writer) -> None:
@@ -69,11 +72,11 @@ def _rule(writer: Writer, quantity: Quantity) -> None:
 def _way_back(writer: Writer, name: str, kind: str, law: Law) -> None:
     """In t_1; a force on the way in is that of the ramp."""
     material = [name_of(symbol) for symbol in law.parameters]
-    passed, back = ", ".join(material), ["v", "v_2", "t_m"]
+    passed, back = ", ".join(material), ["v", "v_2", "t_m", "t_h"]
     own = [*back, *(writer.geometry if kind in ("radius", "retract") else ()), *material]
-    lag = f"lag_{law.name}(t, t_m, v_2 / v, {passed})"
+    lag = f"lag_{law.name}(t, t_m, t_h, v_2 / v, {passed})"
     if kind == "end":
-        writer.rule(name, [], own, [f"return end_{law.name}(v_2 / v, t_m, {passed})"])
+        writer.rule(name, [], own, [f"return end_{law.name}(v_2 / v, t_m, t_h, {passed})"])
     elif kind == "earlier":
         writer.rule(name, ["t"], own, [f"return earlier(t, t_m, {lag})"])
     elif kind == "radius":
@@ -103,7 +106,10 @@ def _force_back(writer: Writer, law: Law, material: list[str]) -> list[str]:
     return [*lines, f"back = {force} * {kept}", f"return np.where(t > t_m, np.where(t_1 > 0.0, back, 0.0), {ramp})"]
 
 
-RETURNED = "a ramp up to t_m and then a constant speed back, so that the contact has one maximum, and no adhesion."
+RETURNED = (
+    "a ramp up to t_m, a depth that is held up to t_h and then a constant speed back, so that the contact has one "
+    "maximum, and no adhesion."
+)
 
 
 def _exponent(writer: Writer) -> sp.Expr | None:

@@ -13,7 +13,7 @@ import sympy as sp
 from ...abel.form import Chain
 from ...abel.masters import IncompleteBeta, Kummer
 from ...entry import Case, Entry
-from ...notation import E_star, F, a, alpha, d, t_1, t_c, t_m, time, v, v_2, x
+from ...notation import E_star, F, a, alpha, d, t_1, t_c, t_h, t_m, time, v, v_2, x
 from ...physics.viscoelastic import LAWS, Law, in_radius
 from ..algebra.domain import Domain, require
 from ..algebra.functions import normal, require_analytic, sign
@@ -103,14 +103,14 @@ def memory(law: Law) -> list[str]:
 
 def solved(law: Law, expr: sp.Expr, before: sp.Expr, now: sp.Symbol) -> list[str]:
     """The times at which the contact is as large as before: an equation in I, or what its v_2 leads back to."""
-    past, back = (law.memory.subs(time, now - start) for start in (before, t_m))
-    words = "int E(t - s) d'(s) ds = 0 over t_1 < s < t, d' = v, then -v_2: I(t - t_1) = (1 + v_2/v) I(t - t_m)"
-    domain = Domain(BOUNDS, (before, t_m, now) if before.is_Symbol else (t_m, now))
+    past, held, back = (law.memory.subs(time, now - start) for start in (before, t_m, t_h))
+    words = "int E(t - s) d'(s) ds = 0, t_1 < s < t, d' = v, 0, -v_2: I(t - t_1) = I(t - t_m) + v_2/v I(t - t_h)"
+    domain = Domain(BOUNDS, (before, t_m, t_h, now) if before.is_Symbol else (t_m, t_h, now))
     if isinstance(expr, sp.Eq):
-        gaps = expr.lhs - past, expr.rhs - (1 + v_2 / v) * back
+        gaps = expr.lhs - past, expr.rhs - held - v_2 / v * back
         return [*memory(law), *(require_zero(gap, domain, words) for gap in gaps)]
     unknown = before if before.is_Symbol else now
-    gap = _of_exponentials(expr.subs(v_2, v * (past - back) / back)) - unknown
+    gap = _of_exponentials(expr.subs(v_2, v * (past - held) / back)) - unknown
     return [*memory(law), require_zero(gap, domain, f"{words}, solved for v_2, gives {unknown} again")]
 
 
@@ -167,7 +167,7 @@ class Viscoelastic:
         if in_radius(self.entries[suffix]):
             return self._of_springs(suffix, sp.S.Zero)
         words = "the factor of the way back"
-        return [duality(law), *kept(law), *self._of_power(suffix, (t_1, t_m, time), t_1, law.kept, words)]
+        return [duality(law), *kept(law), *self._of_power(suffix, (t_1, t_m, t_h, time), t_1, law.kept, words)]
 
     def _of_springs(self, suffix: str, impulse: sp.Expr) -> list[str]:
         """F of a law that does not fade is E F_el/E*, and v dF_el/dd times its impulse at the present."""
@@ -213,11 +213,11 @@ class Viscoelastic:
 
     def earlier(self, suffix: str) -> list[str]:
         """t_1 is that of the equation of the way back."""
-        return solved(self._law(suffix), self._case(suffix, (t_m, time)).expr, t_1, time)
+        return solved(self._law(suffix), self._case(suffix, (t_m, t_h, time)).expr, t_1, time)
 
     def end(self, suffix: str) -> list[str]:
         """The contact ends as t_1 comes to the first touch."""
-        return solved(self._law(suffix), self._case(suffix, (t_m, t_c)).expr, sp.S.Zero, t_c)
+        return solved(self._law(suffix), self._case(suffix, (t_m, t_h, t_c)).expr, sp.S.Zero, t_c)
 
     def _case(self, suffix: str, chain: tuple[sp.Symbol, ...]) -> Case:
         """The only case of an entry, which holds in this order."""
