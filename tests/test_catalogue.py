@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from stored_book import evidence, stored
 
-from axiderive.book.index import index_record
+from axiderive.book.index import formulas_of, index_record
 from axiderive.build import work
 from axiderive.build.verification import checks_of
 from axiderive.build.work import Settings
@@ -129,7 +129,8 @@ def test_the_index_says_of_an_entry_what_the_engine_says(key: str) -> None:
     """Its conditions, domains and calls are those of the committed index, written anew."""
     path = PROBLEMS[key].module
     modules = {path: (CATALOGUE / path).read_text(encoding="utf-8")}
-    written = index_record({key: stored(key)}, {key: evidence(key)}, modules)["entries"]
+    own = {key: stored(key)}
+    written = index_record(own, {key: evidence(key)}, modules, formulas_of(own))["entries"]
     assert written == [row for row in index()["entries"] if row["problem"] == key]
 
 

@@ -33,6 +33,7 @@ def index_record(
     derived: Mapping[str, Mapping[str, Entry]],
     evidence: Mapping[str, Mapping[str, Any]],
     modules: Mapping[str, str],
+    formulas: Mapping[str, Mapping[str, Any]],
 ) -> dict[str, Any]:
     """What `list` and `show` need of every entry, as text.
 
@@ -42,6 +43,8 @@ def index_record(
         Entries by suffix, and what was found about them, by key of the problem.
     modules : mapping
         The generated modules by path, from which the signatures are read.
+    formulas : mapping
+        What `formulas_of` gives of all profiles.
     """
     problems = [systems.problem(key) for key in derived]
     profiles: dict[str, list[Problem]] = {}
@@ -59,7 +62,21 @@ def index_record(
         ],
         "profiles": [_profile(own, derived) for own in profiles.values()],
         "matrix": matrix(derived, evidence),
-        "entries": [row for problem in problems for row in _rows(problem, derived, evidence, modules)],
+        "entries": [row for problem in problems for row in _rows(problem, derived, evidence, modules, formulas)],
+    }
+
+
+def formulas_of(derived: Mapping[str, Mapping[str, Entry]]) -> dict[str, dict[str, Any]]:
+    """What the index has of the formulas of some profiles, by key: nearly all its time; no profile needs another."""
+    return {
+        entry.key: {
+            "cases": _cases(entry),
+            "latex": [{"conditions": region.condition, "text": region.tex} for region in row(entry).regions],
+            "composed": list(entry.composed) if entry.composed else [],
+            "definition": _text(entry.definition),
+        }
+        for entries in derived.values()
+        for entry in entries.values()
     }
 
 
@@ -97,10 +114,12 @@ def _rows(
     derived: Mapping[str, Mapping[str, Entry]],
     evidence: Mapping[str, Mapping[str, Any]],
     modules: Mapping[str, str],
+    formulas: Mapping[str, Mapping[str, Any]],
 ) -> list[dict[str, Any]]:
     signatures = {name: _bare(found) for name, found in page.signatures(modules[problem.module]).items()}
     found = evidence[problem.key]["entries"]
-    return [_entry(problem, entry, found.get(suffix, {}), signatures) for suffix, entry in derived[problem.key].items()]
+    known = derived[problem.key].items()
+    return [_entry(problem, own, found.get(end, {}), signatures, formulas[own.key]) for end, own in known]
 
 
 def _bare(arguments: ast.arguments) -> str:
@@ -111,7 +130,11 @@ def _bare(arguments: ast.arguments) -> str:
 
 
 def _entry(
-    problem: Problem, entry: Entry, evidence: Mapping[str, Any], signatures: Mapping[str, str]
+    problem: Problem,
+    entry: Entry,
+    evidence: Mapping[str, Any],
+    signatures: Mapping[str, str],
+    formulas: Mapping[str, Any],
 ) -> dict[str, Any]:
     quantity = entry.quantity
     arguments = signatures[quantity.function]
@@ -126,10 +149,7 @@ def _entry(
         "function": quantity.function,
         "symbol": str(quantity.symbol),
         "status": entry.status,
-        "cases": _cases(entry),
-        "latex": [{"conditions": region.condition, "text": region.tex} for region in row(entry).regions],
-        "composed": list(entry.composed) if entry.composed else [],
-        "definition": _text(entry.definition),
+        **formulas,
         "python": f"{problem.module.removesuffix('.py').replace('/', '.')}.{quantity.function}({arguments})",
         "unit": nt.describe(quantity.symbol).unit,
         "domain": list(dict.fromkeys(domain for domain in domains if domain)),

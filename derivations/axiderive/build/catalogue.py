@@ -302,13 +302,13 @@ def _emit(
     derived = _derived(published)
     evidence = {problem.key: outcome.evidence for problem, outcome in published}
     texts = dict(modules)
-    models = _page_models(published, book.ids, jobs)
+    models, formulas = _pages(published, book.ids, jobs)
     pages = handbook.handbook_sources(derived, evidence, book.chapter, models, studies)
     printed({path: text.encode() for path, text in pages.items()})
     texts |= {f"handbook/{path}": text for path, text in pages.items()}
     site = web.html_sources(derived, evidence, book.chapter, models, texts, studies)
     texts |= {f"handbook/html/{path}": text for path, text in site.items()}
-    files = texts | {"axicontact/index.json": dumps(index.index_record(derived, evidence, texts))}
+    files = texts | {"axicontact/index.json": dumps(index.index_record(derived, evidence, texts, formulas))}
     for problem, outcome in published:
         checks = handbook.approached(models[problem.profile_id], problem.system.name)
         found = outcome.evidence | ({"approaches": checks} if checks else {})
@@ -319,21 +319,24 @@ def _emit(
     return files
 
 
-def _page_models(published: Published, ids: Sequence[str], jobs: pool.Jobs) -> dict[str, Record]:
-    """What the page of every profile shows, in the order of the handbook; made side by side."""
+def _pages(published: Published, ids: Sequence[str], jobs: pool.Jobs) -> tuple[dict[str, Record], Record]:
+    """What the page of every profile shows, in the order of the handbook, and the formulas as the index has them."""
     from ..book import handbook
 
     own = _by_profile(published, lambda outcome: (outcome.entries, outcome.evidence))
     numbers = handbook.numbered(ids)
-    made = dict(pool.run(_page_model, [(name, found, numbers[name]) for name, found in own.items()], jobs))
-    return {name: made[name] for name in own}
+    made, formulas = dict[str, Record](), Record()
+    for name, model, texts in pool.run(_page, [(name, found, numbers[name]) for name, found in own.items()], jobs):
+        made[name] = model
+        formulas |= texts
+    return {name: made[name] for name in own}, formulas
 
 
-def _page_model(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record]:
-    """The page of one profile, from what is stored of its problems."""
-    from ..book import spread
+def _page(profile_id: str, found: dict[str, tuple[Record, Record]], number: str) -> tuple[str, Record, Record]:
+    """The page of one profile and its formulas, which are set once for both, from what is stored of its problems."""
+    from ..book import index, spread
     from ..physics.systems import problem
 
     derived = {key: work.read_entries(problem(key), entries) for key, (entries, _) in found.items()}
     evidence = {key: record for key, (_, record) in found.items()}
-    return profile_id, spread.model(profile_id, derived, evidence, number)
+    return profile_id, spread.model(profile_id, derived, evidence, number), index.formulas_of(derived)

@@ -38,10 +38,15 @@ class Module:
     text: str
 
     @cached_property
+    def tree(self) -> ast.Module:
+        """Its text, read."""
+        return ast.parse(self.text)
+
+    @cached_property
     def bound(self) -> dict[str, ast.stmt]:
         """The functions, classes and constants of the module by name."""
         found: dict[str, ast.stmt] = {}
-        for statement in ast.parse(self.text).body:
+        for statement in self.tree.body:
             if isinstance(statement, ast.FunctionDef | ast.ClassDef):
                 found[statement.name] = statement
             elif isinstance(statement, ast.Assign):
@@ -60,7 +65,7 @@ class Module:
         """Where the names come from that it imports: a module and a name in it, or all of a module of Python."""
         package = self.name.split(".")[:-1]
         found: dict[str, Name] = {}
-        for node in ast.walk(ast.parse(self.text)):
+        for node in ast.walk(self.tree):
             if isinstance(node, ast.ImportFrom):
                 base = [*package[: len(package) - node.level + 1]] if node.level else []
                 module = ".".join([*base, *filter(None, [node.module])])

@@ -12,6 +12,7 @@ from __future__ import annotations
 import ast
 import dataclasses
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -51,6 +52,8 @@ def to_text(expr: sp.Basic) -> str:
     return text
 
 
+# a sixth of the texts of a profile are different ones, and all are read when they are written, proved and printed
+@lru_cache(maxsize=16384)
 def from_text(text: str) -> Any:
     """The expression that `to_text` wrote."""
     try:
