@@ -111,8 +111,8 @@ def test_the_matrix_is_full():
     """Every accepted cell is one of the catalogue or an expression; none is refused that has entries."""
     counts = {kind: sum(cell.kind == kind for cell in ACCEPTED) for kind in KINDS}
     assert counts == {
-        "normal": 18, "adhesive": 16, "cohesive": 2, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5, "loads": 2,
-        "subsurface": 8,
+        "normal": 18, "adhesive": 16, "cohesive": 2, "tangential": 10, "torsion": 2, "viscoelastic": 10, "plane": 5,
+        "loads": 2, "subsurface": 8,
     }  # fmt: skip
 
 

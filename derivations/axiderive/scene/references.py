@@ -261,7 +261,7 @@ class _Radius:
         return replace(here, values={**here.values, solved: length})
 
     def length(self, stated: Mapping[str, sp.Expr]) -> Any:
-        """The root by one step of the definition from that of the formula, searched for once; None beyond the profile."""
+        """The root by one step of the definition from that of the formula, found once; None beyond the profile."""
         contact, system = self.contact, self.contact.request.kind.system
         key = (system.physics.solved, self.a)
         if key not in contact.found:
