@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -17,17 +16,14 @@ import numpy as np
 import sympy as sp
 
 from .. import notation as nt
-from ..checks.viscoelastic import material
 from ..code import example
 from ..entry import COMPACT
-from ..letters import name_of
 from ..oracle.definitions import ring
 from ..oracle.evaluate import case_at, evaluated
 from ..oracle.half_space import HalfSpace
 from ..oracle.integrals import GUARD, under_load
 from ..oracle.plane import GUARD as STRIPS
 from ..oracle.plane import defined, strip
-from ..oracle.rules import gauss_rule, integrate
 from ..oracle.shape import number
 from ..physics.consequences import CONSEQUENCES
 from ..profiles.loads import Load
@@ -35,6 +31,7 @@ from . import interface
 from .contact import DIGITS, Contact, short
 from .fields import Below
 from .interface import Function
+from .relaxing import Relaxing
 
 Rows = list[tuple[tuple[float, ...], Any]]
 """Calls of a function, by their fields, with their results."""
@@ -50,10 +47,6 @@ DISTANCE = 2.7
 """Of the reference point of the depth of a strip, over the half-width."""
 LATER = (0.4, 1.9)
 """Times over that of the material."""
-TURNED = mp.mpf("0.7")
-"""Of a time, when the indenter went back, of that, when it was stopped, and of that, when the contact was as large."""
-NODES = 60
-"""On a piece of a profile, for the springs below it."""
 NEAR = 1e-9
 """Of a break, relative: a radius that is found at it."""
 NEAREST = 1e-15
@@ -256,7 +249,7 @@ class _Radius:
 
     def at(self, length: Any, **places: float) -> HalfSpace:
         """The half-space with a value of the length that is solved for."""
-        here, solved = self.contact.half_space(a=self.a, **places), self.contact.request.kind.physics.solved
+        here, solved = self.contact.half_space(DIGITS, a=self.a, **places), self.contact.request.kind.physics.solved
         assert solved is not None
         return replace(here, values={**here.values, solved: length})
 
@@ -462,67 +455,9 @@ def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
     """A contact that grows, or one whose edge is fixed, each at a time of its own."""
     values = contact.all
     scale = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
-    sizes = zip(contact.radii() if contact.compact else edged.depths * 2, LATER, strict=False)
-    return [_Relaxing(contact, edged, size, float(f"{later * scale:.4g}")).row(function) for size, later in sizes]
-
-
-class _Relaxing:
-    """One contact on a viscoelastic half-space at a time t; after a way back it is as large as it was at t_1."""
-
-    def __init__(self, contact: Contact, edged: Edged, size: float, t: float) -> None:
-        law, values = contact.request.kind.law, contact.all
-        assert law is not None
-        self.own = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters})
-        self.contact, self.size, self.t = contact, mp.mpf(size), mp.mpf(t)
-        if contact.compact:
-            self.a, self.depth, self.force = self.size, contact.load("d", size), contact.load("F", size)
-        else:
-            self.a, self.depth, self.force = edged.a, self.size, edged.at("F", size)
-
-    def row(self, function: Function) -> tuple[tuple[float, ...], Any]:
-        """A call of a function with its result."""
-        t, own = float(self.t), self.own
-        match function.name:
-            case "step_load_radius":
-                return (t, float(self.force / own.creep(self.t, DIGITS))), self.size
-            case "step_force":
-                return (t, float(self.depth)), own.relaxation(self.t) * self.force
-            case "ramp_force":
-                return (t, float(self.depth / self.t)), self.pressed(self.t)
-        t_h = TURNED * self.t
-        t_m = TURNED * t_h
-        t_1 = mp.mpf(0) if function.name == "contact_time" else TURNED * t_m
-        v = self.depth / (t_1 or t_m)
-        # what came after t_1 and what went since t_h have left nothing
-        came = self.gained(self.t - t_1) - self.gained(self.t - t_m)
-        turned = (float(v), float(v * came / self.gained(self.t - t_h)), float(t_m), float(t_h))
-        match function.name:
-            case "contact_time":
-                return turned, self.t
-            case "earlier_time":
-                return (t, *turned), t_1
-            case "retract_radius":
-                return (t, *turned), self.size
-        return (t, *turned), self.pressed(t_1)
-
-    def gained(self, time: Any) -> Any:
-        """int E ds over the time since a spring was touched, with the impulse of a dashpot."""
-        whole = integrate(self.own.relaxation, mp.mpf(0), time, (0j,), DIGITS, self.own.least)
-        return self.own.impulse + whole
-
-    def pressed(self, until: Any) -> Any:
-        """int E(t - s) dF_el/ds ds up to a time: 2 v int (I(t - g(x)/v) - I(t - until)) dx over the springs below a.
-
-        The edges of a piece, where g and I are no power series, are flattened.
-        """
-        v, gone = self.depth / until, self.gained(self.t - until) if until < self.t else mp.mpf(0)
-        known = self.contact.given()
-        breaks = [b for b in (number(known[b]) for b in self.contact.profile.breaks) if b < self.a]
-        touched = self.a if not self.contact.compact else breaks[0] if self.contact.profile.truncated else mp.mpf(0)
-        total = touched * self.gained(self.t) - self.a * gone
-        for low, high in pairwise(sorted({touched, *breaks, self.a})):
-            for s, weight in gauss_rule(NODES, mp.mp.prec):
-                x = low + (high - low) * s**3 * (10 - 15 * s + 6 * s**2)
-                left = self.t - self.contact.load("d", x) / v
-                total += 30 * (high - low) * weight * (s * (1 - s)) ** 2 * self.gained(max(left, mp.mpf(0)))
-        return 2 * v * total
+    if contact.compact:
+        found = [(mp.mpf(a), mp.mpf(a), contact.load("d", a), contact.load("F", a)) for a in contact.radii()]
+    else:
+        found = [(mp.mpf(d), edged.a, mp.mpf(d), edged.at("F", d)) for d in edged.depths * 2]
+    times = [float(f"{later * scale:.4g}") for later in LATER]
+    return [Relaxing(contact, *one, mp.mpf(t)).row(function) for one, t in zip(found, times, strict=False)]
