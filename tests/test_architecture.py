@@ -28,7 +28,7 @@ LATER = (
     *("physics/subsurface", "proof/rules/subsurface", "oracle/subsurface", "checks/subsurface", "code/subsurface"),
     *("runtime/subsurface/", "stable/fields", "rows/fields", "readback/fields", "figures/contours"),
     *("abel/field_moments", "languages/", "web/calculator", "scene/translation"),
-    *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields"),
+    *("physics/torsion", "runtime/physics/torsion", "runtime/physics/retraction", "scene/fields", "scene/relaxing"),
     *("physics/consequences/", "code/bodies/consequences", "runtime/shapes/energy", "runtime/shapes/load_within"),
     *("physics/cohesive", "code/physics/cohesive", "runtime/physics/cohesive"),
     *("physics/layer", "oracle/layer", "checks/layer", "code/physics/layer", "runtime/physics/layer"),

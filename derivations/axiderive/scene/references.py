@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from typing import Any
 
 import mpmath as mp
@@ -456,8 +456,8 @@ def _relaxing(contact: Contact, edged: Edged, function: Function) -> Rows:
     values = contact.all
     scale = values["eta"] / values["E"] if "eta" in values else values.get("tau", values.get("t_0", 1.0))
     if contact.compact:
-        found = [(mp.mpf(a), mp.mpf(a), contact.load("d", a), contact.load("F", a)) for a in contact.radii()]
+        found = [(mp.mpf(a), mp.mpf(a), contact.load("F", a)) for a in contact.radii()]
     else:
-        found = [(mp.mpf(d), edged.a, mp.mpf(d), edged.at("F", d)) for d in edged.depths * 2]
-    times = [float(f"{later * scale:.4g}") for later in LATER]
-    return [Relaxing(contact, *one, mp.mpf(t)).row(function) for one, t in zip(found, times, strict=False)]
+        found = [(mp.mpf(d), edged.a, edged.at("F", d)) for d in edged.depths * 2]
+    times, sunk = [mp.mpf(f"{later * scale:.4g}") for later in LATER], partial(contact.load, "d")
+    return [Relaxing(contact, sunk, *one, t).row(function) for one, t in zip(found, times, strict=False)]

@@ -5,6 +5,7 @@ The speed of a way back is chosen so that the contact is as large as it was at a
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
@@ -26,12 +27,13 @@ NODES = 60
 class Relaxing:
     """One contact on a viscoelastic half-space at a time t; after a way back it is as large as it was at t_1."""
 
-    def __init__(self, contact: Contact, size: Any, a: Any, depth: Any, force: Any, t: Any) -> None:
-        """`size` is what a function gives back: the radius, or the depth where that is fixed."""
+    def __init__(self, contact: Contact, sunk: Callable[[Any], Any], size: Any, a: Any, force: Any, t: Any) -> None:
+        """`sunk` is the depth of a smaller contact; `size` is the radius, or the depth where the edge is fixed."""
         law, values = contact.request.kind.law, contact.all
         assert law is not None
         self.own = material(law.suffix, {symbol: mp.mpf(values[name_of(symbol)]) for symbol in law.parameters})
-        self.contact, self.size, self.a, self.depth, self.force, self.t = contact, size, a, depth, force, t
+        self.contact, self.sunk, self.size, self.a, self.force, self.t = contact, sunk, size, a, force, t
+        self.depth = sunk(a) if contact.compact else size
 
     def row(self, function: Function) -> tuple[tuple[float, ...], Any]:
         """A call of a function with its result."""
@@ -77,6 +79,6 @@ class Relaxing:
         for low, high in pairwise(sorted({touched, *breaks, self.a})):
             for s, weight in gauss_rule(NODES, mp.mp.prec):
                 x = low + (high - low) * s**3 * (10 - 15 * s + 6 * s**2)
-                left = self.t - self.contact.load("d", x) / v
+                left = self.t - self.sunk(x) / v
                 total += 30 * (high - low) * weight * (s * (1 - s)) ** 2 * self.gained(max(left, mp.mpf(0)))
         return 2 * v * total
